@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace slidercrank
 {
@@ -335,12 +336,40 @@ void requireData(RawTable &table, std::size_t file)
     throw ReadError{.line = own.layout.headerLine, .fault = fault, .file = file};
 }
 
+/// Takes back that the paths of headings imply m and rad where the values are too large for that: no coupler swings by
+/// more than a turn, and hardly a slider moves by more than ten metres.
+void checkImpliedUnits(RawTable &table)
+{
+    constexpr double kMaxTravel = 10.0;                  // m
+    constexpr double kMaxSwing = 2.0 * std::numbers::pi; // rad
+    const auto isImplied = [](const RawColumn &column) { return column.meaning.reason == ColumnReason::PathInSi; };
+    const auto isTooLarge = [&](const RawColumn &column) {
+        if (!isImplied(column) || column.meaning.channel.order != Order::Position) {
+            return false;
+        }
+        const double width = rangeOf(column.values).width();
+        return isAngle(column.meaning.channel.coordinate) ? width > kMaxSwing && findReversal(column.values)
+                                                          : width > kMaxTravel;
+    };
+    if (std::ranges::none_of(table.columns, isTooLarge)) {
+        return;
+    }
+    for (RawColumn &column : table.columns) {
+        if (isImplied(column)) {
+            column.use.unit.clear();
+            column.meaning.reason =
+                column.meaning.kind >= Kind::Words ? ColumnReason::KnownName : ColumnReason::QuantityInName;
+        }
+    }
+}
+
 } // namespace
 
 void assignColumns(RawTable &table, std::span<const ColumnChoice> choices)
 {
     applyChoices(table, choices);
     correctMeanings(table);
+    checkImpliedUnits(table);
     assignAbscissas(table);
     assignChannels(table);
     for (std::size_t file = 0; file < table.files.size(); ++file) {

@@ -501,6 +501,9 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     const std::optional<NameReading> reading = readPath(path, derivatives, words);
     const bool isAboutZ = std::ranges::count(allWords, "z") > 0; // "twist/angular/z"; the motion is in x and y
     const bool isKnown = reading && (!isAboutZ || reading->dimension == Dimension::Angle);
+    if (isKnown && isAboutZ && !reading->body && unit.empty()) { // "Z_AngVel", of any body
+        return {.reason = ColumnReason::UnknownBody};
+    }
     NameMeaning meaning = isKnown ? meaningOfReading(*reading, path, unit) : NameMeaning();
     if (meaning.kind != Kind::Nothing || meaning.reason != ColumnReason::UnknownName) {
         return meaning;

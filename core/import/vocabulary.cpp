@@ -29,7 +29,7 @@ constexpr std::string_view kLetterSpellings =
 
 constexpr std::string_view kTimeWords =
     "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
-    "czas tid cas timp zaman sure epoch millis micros время 时间 時間 ido aika";
+    "czas tid cas timp zaman sure epoch millis micros время 时间 時間 時刻 ido aika";
 constexpr std::string_view kTimeCompanions =
     "elapsed row sim simulation simulacion transcurrido de la since start date "
     "relative run latest data set ch mechanism kin";
