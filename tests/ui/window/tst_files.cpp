@@ -347,7 +347,9 @@ private slots:
         QCOMPARE(QDir(path("new")).entryList(QDir::Files).size(), 12);
         QCOMPARE(frame("frame_0001.png").size(), QSize(201, 120));
         QVERIFY(frame("frame_0001.png") != frame("frame_0012.png"));
-        QCOMPARE(frame("frame_0001.png"), frame("frame_0009.png")); // one revolution later
+        // One revolution later, apart from the crank angle in the upper line, which counts on.
+        const auto belowTheAngle = [&frame](const char *name) { return frame(name).copy(0, 22, 201, 98); };
+        QCOMPARE(belowTheAngle("frame_0001.png"), belowTheAngle("frame_0009.png"));
     }
 
     void asksForANameAndBeforeReplacingAFile()
