@@ -62,9 +62,9 @@ class Window:
     """The program's window in a page."""
 
     FILE, VIEW = (20, 10), (97, 10)
-    COUPLER = (196, 773)  # the handle of the slider of b, at 65 mm
-    PIN = (231, 357)  # A, which a finger drags
-    STUDY_TAB = (1062, 646)
+    COUPLER = (206, 750)  # the handle of the slider of b, at 65 mm
+    PIN = (231, 339)  # A, which a finger drags
+    STUDY_TAB = (1180, 599)
 
     def __init__(self, browser, shots, name):
         self.browser, self.shots, self.name = browser, shots, name
