@@ -3,6 +3,7 @@
 // `slidercrank render`: draws what the window shows into a file, by the views of the window.
 
 #include "app/commands.h"
+#include "app/option_words.h"
 #include "app/reference_files.h"
 #include "app/time_step_report.h"
 #include "core/identification/identification.h"
