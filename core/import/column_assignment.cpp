@@ -337,7 +337,7 @@ void requireData(RawTable &table, std::size_t file)
 }
 
 /// Takes back that the paths of headings imply m and rad where the values are too large for that: no coupler swings by
-/// more than a turn, and hardly a slider moves by more than ten metres.
+/// more than a turn, and hardly any slider moves by more than ten metres.
 void checkImpliedUnits(RawTable &table)
 {
     constexpr double kMaxTravel = 10.0;                  // m

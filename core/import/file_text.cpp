@@ -61,7 +61,8 @@ void refuseFormats(std::string_view text, bool mayBeBinary)
     std::string beginning = lowered(text.substr(0, 1000));
     std::erase_if(beginning, [](char c) { return isBlank(c) || c == '\r' || c == '\n'; });
     for (const auto &[bytes, format] : kBeginnings) {
-        if (beginning.starts_with(bytes) && (format <= Pdf || !mayBeBinary)) {
+        const bool isBinary = format == Spreadsheet || format == Pdf;
+        if (beginning.starts_with(bytes) && (isBinary || !mayBeBinary)) {
             throw ReadError{.fault = {format}};
         }
     }

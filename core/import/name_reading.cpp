@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/name_reading.h"
+
+#include "core/import/cells.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Words = std::vector<std::string>;
+using Doubt = NameMeaning::Doubt;
+
+/// Last parts of paths that say nothing: "slider_tx/value", "Piston/Bâti" (relative to the frame).
+constexpr std::string_view kIgnoredEnds =
+    "value series data signal ground frame base bâti bati bastidor telaio gestell";
+
+/// Sets `all` to a value that is known. Returns false if it differs from the one before.
+template <typename Value>
+bool merge(std::optional<Value> &all, const std::optional<Value> &value)
+{
+    const bool agrees = !all || !value || *all == *value;
+    all = value ? value : all;
+    return agrees;
+}
+
+/// Includes what an entry of the vocabulary says. Returns false if it contradicts the rest.
+bool merge(NameReading &all, const WordMeaning &entry)
+{
+    all.order = std::max(all.order, entry.order);
+    all.axis = entry.axis != ' ' ? entry.axis : all.axis;
+    return merge(all.dimension, entry.dimension) && merge(all.body, entry.body);
+}
+
+/// Includes the number of a link after a symbol: the crank is link 2, the coupler 3 and the slider 4. Returns false if
+/// the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1").
+bool includeNumber(NameReading &all, std::string_view digits)
+{
+    if (!all.hasSymbol) {
+        return true;
+    }
+    const bool isAngle = all.dimension == Dimension::Angle;
+    all.isBodyNamed = true;
+    if (digits == "4" && !isAngle) {
+        return merge(all.body, std::optional(Body::Slider));
+    }
+    all.isUnknownBody = !isAngle;
+    all.isFrame = digits == "1";
+    const std::optional<Body> link = digits == "2"   ? std::optional(Body::Crank)
+                                     : digits == "3" ? std::optional(Body::Coupler)
+                                                     : std::nullopt;
+    return isAmong(digits, "1 2 3") && (!isAngle || merge(all.body, link));
+}
+
+/// Returns whether a symbol can stand for a quantity of that order, as in "velocity v" or "crank angle α".
+bool isOfOrder(const WordMeaning &symbol, std::optional<Order> order)
+{
+    const bool isAlpha = symbol.dimension == Dimension::Angle && symbol.order == Order::Acceleration;
+    return !order || !symbol.order || symbol.order == order || (isAlpha && order == Order::Position);
+}
+
+/// Which entries of the vocabulary a word may be.
+enum class Entries {
+    WithoutSymbols, ///< in the part of a path that only names the body: "x" is no position there
+    All
+};
+
+/// Includes the letter of a joint: "joint B", "velocity of B".
+bool includeJoint(NameReading &all, std::string_view letter)
+{
+    const WordMeaning *const index = findWord(letter, WordUse::Index);
+    all.isUnknownBody = all.isUnknownBody || !index;
+    return !index || merge(all, *index);
+}
+
+/// Returns the meaning of a word as the index of what stands before it: "x_s", "velocity B", "ω_BC", but not the Bp of
+/// "xBp". Null if it is none.
+const WordMeaning *indexNamed(const NameReading &before, std::string_view word)
+{
+    const bool mayFollow = before.hasSymbol || (before.order && isAmong(word, "b c"));
+    const bool isOfLink = word.size() > 1 && before.dimension == Dimension::Angle;
+    return mayFollow && (word.size() == 1 || isOfLink) ? findWord(word, WordUse::Index) : nullptr;
+}
+
+/// Includes an index. Returns false if it is the second one, or contradicts the words before.
+bool includeIndex(NameReading &all, std::string_view word, const WordMeaning &index)
+{
+    const bool isOfSlider = index.body == Body::Slider && all.dimension == Dimension::Angle; // θ_c, θ_b
+    all.isUnknownBody = all.isUnknownBody || isOfSlider;
+    if (all.hasIndex) {
+        return false;
+    }
+    all.hasIndex = true;
+    all.joints = !index.body && word.size() > 1 ? word : "";
+    return isOfSlider || merge(all, index);
+}
+
+/// Includes the letter after a symbol that is a derivative or something else: the p of "x_p".
+bool includeLetterOfOne(NameReading &all, std::string_view letter)
+{
+    const bool isOfPiston = letter == "p" && all.order; // v_p and a_p, for which a derivative is unusual
+    if (isOfPiston) {
+        return merge(all.body, std::optional(Body::Slider));
+    }
+    all.doubt = letter == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
+    return true;
+}
+
+/// Includes a symbol. A word before it, such as "velocity", decides the order.
+bool includeSymbol(NameReading &all, std::string_view word, WordMeaning symbol)
+{
+    all.hasSymbol = true;
+    all.symbol = all.order ? std::string_view() : word;
+    symbol.order = all.order ? all.order : symbol.order;
+    return merge(all, symbol);
+}
+
+/// Includes an entry of the vocabulary. Returns false if the word is unknown there or contradicts the words before.
+bool includeEntry(NameReading &all, std::string_view word, Entries entries)
+{
+    if (isDigits(word)) {
+        return includeNumber(all, word);
+    }
+    if (const WordMeaning *const entry = findWord(word, WordUse::Word)) {
+        all.isLabelled = false;
+        all.isBodyNamed = all.isBodyNamed || entry->body;
+        all.isOrderNamed = all.isOrderNamed || entry->order;
+        return merge(all, *entry);
+    }
+    const bool followsLabel = std::exchange(all.isLabelled, !all.hasSymbol && findWord(word, WordUse::Label));
+    if (followsLabel && word.size() == 1 && !isAmong(word, "x y")) {
+        return includeJoint(all, word);
+    }
+    if (all.isLabelled || findWord(word, WordUse::Filler)) {
+        return true;
+    }
+    if (const WordMeaning *const index = indexNamed(all, word)) {
+        return includeIndex(all, word, *index);
+    }
+    if (all.hasSymbol && findWord(word, WordUse::LetterOfOne)) {
+        return includeLetterOfOne(all, word);
+    }
+    const WordMeaning *const symbol = entries == Entries::All ? findWord(word, WordUse::Symbol) : nullptr;
+    if (symbol && (symbol->axis != ' ' || (!all.hasSymbol && isOfOrder(*symbol, all.order)))) {
+        return includeSymbol(all, word, *symbol);
+    }
+    const WordMeaning *const derivative = findWord(word, WordUse::Derivative);
+    all.derivatives += derivative ? static_cast<int>(*derivative->order) : 0;
+    return derivative;
+}
+
+/// Includes a known word with an ending, such as a plural or genitive: "pistonun". Returns false if it is none.
+bool includeStem(NameReading &all, std::string_view word)
+{
+    constexpr std::size_t kShortestStem = 5; // bytes
+    constexpr std::size_t kLongestEnding = 3;
+    const std::size_t shortest = std::max(kShortestStem, word.size() - std::min(word.size(), kLongestEnding));
+    for (std::size_t size = word.size(); size-- > shortest;) {
+        if (findWord(word.substr(0, size), WordUse::Word)) {
+            return includeEntry(all, word.substr(0, size), Entries::WithoutSymbols);
+        }
+    }
+    return false;
+}
+
+/// Includes an entry that is a part of a longer word. Short fillers are none: "end" is not "en" and "d".
+bool includePart(NameReading &all, std::string_view part, Entries entries)
+{
+    constexpr std::size_t kShortestFiller = 4; // bytes
+    const bool isShortFiller = part.size() < kShortestFiller && findWord(part, WordUse::Filler);
+    return !isShortFiller && includeEntry(all, part, entries);
+}
+
+bool includeCompound(NameReading &all, std::string_view word, Entries entries);
+
+/// Includes the rest of a compound, which is one part or a compound itself.
+bool includeRest(NameReading &all, std::string_view rest, Entries entries)
+{
+    NameReading with = all;
+    if (includePart(with, rest, entries)) {
+        all = with;
+        return true;
+    }
+    return includeCompound(all, rest, entries) || includeStem(all, rest);
+}
+
+/// Includes a compound of entries such as "kolbenweg", "crankangle" or "xdot"; the longest first part is tried first.
+/// German puts an s or n between two words: "Kurbelwellenwinkel". Returns false if no division is known, or if all
+/// contradict the words before.
+bool includeCompound(NameReading &all, std::string_view word, Entries entries)
+{
+    for (std::size_t end = word.size() - 1; end > 0; --end) {
+        const std::string_view first = word.substr(0, end);
+        const std::string_view rest = word.substr(end);
+        const bool isDifferential = first == "d" && !all.hasSymbol && findWord(rest, WordUse::Symbol); // "dx"
+        NameReading before = all;
+        if (!isDifferential && !includePart(before, first, entries)) {
+            continue;
+        }
+        NameReading with = before;
+        if (includeRest(with, rest, entries)) {
+            all = with;
+            all.doubt = isDifferential ? Doubt::IsDerivative : all.doubt;
+            return true;
+        }
+        const bool mayBeJoined = rest.size() > 1 && (rest[0] == 's' || rest[0] == 'n');
+        with = before;
+        if (mayBeJoined && findWord(first, WordUse::Word) && includeRest(with, rest.substr(1), entries)) {
+            all = with;
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Includes one word: an entry of the vocabulary, a compound of several, or one with an ending. Returns false if it is
+/// unknown or contradicts the words before.
+bool includeWord(NameReading &all, std::string_view word, Entries entries)
+{
+    NameReading with = all;
+    if (includeEntry(with, word, entries)) {
+        all = with;
+        return true;
+    }
+    return includeCompound(all, word, entries) || includeStem(all, word);
+}
+
+/// Includes an unknown index of an angle, such as that of "theta_m", which may be the angle of the crank.
+bool includeUnknownIndex(NameReading &all, std::string_view word)
+{
+    const bool isIndex = all.hasSymbol && word.size() <= 2 && all.dimension == Dimension::Angle;
+    all.isUnknownBody = all.isUnknownBody || isIndex;
+    return isIndex;
+}
+
+/// Returns the body that the words name; nullopt if it is none or several, as in "slider_crank".
+std::optional<Body> bodyAmong(const Words &words)
+{
+    std::optional<Body> body;
+    for (const std::string &word : words) {
+        const WordMeaning *const entry = findWord(word, WordUse::Word);
+        if (entry && !merge(body, entry->body)) {
+            return std::nullopt;
+        }
+    }
+    return body;
+}
+
+} // namespace
+
+NamePath splitPath(std::string_view name)
+{
+    const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
+    name.remove_prefix(isOfRecurDyn ? 2 : 0);
+    const std::string_view mark = isOfRecurDyn ? "-" : name.find('@') != name.npos ? "@" : " - ";
+    if (const std::size_t at = name.find(mark); at != name.npos && at > 0) {
+        const std::string_view owner = name.substr(at + mark.size()); // "Slider@Model1"
+        return {{owner.substr(0, owner.find('@')), name.substr(0, at)}, std::string(owner)};
+    }
+    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point belongs to an abbreviation
+    NamePath path;
+    std::size_t begin = 0;
+    char separator = ' ';
+    for (std::size_t i = 0; i <= name.size(); ++i) {
+        const bool isEnd = i == name.size();
+        const bool isComma = i > 1 && i + 3 < name.size() && name.substr(i, 2) == ", "; // "Slider, X Displacement"
+        if (isEnd || isComma || name[i] == '/' || name[i] == ':' || name[i] == '|' || (name[i] == '.' && !hasBlank)) {
+            if (i > begin) {
+                path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));
+                path.parts.push_back(name.substr(begin, i - begin));
+            }
+            begin = i + 1;
+            separator = isEnd ? separator : name[i];
+        }
+    }
+    while (path.parts.size() > 1 && isAmong(lowered(path.parts.back()), kIgnoredEnds)) {
+        path.parts.pop_back();
+    }
+    path.isOfModelica = path.parts.size() > 1 && separator == '.' && name.find_first_of(" ,;:/") == name.npos &&
+                        findWord('.' + std::string(path.parts.back()), WordUse::Symbol);
+    path.isInSi = path.isOfModelica || (path.parts.size() > 1 && name.starts_with('/'));
+    return path;
+}
+
+int takeDerivatives(Words &words)
+{
+    int count = 0;
+    if (words == Words{"ddot"} || words == Words{"dddot"}) { // of the distance d
+        words = {"d", words[0].substr(1)};
+    }
+    for (std::size_t i = 0; i < words.size();) {
+        const bool hasNext = i + 1 < words.size();
+        const WordMeaning *const two = hasNext ? findWord(words[i] + '_' + words[i + 1], WordUse::Derivative) : nullptr;
+        const bool isLabel = i == 0 && hasNext && findWord(words[0], WordUse::Label); // "Punto B", but "x punto"
+        const WordMeaning *const entry = two ? two : findWord(words[i], WordUse::Derivative);
+        if (entry && !isLabel) {
+            count += static_cast<int>(*entry->order);
+            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
+                        words.begin() + static_cast<std::ptrdiff_t>(i + (two ? 2 : 1)));
+        } else {
+            ++i;
+        }
+    }
+    const bool isSecond = words.size() > 2 && words[0] == "d" && words[1] == "2";
+    if (words.empty() || !words[0].starts_with('d')) {
+        return count;
+    }
+    const auto denominator = std::ranges::find_if(words, [](const std::string &word) { return word.ends_with("dt"); });
+    if (words.size() > 1 || (denominator != words.end() && denominator->size() > 3)) {
+        if (denominator != words.end()) { // "dx/dt"
+            denominator->resize(denominator->size() - 2);
+            if (const auto power = denominator + 1; power != words.end() && *power == "2") {
+                words.erase(power);
+            }
+            count += isSecond ? 0 : 1;
+            words[0].erase(0, isSecond ? 0 : 1);
+        }
+        if (isSecond) {
+            count += 2;
+            words.erase(words.begin(), words.begin() + 2);
+        }
+    }
+    std::erase(words, std::string());
+    return count;
+}
+
+std::optional<NameReading> readName(const NamePath &path, int derivatives, const Words &lastWords)
+{
+    NameReading all{.derivatives = derivatives};
+    bool hasUnknownPart = false;
+    for (std::size_t i = path.parts.size(); i-- > 0;) {
+        const bool isLast = i + 1 == path.parts.size();
+        Words words = isLast ? lastWords : wordsOf(path.parts[i]);
+        std::erase_if(words, [&](const std::string &word) { return !isLast && isDigits(word) && words.size() == 2; });
+        const Entries entries = isLast ? Entries::All : Entries::WithoutSymbols;
+        NameReading with = all;
+        bool isKnown = true;
+        for (std::size_t k = 0; k < words.size() && isKnown; ++k) {
+            const std::string two = k + 1 < words.size() ? words[k] + '_' + words[k + 1] : std::string();
+            const bool isPair = findWord(two, WordUse::Word); // "link 3"
+            isKnown = includeWord(with, isPair ? two : words[k], entries) || includeUnknownIndex(with, words[k]);
+            k += isPair ? 1 : 0;
+        }
+        if (!isKnown && isLast) {
+            return std::nullopt;
+        }
+        if (isKnown) {
+            all = with;
+        } else if (!all.body) { // "Slider_J004"
+            all.body = bodyAmong(words);
+            all.isBodyNamed = all.body.has_value();
+        }
+        hasUnknownPart = hasUnknownPart || !isKnown;
+    }
+    all.isUnknownBody = all.isUnknownBody || (hasUnknownPart && !all.body && !path.isOfModelica);
+    const bool isOfCoupler = !all.body || all.body == Body::Coupler;
+    const Dimension ofBody = all.body == Body::Crank ? Dimension::Angle : Dimension::Length;
+    return isOfCoupler || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Reads the words of a column's name one after the other, and merges what they say. name_meaning.h decides what
+// follows.
+
+#include "core/import/name_meaning.h"
+#include "core/import/vocabulary.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// A name as a path whose last part is the quantity, and whose other parts may name the body:
+///
+///     slider.s   /crank_slider/slider/position   Latest: Position   Pos_TX@Slider   Position - Cart
+struct NamePath {
+    std::vector<std::string_view> parts{};
+    std::string owner{};       ///< all parts but the last one
+    bool isOfModelica = false; ///< "slider.s": a variable of Modelica's library
+    bool isInSi = false;       ///< by Modelica or ROS: in m, rad and s
+};
+
+/// Splits a name into the parts of its path. The parts refer to the name.
+NamePath splitPath(std::string_view name);
+
+/// What the words of a name say together.
+struct NameReading {
+    std::optional<Dimension> dimension{};
+    std::optional<Order> order{}; ///< without `derivatives`
+    std::optional<Body> body{};
+    char axis = ' ';
+    int derivatives = 0;
+    bool hasSymbol = false;
+    bool hasIndex = false;
+    bool isOrderNamed = false;  ///< by a word such as "velocity"
+    bool isBodyNamed = false;   ///< by a word or number, and not only by an index such as B
+    bool isLabelled = false;    ///< the next letter is that of a joint
+    bool isFrame = false;       ///< it has the number 1, as the frame if the links are numbered from there
+    bool isUnknownBody = false; ///< it has an index that denotes none of the three bodies
+    NameMeaning::Doubt doubt = NameMeaning::Doubt::None;
+    std::string symbol{};
+    std::string joints{}; ///< the ends of a link: "bc" in "ω_BC"
+};
+
+/// Removes the words that stand for a derivative, wherever they are: the dot of "theta3_dot", the d and dt of
+/// "d^2x/dt^2". Returns the number of derivatives.
+int takeDerivatives(std::vector<std::string> &words);
+
+/// Returns what the parts of a path say together, from the last one; nullopt if the last one has unknown words, or
+/// such that contradict each other, as in "linear velocity of the crank". Parts before it that are unknown or
+/// name two bodies, as in "/slider_crank/slider/position", are ignored if another part names the body.
+std::optional<NameReading> readName(const NamePath &path, int derivatives, const std::vector<std::string> &lastWords);
+
+} // namespace slidercrank
