@@ -2,6 +2,7 @@
 #include "ui/export/figure_export.h"
 
 #include "ui/document/whole_file.h"
+#include "ui/text/enum_table.h"
 #include "ui/text/finding_text.h"
 
 #include <QBuffer>
@@ -22,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace slidercrank
 {
@@ -29,7 +31,11 @@ namespace slidercrank
 namespace
 {
 
-const QStringList kSuffixes{"png", "svg", "pdf"}; // in the order of FigureFormat
+/// The suffixes of the names of files.
+constexpr EnumText<FigureFormat> kSuffixes[] = {
+    {FigureFormat::Png, "png"}, {FigureFormat::Svg, "svg"}, {FigureFormat::Pdf, "pdf"}};
+static_assert(isCompleteTable(kSuffixes, FigureFormat::Pdf));
+
 constexpr double kPointsPerPixel = kPointsPerInch / kDotsPerInch;
 
 struct FigureExportText {
@@ -129,13 +135,15 @@ QByteArray makePdf(const QPageSize &page, const QString &title, const std::funct
 
 QString suffixOf(FigureFormat format)
 {
-    return kSuffixes[static_cast<qsizetype>(format)];
+    return rowOf(kSuffixes, format).text;
 }
 
 std::optional<FigureFormat> figureFormat(const QString &path)
 {
-    const qsizetype format = kSuffixes.indexOf(QFileInfo(path).suffix().toLower());
-    return format < 0 ? std::nullopt : std::optional(static_cast<FigureFormat>(format));
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    const auto suffixOfRow = [](const EnumText<FigureFormat> &row) { return QString(row.text); };
+    const auto row = std::ranges::find(kSuffixes, suffix, suffixOfRow);
+    return row == std::end(kSuffixes) ? std::nullopt : std::optional(row->key);
 }
 
 FigureSize figureSize(const FigureOptions &options, const FigureHeight &height)

@@ -2,6 +2,7 @@
 #include "ui/export/figure_form.h"
 
 #include "ui/text/written_number.h"
+#include "ui/widgets/enum_box.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/save_dialog.h"
 
@@ -92,7 +93,8 @@ void chooseFigure(QWidget *parent, const FigureSubject &subject,
         stored.showsCursor = subject.hasCursor ? options.showsCursor : storedFigureOptions().showsCursor;
         storeFigureOptions(stored);
         QStringList filters = figureFilters();
-        filters.move(static_cast<int>(options.format), 0);
+        const QString suffix = suffixOf(options.format);
+        std::ranges::stable_partition(filters, [&](const QString &filter) { return suffixOf(filter) == suffix; });
         chooseFileToSave(parent, {FigureForm::tr("Export"), filters, subject.name,
                                   [options, write](const QString &path, const QString &) { write(options, path); }});
     });
@@ -112,14 +114,17 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
 {
     named("figureForm", this);
     setWindowTitle(tr("Export"));
-    m_unit->addItems({tr("mm"), tr("px")}); // in the order of FigureOptions::Unit
-    m_unit->setCurrentIndex(static_cast<int>(options.unit));
+    addChoice(m_unit, WidthUnit::Millimetre, tr("mm"));
+    addChoice(m_unit, WidthUnit::Pixel, tr("px"));
+    choose(m_unit, options.unit);
     m_unit->setAccessibleName(tr("Unit of the width"));
     m_width->setValue(options.width);
     m_fontSize->setValue(options.fontSize);
     m_fontSize->setSuffix(tr(" pt"));
-    m_format->addItems({"PNG", "SVG", "PDF"}); // in the order of FigureFormat
-    m_format->setCurrentIndex(static_cast<int>(options.format));
+    addChoice(m_format, FigureFormat::Png, "PNG");
+    addChoice(m_format, FigureFormat::Svg, "SVG");
+    addChoice(m_format, FigureFormat::Pdf, "PDF");
+    choose(m_format, options.format);
     m_cursor->setChecked(options.showsCursor);
     m_cursor->setVisible(subject.hasCursor);
     m_preview->setFrameShape(QFrame::Box);
@@ -182,9 +187,9 @@ FigureOptions FigureForm::options() const
 {
     FigureOptions options;
     options.width = m_width->value();
-    options.unit = static_cast<WidthUnit>(m_unit->currentIndex());
+    options.unit = chosen<WidthUnit>(m_unit);
     options.fontSize = m_fontSize->value();
-    options.format = static_cast<FigureFormat>(m_format->currentIndex());
+    options.format = chosen<FigureFormat>(m_format);
     options.showsCursor = m_subject.hasCursor && m_cursor->isChecked();
     for (const QCheckBox *box : m_plots) {
         if (box->isChecked()) {
@@ -198,7 +203,7 @@ FigureOptions FigureForm::options() const
 void FigureForm::changeUnit()
 {
     constexpr double kPixelsPerMm = kDotsPerInch / kMmPerInch;
-    const bool isInPixels = m_unit->currentIndex() == static_cast<int>(WidthUnit::Pixel);
+    const bool isInPixels = chosen<WidthUnit>(m_unit) == WidthUnit::Pixel;
     m_width->setValue(isInPixels ? std::round(m_width->value() * kPixelsPerMm) : m_width->value() / kPixelsPerMm);
     showPreview();
 }

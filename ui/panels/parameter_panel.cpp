@@ -109,11 +109,11 @@ ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
     addRow(Parameter::B, tr("Length of the coupler, A to B"), {lengthUnit(200.0)});
     addRow(Parameter::C, tr("Height of the slider's line above O₂; may be negative"), {lengthUnit(100.0)});
     addRow(Parameter::Omega2, tr("Angular velocity of the crank, counter-clockwise positive"),
-           {{tr("rad/s"), kRadianPerSecond, 20.0},
-            {tr("°/s"), kDegreePerSecond, 1000.0},
-            {tr("rpm"), kTurnPerMinute, 200.0}});
+           {{tr("rad/s"), kRadianPerSecond, 20.0, CrankSpeedUnit::RadianPerSecond},
+            {tr("°/s"), kDegreePerSecond, 1000.0, CrankSpeedUnit::DegreePerSecond},
+            {tr("rpm"), kTurnPerMinute, 200.0, CrankSpeedUnit::TurnPerMinute}});
     addRow(Parameter::Theta20, tr("Angle of the crank at t = 0"),
-           {{tr("°"), kDegree, 180.0}, {tr("rad"), kRadian, 3.2}});
+           {{tr("°"), kDegree, 180.0, {}, AngleUnit::Degree}, {tr("rad"), kRadian, 3.2, {}, AngleUnit::Radian}});
     m_grid->setRowStretch(m_grid->rowCount(), 1);
     connect(session, &Session::parametersChanged, this, &ParameterPanel::showParameters);
     showParameters();
@@ -147,6 +147,12 @@ double ParameterPanel::ShownUnit::fromCore(double value) const
 const ParameterPanel::ShownUnit &ParameterPanel::Row::shownUnit() const
 {
     return units[unit ? static_cast<std::size_t>(unit->currentIndex()) : 0];
+}
+
+void ParameterPanel::Row::showUnit(const std::function<bool(const ShownUnit &)> &isWanted)
+{
+    const auto wanted = std::ranges::find_if(units, isWanted);
+    unit->setCurrentIndex(static_cast<int>(wanted - units.begin()));
 }
 
 void ParameterPanel::addRow(Parameter parameter, const QString &explanation, const std::vector<ShownUnit> &units)
@@ -184,7 +190,7 @@ void ParameterPanel::addRow(Parameter parameter, const QString &explanation, con
     connect(row.box, &NumberBox::edited, this, [this, parameter](double value) { edit(parameter, value); });
     if (units.size() == 1) {
         row.box->setSuffix(u' ' + units[0].name);
-    } else { // those of the crank speed are in the order of CrankSpeedUnit
+    } else {
         row.unit = named("unit_" + key, new QComboBox, tr("Unit of %1").arg(symbol));
         row.unit->setToolTip(tr("Unit"));
         for (const ShownUnit &unit : units) {
@@ -194,8 +200,8 @@ void ParameterPanel::addRow(Parameter parameter, const QString &explanation, con
         connect(row.unit, &QComboBox::currentIndexChanged, this, [this, parameter] {
             useUnit(parameter);
             showRow(parameter);
-            if (parameter == Parameter::Omega2) {
-                emit crankSpeedUnitChosen(static_cast<CrankSpeedUnit>(m_rows[indexOf(parameter)].unit->currentIndex()));
+            if (const auto speedUnit = m_rows[indexOf(parameter)].shownUnit().speedUnit) {
+                emit crankSpeedUnitChosen(*speedUnit);
             }
         });
     }
@@ -229,9 +235,11 @@ void ParameterPanel::refreshNotation()
     }
     if (m_angleUnit != notation().units.angle) { // otherwise a unit that was chosen for this angle alone stays
         m_angleUnit = notation().units.angle;
-        m_rows[indexOf(Parameter::Theta20)].unit->setCurrentIndex(static_cast<int>(m_angleUnit)); // in that order
+        m_rows[indexOf(Parameter::Theta20)].showUnit(
+            [this](const ShownUnit &unit) { return unit.angleUnit == m_angleUnit; });
     }
-    m_rows[indexOf(Parameter::Omega2)].unit->setCurrentIndex(static_cast<int>(notation().crankSpeed));
+    m_rows[indexOf(Parameter::Omega2)].showUnit(
+        [](const ShownUnit &unit) { return unit.speedUnit == notation().crankSpeed; });
     showParameters();
 }
 

@@ -11,6 +11,8 @@
 #include <QWidget>
 
 #include <array>
+#include <functional>
+#include <optional>
 #include <vector>
 
 class QComboBox;
@@ -48,7 +50,9 @@ private:
     struct ShownUnit {
         QString name;
         Unit unit;
-        double range; ///< initial range of the slider, to both sides of 0
+        double range;                                 ///< initial range of the slider, to both sides of 0
+        std::optional<CrankSpeedUnit> speedUnit = {}; ///< if it is one of the crank speed
+        std::optional<AngleUnit> angleUnit = {};      ///< if it is one of angles
 
         bool isCoreUnit() const;
         double toCore(double value) const;
@@ -65,6 +69,7 @@ private:
         QToolButton *reset = nullptr;
 
         const ShownUnit &shownUnit() const;
+        void showUnit(const std::function<bool(const ShownUnit &)> &isWanted); ///< selects the first one
     };
 
     static ShownUnit lengthUnit(double range);

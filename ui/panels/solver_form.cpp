@@ -6,6 +6,7 @@
 #include "ui/text/axis_scale.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/written_number.h"
+#include "ui/widgets/enum_box.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_table.h"
@@ -85,14 +86,16 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows); // on small screens
     auto *method = addField(form, "methodBox", tr("Method"), new QComboBox, tr("How the curves are computed"));
-    method->addItems({tr("Newton-Raphson"), tr("closed form, exact")}); // in the order of Method
+    addChoice(method, Method::Newton, tr("Newton-Raphson"));
+    addChoice(method, Method::ClosedForm, tr("closed form, exact"));
     auto *tolerance = addField(form, "toleranceBox", tr("Tolerance"), new NumberBox,
                                tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
     tolerance->setRange(0.0, kLargestParameter);
     auto *kind = addField(form, "toleranceKindBox", tr("Tolerance type"), new QComboBox,
                           tr("Absolute: mm and rad mixed. Relative: lengths divided by "
                              "a + b + |c|, the same at every scale"));
-    kind->addItems({tr("absolute"), tr("relative")}); // in the order of ToleranceKind
+    addChoice(kind, ToleranceKind::Absolute, tr("absolute"));
+    addChoice(kind, ToleranceKind::Relative, tr("relative"));
     auto *iterations = addField(form, "iterationsBox", tr("Maximum iterations"), new NumberBox, tr("At one time step"));
     iterations->setRange(1.0, kMaximumIterations);
     iterations->setFixedDecimals(0);
@@ -109,9 +112,9 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
 
     const auto show = [=] {
         const auto &[shownMethod, newton] = session->solver();
-        method->setCurrentIndex(static_cast<int>(shownMethod));
+        choose(method, shownMethod);
         tolerance->setValue(newton.tolerance);
-        kind->setCurrentIndex(static_cast<int>(newton.toleranceKind));
+        choose(kind, newton.toleranceKind);
         iterations->setValue(newton.maxIterations);
         for (QWidget *field : std::initializer_list<QWidget *>{tolerance, kind, iterations}) {
             field->setEnabled(shownMethod == Method::Newton);
@@ -120,9 +123,9 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     };
     const auto edit = [=] {
         SolverSettings solver = session->solver();
-        solver.method = static_cast<Method>(method->currentIndex());
+        solver.method = chosen<Method>(method);
         solver.newton.tolerance = tolerance->value();
-        solver.newton.toleranceKind = static_cast<ToleranceKind>(kind->currentIndex());
+        solver.newton.toleranceKind = chosen<ToleranceKind>(kind);
         solver.newton.maxIterations = static_cast<int>(iterations->value());
         session->setSolver(solver);
     };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/column_text.h"
 
+#include "ui/text/enum_table.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
@@ -17,31 +18,31 @@ struct ColumnText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ColumnText)
 
 public:
-    // In the order of ColumnReason.
-    static constexpr const char *kReasons[] = {
-        QT_TR_NOOP("recognized by its heading"),                                 // KnownName
-        QT_TR_NOOP("chosen by hand"),                                            // Chosen
-        QT_TR_NOOP("assumed: the heading names the quantity, but not the body"), // QuantityInName
-        QT_TR_NOOP("assumed from its values: an angle that spans more than half a turn or rises evenly, or its "
-                   "derivative"),                                                             // WideAngle
-        QT_TR_NOOP("assumed: the first column, whose values only increase"),                  // RisingValues
-        QT_TR_NOOP("assumed from the heading: named as in Modelica or ROS, in m, rad and s"), // PathInSi
-        QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank"),     // AngleForTime
-        QT_TR_NOOP("unknown heading"),                                                        // UnknownName
-        QT_TR_NOOP("its heading does not name the body"),                                     // UnknownBody
-        QT_TR_NOOP("it numbers the rows"),                                                    // RowNumber
-        QT_TR_NOOP("the magnitude of a vector, whose components are other columns"),          // Magnitude
-        QT_TR_NOOP("the same time stamps as in the column of the time"),                      // SameTimeStamps
-        QT_TR_NOOP("no heading"),                                                             // NoName
-        QT_TR_NOOP("it contains no number"),                                                  // NoNumber
-        QT_TR_NOOP("its unit is unknown, or does not suit the quantity"),                     // UnknownUnit
-        QT_TR_NOOP("another column could be the same quantity"),                              // LikeOther
-        QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length"),        // AngleOrLength
-        QT_TR_NOOP("its values do not change, as those of a parameter"),                      // Constant
+    static constexpr EnumText<ColumnReason> kReasons[] = {
+        {ColumnReason::KnownName, QT_TR_NOOP("recognized by its heading")},
+        {ColumnReason::Chosen, QT_TR_NOOP("chosen by hand")},
+        {ColumnReason::QuantityInName, QT_TR_NOOP("assumed: the heading names the quantity, but not the body")},
+        {ColumnReason::WideAngle,
+         QT_TR_NOOP("assumed from its values: an angle that spans more than half a turn or rises evenly, or its "
+                    "derivative")},
+        {ColumnReason::RisingValues, QT_TR_NOOP("assumed: the first column, whose values only increase")},
+        {ColumnReason::PathInSi, QT_TR_NOOP("assumed from the heading: named as in Modelica or ROS, in m, rad and s")},
+        {ColumnReason::AngleForTime, QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank")},
+        {ColumnReason::UnknownName, QT_TR_NOOP("unknown heading")},
+        {ColumnReason::UnknownBody, QT_TR_NOOP("its heading does not name the body")},
+        {ColumnReason::RowNumber, QT_TR_NOOP("it numbers the rows")},
+        {ColumnReason::Magnitude, QT_TR_NOOP("the magnitude of a vector, whose components are other columns")},
+        {ColumnReason::SameTimeStamps, QT_TR_NOOP("the same time stamps as in the column of the time")},
+        {ColumnReason::NoName, QT_TR_NOOP("no heading")},
+        {ColumnReason::NoNumber, QT_TR_NOOP("it contains no number")},
+        {ColumnReason::UnknownUnit, QT_TR_NOOP("its unit is unknown, or does not suit the quantity")},
+        {ColumnReason::LikeOther, QT_TR_NOOP("another column could be the same quantity")},
+        {ColumnReason::AngleOrLength, QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length")},
+        {ColumnReason::Constant, QT_TR_NOOP("its values do not change, as those of a parameter")},
     };
 };
 
-static_assert(std::size(ColumnText::kReasons) == static_cast<std::size_t>(ColumnReason::Constant) + 1);
+static_assert(isCompleteTable(ColumnText::kReasons, ColumnReason::Constant));
 
 /// Appends the name of the file if several files are joined.
 QString withFile(const QString &text, const FileLayout &layout, std::size_t file)
@@ -176,7 +177,7 @@ QString unitText(const FileColumn &column)
 
 QString reasonText(ColumnReason reason)
 {
-    return ColumnText::tr(ColumnText::kReasons[static_cast<int>(reason)]);
+    return ColumnText::tr(rowOf(ColumnText::kReasons, reason).text);
 }
 
 QString reasonText(const FileLayout &layout, std::size_t column)

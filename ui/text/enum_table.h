@@ -9,6 +9,13 @@
 namespace slidercrank
 {
 
+/// A row with nothing but a sentence.
+template <typename Enum>
+struct EnumText {
+    Enum key;
+    const char *text; ///< untranslated
+};
+
 /// Whether the table has one row for each enumerator from 0 to `last`, in their order. Meant for static_assert.
 template <typename Row, std::size_t count, typename Enum>
 consteval bool isCompleteTable(const Row (&rows)[count], Enum last)

@@ -2,6 +2,7 @@
 #include "ui/text/read_fault_text.h"
 
 #include "ui/text/column_text.h"
+#include "ui/text/enum_table.h"
 #include "ui/text/finding_text.h"
 
 #include <QCoreApplication>
@@ -13,78 +14,93 @@ namespace slidercrank
 namespace
 {
 
+using Kind = ReadFault::Kind;
+
 struct ReadFaultText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReadFaultText)
 
 public:
-    // In the order of ReadFault::Kind. %1 is the heading or the file, %2 the channel or its unit, %3 the fault of a
+    // %1 is the heading or the file, %2 the channel or its unit, %3 the fault of a
     // row, %4 why a column is ignored, %5 and %6 the numbers of headings and cells.
-    static constexpr const char *kFaults[] = {
-        QT_TR_NOOP("The file is empty: it needs a line of headings, and numbers below it."),     // Empty
-        QT_TR_NOOP("The file is a spreadsheet or an archive, not text: save the table as CSV."), // Spreadsheet
-        QT_TR_NOOP("The file is a PDF document, not a table: export the table as CSV."),         // Pdf
-        QT_TR_NOOP("The file is HTML or XML, not a table of text: export the table as CSV."),    // Markup
-        QT_TR_NOOP("The file is JSON, not a table of text: export the table as CSV."),           // Json
-        QT_TR_NOOP("the file holds bytes that are not text: export the table as CSV."),          // NotText
-        QT_TR_NOOP(
-            "the line has more than a million characters: export the table as CSV, with one row per line."), // LineTooLong
-        QT_TR_NOOP("the line of units contradicts the heading, %1: correct one of the two."), // UnitsContradict
-        QT_TR_NOOP(
-            "numbers where the headings should be: put a line such as time,theta3,R4_x above them."), // NamesMissing
-        QT_TR_NOOP(
-            "there are %5 headings, but at most %6 cells in each row: put headings that contain the delimiter in "
-            "quotation marks."),                                                                        // MoreHeadings
-        QT_TR_NOOP("the quantities are rows: transpose the table, so that each quantity is a column."), // Transposed
-        QT_TR_NOOP("another table begins here, with other headings: keep one of the tables."),          // AnotherTable
-        QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none."),       // UnknownUnit
-        QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds."),              // UnknownTimeUnit
-        QT_TR_NOOP("there is no column “%1”."),                                                   // NoSuchColumn
-        QT_TR_NOOP("several columns are called “%1”: give the number of one of them, as in #3."), // SeveralColumns
-        QT_TR_NOOP("two columns contain %2: keep one of the two."),                               // ChannelTwice
-        QT_TR_NOOP("two columns contain the time, or the crank angle instead of it: keep one of the two."), // TimeTwice
-        QT_TR_NOOP("there is no time column: call the column of the time stamps “time”, or that of the crank "
-                   "angle “theta2”."), // NoTime
-        QT_TR_NOOP("no column other than the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
-                   "R4_x_diff, R4_x_diff2."), // NoChannel
-        QT_TR_NOOP("the columns other than the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "
-                   "R4_x_diff, R4_x_diff2."),                   // NoCertainChannel
-        QT_TR_NOOP("there are no numbers below the headings."), // NoNumbers
-        QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "
-                   "separated by semicolons or tabs."),                 // NoRow
-        QT_TR_NOOP("no column other than the time contains a number."), // NoValues
-        QT_TR_NOOP(
-            "the time does not increase: sort the rows by time, and write it with more decimals if many rows have the "
-            "same time."),                                                                       // TimeNotRising
-        QT_TR_NOOP("the time starts again: this file holds several motions; keep one of them."), // TimeStartsAgain
-        QT_TR_NOOP(
-            "the crank angle goes back: sort the rows by it, and keep one row for each angle."),  // AngleTurnsBack
-        QT_TR_NOOP("the angle starts again: this file holds several motions; keep one of them."), // AngleStartsAgain
-        QT_TR_NOOP("its time stamps are not those of %1: export the plots with the same start, end and step, or "
-                   "open one file at a time."), // OtherTimeStamps
-        QT_TR_NOOP("both this file and %1 contain %2: leave one of them out, or choose the meaning of their "
-                   "columns."),                                                    // ChannelInBoth
-        QT_TR_NOOP("The file is larger than 2 GB: export fewer rows or columns."), // TooLarge
-        QT_TR_NOOP("Reading was stopped."),                                        // Stopped
-        QT_TR_NOOP("There is not enough memory: leave out rows or columns."),      // NoMemory
+    static constexpr EnumText<Kind> kFaults[] = {
+        {Kind::Empty, QT_TR_NOOP("The file is empty: it needs a line of headings, and numbers below it.")},
+        {Kind::Spreadsheet, QT_TR_NOOP("The file is a spreadsheet or an archive, not text: save the table as CSV.")},
+        {Kind::Pdf, QT_TR_NOOP("The file is a PDF document, not a table: export the table as CSV.")},
+        {Kind::Markup, QT_TR_NOOP("The file is HTML or XML, not a table of text: export the table as CSV.")},
+        {Kind::Json, QT_TR_NOOP("The file is JSON, not a table of text: export the table as CSV.")},
+        {Kind::NotText, QT_TR_NOOP("the file holds bytes that are not text: export the table as CSV.")},
+        {Kind::LineTooLong,
+         QT_TR_NOOP("the line has more than a million characters: export the table as CSV, with one row per line.")},
+        {Kind::UnitsContradict, QT_TR_NOOP("the line of units contradicts the heading, %1: correct one of the two.")},
+        {Kind::NamesMissing,
+         QT_TR_NOOP("numbers where the headings should be: put a line such as time,theta3,R4_x above them.")},
+        {Kind::MoreHeadings,
+         QT_TR_NOOP(
+             "there are %5 headings, but at most %6 cells in each row: put headings that contain the delimiter in "
+             "quotation marks.")},
+        {Kind::Transposed,
+         QT_TR_NOOP("the quantities are rows: transpose the table, so that each quantity is a column.")},
+        {Kind::AnotherTable, QT_TR_NOOP("another table begins here, with other headings: keep one of the tables.")},
+        {Kind::UnknownUnit, QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none.")},
+        {Kind::UnknownTimeUnit, QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds.")},
+        {Kind::NoSuchColumn, QT_TR_NOOP("there is no column “%1”.")},
+        {Kind::SeveralColumns,
+         QT_TR_NOOP("several columns are called “%1”: give the number of one of them, as in #3.")},
+        {Kind::ChannelTwice, QT_TR_NOOP("two columns contain %2: keep one of the two.")},
+        {Kind::TimeTwice,
+         QT_TR_NOOP("two columns contain the time, or the crank angle instead of it: keep one of the two.")},
+        {Kind::NoTime,
+         QT_TR_NOOP("there is no time column: call the column of the time stamps “time”, or that of the crank "
+                    "angle “theta2”.")},
+        {Kind::NoChannel,
+         QT_TR_NOOP("no column other than the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
+                    "R4_x_diff, R4_x_diff2.")},
+        {Kind::NoCertainChannel,
+         QT_TR_NOOP(
+             "the columns other than the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "
+             "R4_x_diff, R4_x_diff2.")},
+        {Kind::NoNumbers, QT_TR_NOOP("there are no numbers below the headings.")},
+        {Kind::NoRow,
+         QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "
+                    "separated by semicolons or tabs.")},
+        {Kind::NoValues, QT_TR_NOOP("no column other than the time contains a number.")},
+        {Kind::TimeNotRising,
+         QT_TR_NOOP(
+             "the time does not increase: sort the rows by time, and write it with more decimals if many rows have the "
+             "same time.")},
+        {Kind::TimeStartsAgain,
+         QT_TR_NOOP("the time starts again: this file holds several motions; keep one of them.")},
+        {Kind::AngleTurnsBack,
+         QT_TR_NOOP("the crank angle goes back: sort the rows by it, and keep one row for each angle.")},
+        {Kind::AngleStartsAgain,
+         QT_TR_NOOP("the angle starts again: this file holds several motions; keep one of them.")},
+        {Kind::OtherTimeStamps,
+         QT_TR_NOOP("its time stamps are not those of %1: export the plots with the same start, end and step, or "
+                    "open one file at a time.")},
+        {Kind::ChannelInBoth,
+         QT_TR_NOOP("both this file and %1 contain %2: leave one of them out, or choose the meaning of their "
+                    "columns.")},
+        {Kind::TooLarge, QT_TR_NOOP("The file is larger than 2 GB: export fewer rows or columns.")},
+        {Kind::Stopped, QT_TR_NOOP("Reading was stopped.")},
+        {Kind::NoMemory, QT_TR_NOOP("There is not enough memory: leave out rows or columns.")},
     };
 
-    // In the order of RowFault.
-    static constexpr const char *kRowFaults[] = {
-        QT_TR_NOOP("not a number"),                                 // NotANumber
-        QT_TR_NOOP("not a number: too large"),                      // TooLarge
-        QT_TR_NOOP("not a number: this file uses a decimal comma"), // PointForComma
-        QT_TR_NOOP("not a number: this file uses a decimal point"), // CommaForPoint
-        QT_TR_NOOP("too many cells"),                               // TooManyCells
-        QT_TR_NOOP("too few cells"),                                // TooFewCells
-        QT_TR_NOOP("no time"),                                      // NoTime
-        QT_TR_NOOP("the same time as the next row, which is used"), // RepeatedTime
+    static constexpr EnumText<RowFault> kRowFaults[] = {
+        {RowFault::NotANumber, QT_TR_NOOP("not a number")},
+        {RowFault::TooLarge, QT_TR_NOOP("not a number: too large")},
+        {RowFault::PointForComma, QT_TR_NOOP("not a number: this file uses a decimal comma")},
+        {RowFault::CommaForPoint, QT_TR_NOOP("not a number: this file uses a decimal point")},
+        {RowFault::TooManyCells, QT_TR_NOOP("too many cells")},
+        {RowFault::TooFewCells, QT_TR_NOOP("too few cells")},
+        {RowFault::NoTime, QT_TR_NOOP("no time")},
+        {RowFault::RepeatedTime, QT_TR_NOOP("the same time as the next row, which is used")},
     };
 
-    static QString row(RowFault fault) { return tr(kRowFaults[static_cast<int>(fault)]); }
+    static QString row(RowFault fault) { return tr(rowOf(kRowFaults, fault).text); }
 };
 
-static_assert(std::size(ReadFaultText::kFaults) == static_cast<std::size_t>(ReadFault::Kind::NoMemory) + 1);
-static_assert(std::size(ReadFaultText::kRowFaults) == static_cast<std::size_t>(RowFault::RepeatedTime) + 1);
+static_assert(isCompleteTable(ReadFaultText::kFaults, Kind::NoMemory));
+static_assert(isCompleteTable(ReadFaultText::kRowFaults, RowFault::RepeatedTime));
 
 } // namespace
 
@@ -95,8 +111,8 @@ QString rowFaultText(const SkippedRow &row)
 
 QString faultText(const ReadFault &fault)
 {
-    const bool namesUnit = fault.kind == ReadFault::Kind::UnknownUnit;
-    return ReadFaultText::tr(ReadFaultText::kFaults[static_cast<int>(fault.kind)])
+    const bool namesUnit = fault.kind == Kind::UnknownUnit;
+    return ReadFaultText::tr(rowOf(ReadFaultText::kFaults, fault.kind).text)
         .replace("%6", QString::number(fault.numbers))
         .replace("%5", QString::number(fault.headings))
         .replace("%4", reasonText(fault.column))
@@ -105,15 +121,26 @@ QString faultText(const ReadFault &fault)
         .replace("%1", QString::fromUtf8(fault.heading));
 }
 
+/// Returns the word with which --column chooses this meaning.
+static QString meaningWord(const ColumnChoice &choice)
+{
+    switch (choice.role) {
+    case ColumnRole::Ignored: return "ignored";
+    case ColumnRole::Time: return "time";
+    case ColumnRole::CrankAngle: return "theta2";
+    case ColumnRole::Channel: break;
+    }
+    return columnName(choice.channel);
+}
+
 QString optionText(const std::vector<ColumnChoice> &choices)
 {
     QStringList options;
     for (const ColumnChoice &choice : choices) {
-        const QString roles[] = {"ignored", "time", "theta2", columnName(choice.channel)}; // in the order of ColumnRole
         const QString unit =
             choice.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(QString::fromUtf8(choice.unit));
-        options += QStringLiteral("--column \"%1=%2%3\"")
-                       .arg(QString::fromUtf8(choice.heading), roles[static_cast<std::size_t>(choice.role)], unit);
+        options +=
+            QStringLiteral("--column \"%1=%2%3\"").arg(QString::fromUtf8(choice.heading), meaningWord(choice), unit);
     }
     return options.join(u' ');
 }
