@@ -68,7 +68,7 @@ Number atSpeed(const TextbookMotion<Number> &motion, Channel channel, double spe
         const Number byAcceleration = motion.valueAt({channel.coordinate, Order::Velocity});
         return Number(motion.valueAt(channel) * (speed * speed) + byAcceleration * acceleration);
     }
-    return motion.valueAt(channel);
+    return motion.valueAt({channel.coordinate, Order::Position});
 }
 
 /// The motion in some columns, one in each column of the result, without their readings. NaN where the mechanism cannot

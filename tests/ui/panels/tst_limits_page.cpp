@@ -29,7 +29,7 @@ Page pageOf(const Parameters &parameters, const Sampling &sampling = {})
     return limitsPage(result);
 }
 
-const TableRow &find(const Page &page, const QString &name)
+TableRow find(const Page &page, const QString &name)
 {
     const std::vector<TableRow> &rows = page.tables[0].rows;
     return *std::ranges::find(rows, name, [](const TableRow &row) { return row.cells[Name].text; });
@@ -160,7 +160,7 @@ private slots:
         // Crank and coupler are in one line at the dead centres, where Pythagoras' theorem gives R4x.
         const double stroke = std::sqrt(80.0 * 80.0 - 625.0) - std::sqrt(40.0 * 40.0 - 625.0);
         const Page of60 = pageOf({20, 60, 25});
-        const TableRow &row = find(of60, "stroke");
+        const TableRow row = find(of60, "stroke");
         QVERIFY(!row.time && std::abs(row.cells[Value].number.value() / stroke - 1.0) < 1e-12);
         QCOMPARE(row.cells[Name].csv, "stroke [mm]");
         const ClosedForm motion{Mechanism()};
@@ -175,7 +175,7 @@ private slots:
         half.duration = 0.5;
         const Page page = pageOf({}, half);
         QCOMPARE(find(page, "outer dead centre").cells[Time].text, "0.04751");
-        const TableRow &inner = find(page, "inner dead centre");
+        const TableRow inner = find(page, "inner dead centre");
         QVERIFY(!inner.time);
         QCOMPARE(inner.cells[Angle].text, "213.75");
         QVERIFY(inner.explanation.contains("Outside"));
