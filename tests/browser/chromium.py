@@ -148,6 +148,7 @@ class Chromium:
 
     def open(self, address):
         """Opens the page. Returns the seconds until the window is painted."""
+        self.call("Page.navigate", url="about:blank")  # otherwise another link would let the same page load itself again
         self.requests.clear()
         start = time.time()
         self.call("Page.navigate", url=address)

@@ -52,14 +52,17 @@ std::vector<QPointF> curveIn(const QString &svg)
     static const QRegularExpression kElement(QStringLiteral("<(g|svg|path|polyline)\\b[^>]*>"));
     const QString colour = seriesColours(paletteFor(Theme::Light)).model.name();
     const std::vector<double> box = numbersIn(attribute(kElement.match(svg).captured(), "viewBox"));
-    const bool isPdf = svg.contains("stroke:rgb"); // as pdftocairo writes it, in points
+    // pdftocairo writes points, and colours as a style or, from cairo 1.18 on, as attributes.
+    static const QRegularExpression kStrokeOfPdf(QStringLiteral("stroke(?::|=\")rgb\\(0%, ?44\\.7"));
+    static const QRegularExpression kUnfilledInPdf(QStringLiteral("fill(?::|=\")none"));
+    const bool isPdf = svg.contains(QRegularExpression(QStringLiteral("stroke(?::|=\")rgb")));
     const double mm = isPdf ? 25.4 / 72.0 : kPaperWidth / box[2];
     QString group; // the innermost group that states a colour
     std::vector<QPointF> longest;
     for (auto match = kElement.globalMatch(svg); match.hasNext();) {
         const QString element = match.next().captured();
         group = element.startsWith("<g") ? element : group;
-        const bool isModel = isPdf ? element.contains("stroke:rgb(0%,44.7") && element.contains("fill:none")
+        const bool isModel = isPdf ? element.contains(kStrokeOfPdf) && element.contains(kUnfilledInPdf)
                                    : attribute(group, "stroke") == colour && attribute(group, "fill") == u"none";
         const std::vector<double> numbers = numbersIn(attribute(element, element.startsWith("<path") ? "d" : "points"));
         if (!isModel || numbers.size() / 2 <= longest.size()) {

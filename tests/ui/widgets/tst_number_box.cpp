@@ -216,7 +216,7 @@ private slots:
         for (const double value : {-3.81966e-7, 1.23456e11, -12.3456, 6.283185307, 0.0}) {
             box.setValue(value);
             QString plain = line->text();
-            plain.replace("·10", "e").replace(u'⁻', u'-');
+            plain.replace("·10", "e").replace(u'⁻', u'-').replace(u'−', u'-');
             for (const QChar digit : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")) {
                 plain.replace(digit, QString::number(digit.digitValue()));
             }
