@@ -17,7 +17,7 @@ QString printableText(const QString &text)
     QString printable;
     for (const QChar character : text) {
         if (mustBeReplaced(character)) {
-            printable += QStringLiteral("\\x%1").arg(character.unicode(), 2, 16, QLatin1Char('0'));
+            printable += QStringLiteral("\\x%1").arg(uint{character.unicode()}, 2, 16, QLatin1Char('0'));
         } else {
             printable += character;
         }
