@@ -81,22 +81,22 @@ inline QImage drawnPixels(const QImage &picture)
 /// Returns the first and last columns of the stretches that contain horizontal lines of at least `shortest` px.
 inline std::vector<std::pair<int, int>> stretchesWithLines(const QImage &drawn, int shortest)
 {
-    std::vector<char> isCovered(static_cast<std::size_t>(drawn.width()));
+    std::vector<bool> isCovered(static_cast<std::size_t>(drawn.width()));
     for (int y = 0; y < drawn.height(); ++y) {
         const QByteArrayView row(drawn.constScanLine(y), drawn.width());
         for (qsizetype first = row.indexOf('\1'); first >= 0;) {
             const qsizetype next = row.indexOf('\0', first);
             const qsizetype end = next < 0 ? row.size() : next;
             if (end - first >= shortest) {
-                std::fill(isCovered.begin() + first, isCovered.begin() + end, 1);
+                std::fill(isCovered.begin() + first, isCovered.begin() + end, true);
             }
             first = row.indexOf('\1', end);
         }
     }
     std::vector<std::pair<int, int>> stretches;
     for (auto end = isCovered.begin(); end != isCovered.end();) {
-        const auto begin = std::find(end, isCovered.end(), 1);
-        end = std::find(begin, isCovered.end(), 0);
+        const auto begin = std::find(end, isCovered.end(), true);
+        end = std::find(begin, isCovered.end(), false);
         if (begin != end) {
             stretches.emplace_back(begin - isCovered.begin(), end - isCovered.begin() - 1);
         }
