@@ -2,6 +2,7 @@
 #include "core/import/heading.h"
 
 #include "core/import/cells.h"
+#include "core/import/name_reading.h"
 #include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"
 
@@ -51,7 +52,7 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
         }
         const std::string_view unit = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)));
         const bool isLast = end + 1 == text.size();
-        const bool isUnit = parseUnit(unit) || unit.empty();
+        const bool isUnit = parseUnit(unit) || unit.empty() || unit == "px";
         const NameMeaning whole = meaningOf(text, {});
         const bool isKnown = whole.kind != Kind::Nothing && whole.doubt != Doubt::IsOfCrank;
         const bool isPart = kind > 1 || (kind == 0 && looksNumeric(unit)) || isKnown;
@@ -97,7 +98,8 @@ void splitAtEnd(std::string_view text, Heading &heading)
 void resolveDoubts(std::vector<Heading> &row)
 {
     const auto isSecond = [](const Heading &heading) {
-        const Words words = wordsOf(heading.name);
+        const NamePath path = splitPath(heading.name);
+        const Words words = path.parts.empty() ? Words() : wordsOf(path.parts.back());
         return heading.meaning.channel.order == Order::Acceleration && heading.meaning.kind >= Kind::Quantity &&
                heading.meaning.doubt == Doubt::None && !words.empty() && !findWord(words[0], WordUse::Word) &&
                words[0] != "a";
@@ -165,8 +167,11 @@ Heading parseHeading(std::string_view cell)
     constexpr std::string_view kLatexMarkup = "$=|\\mathrm=|\\text=|\\rm=|\\si=|\\unit=|\\left=|\\right=";
     Heading heading{.use = {.heading = respelled(cell, "\"\"=\"")}};
     std::string text = respelled(heading.use.heading, kLatexMarkup);
-    if (text.size() > 2 && text.starts_with('\'') && text.ends_with('\'')) {
-        text = text.substr(1, text.size() - 2); // between apostrophes
+    const auto isBetween = [&text](char first, char last) {
+        return text.size() > 2 && text.front() == first && text.back() == last;
+    };
+    if (isBetween('\'', '\'') || isBetween('<', '>')) { // "<Slider Position (mm)>", a label of a signal in Simulink
+        text = text.substr(1, text.size() - 2);
     } else if (text.starts_with("('") && text.ends_with("')")) {
         text = respelled(text.substr(2, text.size() - 4), "', '=/"); // "('slider', 'x')" of pandas
     }
@@ -209,8 +214,13 @@ void interpretHeadings(std::vector<Heading> &row)
         }
     }
     resolveDoubts(row);
+    const bool isInSi = std::ranges::any_of(
+        row, [](const Heading &heading) { return heading.meaning.reason == ColumnReason::PathInSi; });
     for (Heading &heading : row) {
-        const NameMeaning &meaning = heading.meaning;
+        NameMeaning &meaning = heading.meaning;
+        if (isInSi && heading.use.unit.empty() && meaning.kind >= Kind::Quantity && !meaning.owner.empty()) {
+            meaning.reason = ColumnReason::PathInSi; // "slider.frame_a.x" beside "slider.v"
+        }
         if (meaning.kind == Kind::Nothing) {
             heading.use.reason = heading.use.heading.empty() ? ColumnReason::NoName : meaning.reason;
         }

@@ -4,6 +4,7 @@
 #include "core/import/cells.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace slidercrank
@@ -18,6 +19,10 @@ using Doubt = NameMeaning::Doubt;
 /// Last parts of paths that say nothing: "slider_tx/value", "Piston/Bâti" (relative to the frame).
 constexpr std::string_view kIgnoredEnds =
     "value series data signal ground frame base bâti bati bastidor telaio gestell";
+
+/// Parts of names that programs with m, rad and s give: OpenSim, MuJoCo and Gazebo.
+constexpr std::array<std::string_view, 7> kNamesInSi{"_tx",        "qpos",       "qvel",      "qacc",
+                                                     "_joint_pos", "_joint_vel", "_joint_acc"};
 
 /// Sets `all` to a value that is known. Returns false if it differs from the one before.
 template <typename Value>
@@ -196,7 +201,8 @@ bool includeCompound(NameReading &all, std::string_view word, Entries entries)
     for (std::size_t end = word.size() - 1; end > 0; --end) {
         const std::string_view first = word.substr(0, end);
         const std::string_view rest = word.substr(end);
-        const bool isDifferential = first == "d" && !all.hasSymbol && findWord(rest, WordUse::Symbol); // "dx"
+        const bool isDifferential =
+            first == "d" && !all.order && !all.hasSymbol && findWord(rest, WordUse::Symbol); // "dx"
         NameReading before = all;
         if (!isDifferential && !includePart(before, first, entries)) {
             continue;
@@ -207,7 +213,7 @@ bool includeCompound(NameReading &all, std::string_view word, Entries entries)
             all.doubt = isDifferential ? Doubt::IsDerivative : all.doubt;
             return true;
         }
-        const bool mayBeJoined = rest.size() > 1 && (rest[0] == 's' || rest[0] == 'n');
+        const bool mayBeJoined = rest.size() > 2 && (rest[0] == 's' || rest[0] == 'n');
         with = before;
         if (mayBeJoined && findWord(first, WordUse::Word) && includeRest(with, rest.substr(1), entries)) {
             all = with;
@@ -282,7 +288,8 @@ NamePath splitPath(std::string_view name)
     }
     path.isOfModelica = path.parts.size() > 1 && separator == '.' && name.find_first_of(" ,;:/") == name.npos &&
                         findWord('.' + std::string(path.parts.back()), WordUse::Symbol);
-    path.isInSi = path.isOfModelica || (path.parts.size() > 1 && name.starts_with('/'));
+    path.isInSi = path.isOfModelica || (path.parts.size() > 1 && name.starts_with('/')) ||
+                  std::ranges::any_of(kNamesInSi, [&](std::string_view part) { return name.find(part) != name.npos; });
     return path;
 }
 

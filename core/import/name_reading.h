@@ -22,7 +22,7 @@ struct NamePath {
     std::vector<std::string_view> parts{};
     std::string owner{};       ///< all parts but the last one
     bool isOfModelica = false; ///< "slider.s": a variable of Modelica's library
-    bool isInSi = false;       ///< by Modelica or ROS: in m, rad and s
+    bool isInSi = false;       ///< by Modelica, ROS and the like: in m, rad and s
 };
 
 /// Splits a name into the parts of its path. The parts refer to the name.

@@ -18,7 +18,8 @@ using Words = std::vector<std::string>;
 
 /// Letters outside ASCII and commands of LaTeX, and their plain spelling.
 constexpr std::string_view kLetterSpellings =
-    "ő=o|ű=u|á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|ø=o|ô=o|"
+    "ő=o|ű=u|ť=t|ľ=l|ď=d|ň=n|á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|"
+    "ø=o|ô=o|"
     "â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
     "В=в|К=к|О=о|П=п|С=с|У=у|Х=х|Ш=ш|Ё=е|ё=е|" // first letters of Russian headings
     "İ=I|Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|Ü=U|Ñ=N|"
@@ -29,7 +30,7 @@ constexpr std::string_view kLetterSpellings =
 
 constexpr std::string_view kTimeWords =
     "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
-    "czas tid cas timp zaman sure epoch millis micros время 时间 時間 時刻 ido aika";
+    "denbora 시간 czas tid cas timp zaman sure epoch millis micros время 时间 時間 時刻 ido aika";
 constexpr std::string_view kTimeCompanions =
     "elapsed row sim simulation simulacion transcurrido de la since start date "
     "relative run latest data set ch mechanism kin";
@@ -58,6 +59,7 @@ std::span<const WordMeaning> vocabulary()
             "ablesung "
             "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
             "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga positionen posiciones "
+            "motion movimiento mouvement movimento bewegung beweging 변위 위치 "
             "deplasare deplasarea posisjon forskyvning helyzet elmozdulas paikka asema qpos "
             "положение перемещение 位置 位移 変位",
             kOpen, Position},
@@ -65,25 +67,26 @@ std::span<const WordMeaning> vocabulary()
             Word,
             "coordinate coordenada coordonnee distance distancia distanza abstand strok glissement longueur longitud "
             "lunghezza comprimento translation traslacion traslazione translacao stroke carrera course corsa "
-            "curso cursa hub travel recorrido slag skok length hub_h координата ход",
+            "curso cursa hub travel recorrido slag skok zdvih lopmozgas length hub_h координата ход",
             Length, Position},
         WordMeaning{
             Word,
             "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw veloc snelheid "
             "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
-            "velocities velocidades qvel sebesseg nopeus geschwindigkeiten скорость 速度",
+            "velocities velocidades qvel sebesseg nopeus geschwindigkeiten 속도 скорость 速度",
             kOpen, Velocity},
+        WordMeaning{Word,
+                    "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
+                    "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi "
+                    "acceleratia akselerasjon gyorsulas kiihtyvyys qacc zrychlenie 가속도 aceleraciones "
+                    "beschleunigungen ускорение 加速度",
+                    kOpen, Acceleration},
         WordMeaning{
             Word,
-            "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
-            "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi "
-            "acceleratia akselerasjon gyorsulas kiihtyvyys qacc aceleraciones beschleunigungen ускорение 加速度",
-            kOpen, Acceleration},
-        WordMeaning{Word,
-                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel "
-                    "uhel unghi aci acisi "
-                    "inclination inclinacion neigung encoder revolutions revolution szog kulma угол 角度 转角",
-                    Angle, Position},
+            "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel "
+            "uhel unghi aci acisi "
+            "inclination inclinacion neigung encoder revolutions revolution szog kulma uhol 각도 угол 角度 转角",
+            Angle, Position},
         WordMeaning{Word,
                     "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe katowy "
                     "uhlova uhlove "
@@ -91,7 +94,8 @@ std::span<const WordMeaning> vocabulary()
                     Angle},
         WordMeaning{Word, "gyroscope gyro giroscopio gyroskop", Angle, Velocity},
         WordMeaning{Word,
-                    "linear lineal lineaire lineare translational trans prismatic prismatico prismatica prismatique",
+                    "linear lineal lineaire lineare translational trans prismatic prismatico prismatica prismatique "
+                    "prismatisch schub",
                     Length},
         WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
         WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
@@ -102,27 +106,29 @@ std::span<const WordMeaning> vocabulary()
                     "manovella ciguenal "
                     "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
                     "vevaxel klika kliky krank "
-                    "veiv krumtap forgattyu kampi kammen кривошип кривошипа 曲柄 クランク "
+                    "veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel kluky klukoveho 크랭크 кривошип "
+                    "кривошипа 曲柄 クランク "
                     "link_2 glied_2 eslabon_2 barra_2 membro_2",
                     kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw kurbelw atdc drehwinkel", Angle, Position, Crank},
-        WordMeaning{
-            Word,
-            "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
-            "schubstange drijfstang korbowod korbowodu lacznik lacznika vevstake ojnice biyel hajtorud kiertokanki "
-            "шатун шатуна 連接棒 连杆 "
-            "コンロッド link_3 glied_3 eslabon_3 "
-            "barra_3",
-            kOpen, kOpen, Coupler},
+        WordMeaning{Word,
+                    "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
+                    "schubstange drijfstang koppelstang plejlstang rade radens korbowod korbowodu lacznik lacznika "
+                    "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki "
+                    "vevstakens шатун шатуна 連接棒 连杆 "
+                    "コンロッド link_3 glied_3 eslabon_3 "
+                    "barra_3",
+                    kOpen, kOpen, Coupler},
         WordMeaning{
             Word,
             "slider slide cart piston pistone pistao pisto corredera deslizadera deslizador deslizante corredora "
             "corredissa embolo carro "
             "carrito cursore cursor pattino coulisseau coulissant surgu abtrieb abtriebs glissiere crosshead block "
             "bloque kolben schieber "
-            "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka wodzik wodzika крейцкопф tlok tloka kolv pist "
+            "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka wodzik wodzika крейцкопф tlok tloka kolv kolven "
+            "kolvens sliden slidens glid gliden glidens piestu smykadla patina culisei 슬라이더 피스톤 pist "
             "pistu wrist "
-            "gudgeon ram plunger corsoio corredica pistonului stempel dugattyu manta mannan luisti ariete "
+            "gudgeon ram plunger corsoio corredica pistonului stempel stemplets dugattyu manta mannan luisti ariete "
             "stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー "
             "ピストン link_4 glied_4 eslabon_4",
             kOpen, kOpen, Slider},
@@ -144,10 +150,10 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Symbol, ".a", kOpen, Acceleration},
         WordMeaning{Symbol, ".phi .q", Angle, Position},
         WordMeaning{Symbol, ".w", Angle, Velocity},
-        WordMeaning{Symbol, ".r_0[1]", Length, Position, kOpen, 'x'},
-        WordMeaning{Symbol, ".r_0[2]", Length, Position, kOpen, 'y'},
-        WordMeaning{Symbol, ".v_0[1]", Length, Velocity, kOpen, 'x'},
-        WordMeaning{Symbol, ".a_0[1]", Length, Acceleration, kOpen, 'x'},
+        WordMeaning{Symbol, ".r_0[1] .r[1]", Length, Position, kOpen, 'x'},
+        WordMeaning{Symbol, ".r_0[2] .r[2]", Length, Position, kOpen, 'y'},
+        WordMeaning{Symbol, ".v_0[1] .v[1]", Length, Velocity, kOpen, 'x'},
+        WordMeaning{Symbol, ".a_0[1] .a[1]", Length, Acceleration, kOpen, 'x'},
         // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
         WordMeaning{Index, "b c k s", kOpen, kOpen, Slider},
         WordMeaning{Index, "oa", kOpen, kOpen, Crank},
@@ -171,7 +177,7 @@ std::span<const WordMeaning> vocabulary()
                             "rel relative relativo relativa "
                             "placement base z yer video analysis serie "
                             "gemessen measured medido medida measure mea meas pin obrotu поворота"},
-        WordMeaning{Label, "joint gelenk point punkt punto node marker of de del von du di do"},
+        WordMeaning{Label, "joint pin gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
 }
