@@ -25,14 +25,16 @@ def main():
         shutil.copy(program / name, folder)
     links = "\n".join(f'<script src="{name}"></script>' for name in SCRIPTS)
     for name in ("slidercrank.html", "index.html"):  # a server shows the second one for the address of the folder
-        (folder / name).write_text(page.replace("@SCRIPTS@", links), encoding="utf-8")
+        (folder / name).write_text(page.replace("@PACKED@\n", "").replace("@SCRIPTS@", links), encoding="utf-8")
 
     packed = base64.b64encode(gzip.compress(wasm, 9, mtime=0)).decode()
-    contents = [f'<script type="application/octet-stream" id="packed">{packed}</script>']
+    contents = []
     for name in SCRIPTS:
         # "</script" would end the element, also within a text.
         contents.append("<script>" + (program / name).read_text(encoding="utf-8").replace("</script", "<\\/script") + "</script>")
-    single = page.replace("connect-src 'self'", "connect-src 'none'").replace("@SCRIPTS@", "\n".join(contents))
+    single = page.replace("connect-src 'self'", "connect-src 'none'")
+    single = single.replace("@PACKED@", f'<script type="application/octet-stream" id="packed">{packed}</script>')
+    single = single.replace("@SCRIPTS@", "\n".join(contents))
     file.write_text(single, encoding="utf-8")
 
 
