@@ -65,7 +65,7 @@ class Chromium:
         self.downloads.mkdir()
         self.process = subprocess.Popen(
             ["chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--no-first-run", "--remote-debugging-port=0",
-             "--remote-allow-origins=*", f"--user-data-dir={self.profile}", "--disable-extensions", "--mute-audio",
+             "--remote-allow-origins=*", "--disable-dev-shm-usage", f"--user-data-dir={self.profile}", "--disable-extensions", "--mute-audio",
              "--disable-background-networking", f"--window-size={width},{height}", "about:blank"],
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.socket = websocket.create_connection(self._address(), max_size=None, timeout=60)

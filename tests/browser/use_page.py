@@ -63,7 +63,8 @@ class Window:
 
     FILE, VIEW = (20, 10), (97, 10)
     COUPLER = (206, 750)  # the handle of the slider of b, at 65 mm
-    PIN = (231, 339)  # A, which a finger drags
+    PIN, PIN_TURNED = (231, 339), (213, 292)  # A at θ₂ = 0, and about 30° further
+    COUPLER_LINK = (280, 319)  # between A and G₃
     STUDY_TAB = (1180, 599)
 
     def __init__(self, browser, shots, name):
@@ -162,9 +163,12 @@ def check_reference(window):
 def check_editing(window):
     browser = window.browser
     browser.open(window.address)
-    a = window.value("a")
-    browser.swipe(Window.PIN, (Window.PIN[0] + 60, Window.PIN[1]))
-    check("a link is dragged with a finger", window.value("a") != a or "time=" in window.link(), window.link())
+    b = window.value("b")
+    browser.swipe(Window.COUPLER_LINK, (Window.COUPLER_LINK[0] + 48, Window.COUPLER_LINK[1] - 20))
+    check("a length is dragged with a finger", window.value("b") > b + 5, window.link())
+    browser.open(window.address)
+    browser.swipe(Window.PIN, Window.PIN_TURNED)
+    check("the crank is turned with a finger", window.value("time") > 0.05, window.link())
     browser.drag(Window.COUPLER, (Window.COUPLER[0] + 40, Window.COUPLER[1]))
     b = window.value("b")
     check("a slider is dragged", b > 66, b)
