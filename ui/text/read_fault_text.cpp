@@ -14,7 +14,7 @@ namespace slidercrank
 namespace
 {
 
-using Kind = ReadFault::Kind;
+using FaultKind = ReadFault::Kind;
 
 struct ReadFaultText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReadFaultText)
@@ -23,66 +23,70 @@ public:
     // %1 is the heading or the file, %2 the channel or its unit, %3 the fault of a
     // row, %4 why a column is ignored, %5 and %6 the numbers of headings and cells.
     static constexpr EnumText<Kind> kFaults[] = {
-        {Kind::Empty, QT_TR_NOOP("The file is empty: it needs a line of headings, and numbers below it.")},
-        {Kind::Spreadsheet, QT_TR_NOOP("The file is a spreadsheet or an archive, not text: save the table as CSV.")},
-        {Kind::Pdf, QT_TR_NOOP("The file is a PDF document, not a table: export the table as CSV.")},
-        {Kind::Markup, QT_TR_NOOP("The file is HTML or XML, not a table of text: export the table as CSV.")},
-        {Kind::Json, QT_TR_NOOP("The file is JSON, not a table of text: export the table as CSV.")},
-        {Kind::NotText, QT_TR_NOOP("the file holds bytes that are not text: export the table as CSV.")},
-        {Kind::LineTooLong,
+        {FaultKind::Empty, QT_TR_NOOP("The file is empty: it needs a line of headings, and numbers below it.")},
+        {FaultKind::Spreadsheet,
+         QT_TR_NOOP("The file is a spreadsheet or an archive, not text: save the table as CSV.")},
+        {FaultKind::Pdf, QT_TR_NOOP("The file is a PDF document, not a table: export the table as CSV.")},
+        {FaultKind::Markup, QT_TR_NOOP("The file is HTML or XML, not a table of text: export the table as CSV.")},
+        {FaultKind::Json, QT_TR_NOOP("The file is JSON, not a table of text: export the table as CSV.")},
+        {FaultKind::NotText, QT_TR_NOOP("the file holds bytes that are not text: export the table as CSV.")},
+        {FaultKind::LineTooLong,
          QT_TR_NOOP("the line has more than a million characters: export the table as CSV, with one row per line.")},
-        {Kind::UnitsContradict, QT_TR_NOOP("the line of units contradicts the heading, %1: correct one of the two.")},
-        {Kind::NamesMissing,
+        {FaultKind::UnitsContradict,
+         QT_TR_NOOP("the line of units contradicts the heading, %1: correct one of the two.")},
+        {FaultKind::NamesMissing,
          QT_TR_NOOP("numbers where the headings should be: put a line such as time,theta3,R4_x above them.")},
-        {Kind::MoreHeadings,
+        {FaultKind::MoreHeadings,
          QT_TR_NOOP(
              "there are %5 headings, but at most %6 cells in each row: put headings that contain the delimiter in "
              "quotation marks.")},
-        {Kind::Transposed,
+        {FaultKind::Transposed,
          QT_TR_NOOP("the quantities are rows: transpose the table, so that each quantity is a column.")},
-        {Kind::AnotherTable, QT_TR_NOOP("another table begins here, with other headings: keep one of the tables.")},
-        {Kind::UnknownUnit, QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none.")},
-        {Kind::UnknownTimeUnit, QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds.")},
-        {Kind::NoSuchColumn, QT_TR_NOOP("there is no column “%1”.")},
-        {Kind::SeveralColumns,
+        {FaultKind::AnotherTable,
+         QT_TR_NOOP("another table begins here, with other headings: keep one of the tables.")},
+        {FaultKind::UnknownUnit,
+         QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none.")},
+        {FaultKind::UnknownTimeUnit, QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds.")},
+        {FaultKind::NoSuchColumn, QT_TR_NOOP("there is no column “%1”.")},
+        {FaultKind::SeveralColumns,
          QT_TR_NOOP("several columns are called “%1”: give the number of one of them, as in #3.")},
-        {Kind::ChannelTwice, QT_TR_NOOP("two columns contain %2: keep one of the two.")},
-        {Kind::TimeTwice,
+        {FaultKind::ChannelTwice, QT_TR_NOOP("two columns contain %2: keep one of the two.")},
+        {FaultKind::TimeTwice,
          QT_TR_NOOP("two columns contain the time, or the crank angle instead of it: keep one of the two.")},
-        {Kind::NoTime,
+        {FaultKind::NoTime,
          QT_TR_NOOP("there is no time column: call the column of the time stamps “time”, or that of the crank "
                     "angle “theta2”.")},
-        {Kind::NoChannel,
+        {FaultKind::NoChannel,
          QT_TR_NOOP("no column other than the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
                     "R4_x_diff, R4_x_diff2.")},
-        {Kind::NoCertainChannel,
+        {FaultKind::NoCertainChannel,
          QT_TR_NOOP(
              "the columns other than the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "
              "R4_x_diff, R4_x_diff2.")},
-        {Kind::NoNumbers, QT_TR_NOOP("there are no numbers below the headings.")},
-        {Kind::NoRow,
+        {FaultKind::NoNumbers, QT_TR_NOOP("there are no numbers below the headings.")},
+        {FaultKind::NoRow,
          QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "
                     "separated by semicolons or tabs.")},
-        {Kind::NoValues, QT_TR_NOOP("no column other than the time contains a number.")},
-        {Kind::TimeNotRising,
+        {FaultKind::NoValues, QT_TR_NOOP("no column other than the time contains a number.")},
+        {FaultKind::TimeNotRising,
          QT_TR_NOOP(
              "the time does not increase: sort the rows by time, and write it with more decimals if many rows have the "
              "same time.")},
-        {Kind::TimeStartsAgain,
+        {FaultKind::TimeStartsAgain,
          QT_TR_NOOP("the time starts again: this file holds several motions; keep one of them.")},
-        {Kind::AngleTurnsBack,
+        {FaultKind::AngleTurnsBack,
          QT_TR_NOOP("the crank angle goes back: sort the rows by it, and keep one row for each angle.")},
-        {Kind::AngleStartsAgain,
+        {FaultKind::AngleStartsAgain,
          QT_TR_NOOP("the angle starts again: this file holds several motions; keep one of them.")},
-        {Kind::OtherTimeStamps,
+        {FaultKind::OtherTimeStamps,
          QT_TR_NOOP("its time stamps are not those of %1: export the plots with the same start, end and step, or "
                     "open one file at a time.")},
-        {Kind::ChannelInBoth,
+        {FaultKind::ChannelInBoth,
          QT_TR_NOOP("both this file and %1 contain %2: leave one of them out, or choose the meaning of their "
                     "columns.")},
-        {Kind::TooLarge, QT_TR_NOOP("The file is larger than 2 GB: export fewer rows or columns.")},
-        {Kind::Stopped, QT_TR_NOOP("Reading was stopped.")},
-        {Kind::NoMemory, QT_TR_NOOP("There is not enough memory: leave out rows or columns.")},
+        {FaultKind::TooLarge, QT_TR_NOOP("The file is larger than 2 GB: export fewer rows or columns.")},
+        {FaultKind::Stopped, QT_TR_NOOP("Reading was stopped.")},
+        {FaultKind::NoMemory, QT_TR_NOOP("There is not enough memory: leave out rows or columns.")},
     };
 
     static constexpr EnumText<RowFault> kRowFaults[] = {
@@ -99,7 +103,7 @@ public:
     static QString row(RowFault fault) { return tr(rowOf(kRowFaults, fault).text); }
 };
 
-static_assert(isCompleteTable(ReadFaultText::kFaults, Kind::NoMemory));
+static_assert(isCompleteTable(ReadFaultText::kFaults, FaultKind::NoMemory));
 static_assert(isCompleteTable(ReadFaultText::kRowFaults, RowFault::RepeatedTime));
 
 } // namespace
@@ -111,7 +115,7 @@ QString rowFaultText(const SkippedRow &row)
 
 QString faultText(const ReadFault &fault)
 {
-    const bool namesUnit = fault.kind == Kind::UnknownUnit;
+    const bool namesUnit = fault.kind == FaultKind::UnknownUnit;
     return ReadFaultText::tr(rowOf(ReadFaultText::kFaults, fault.kind).text)
         .replace("%6", QString::number(fault.numbers))
         .replace("%5", QString::number(fault.headings))
