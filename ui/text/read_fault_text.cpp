@@ -22,7 +22,7 @@ struct ReadFaultText {
 public:
     // %1 is the heading or the file, %2 the channel or its unit, %3 the fault of a
     // row, %4 why a column is ignored, %5 and %6 the numbers of headings and cells.
-    static constexpr EnumText<Kind> kFaults[] = {
+    static constexpr EnumText<FaultKind> kFaults[] = {
         {FaultKind::Empty, QT_TR_NOOP("The file is empty: it needs a line of headings, and numbers below it.")},
         {FaultKind::Spreadsheet,
          QT_TR_NOOP("The file is a spreadsheet or an archive, not text: save the table as CSV.")},
