@@ -30,7 +30,8 @@ ColumnChoice choiceFor(const RawTable &table, const RawColumn &column, ColumnRol
 /// Returns whether the values only rise or only fall, so that they may be time stamps or crank angles.
 bool mayBeAbscissa(const RawColumn &column)
 {
-    return !column.isUsed() && rangeOf(column.values).count == column.values.size() && column.values.size() > 1 &&
+    const bool isFree = !column.isUsed() || column.use.channel == kCrankAngle;
+    return isFree && rangeOf(column.values).count == column.values.size() && column.values.size() > 1 &&
            (isTurningAngle(column) || (!isConstant(column) && !findReversal(column.values)));
 }
 

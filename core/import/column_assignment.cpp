@@ -106,9 +106,9 @@ bool mayBeTime(const RawColumn &column)
 }
 
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
-/// the same heading. Otherwise it is the first column that is no row number or parameter, if it has an unknown name and
-/// only rises; else the crank angle; else this first column, if it is an angle that does not change its direction, as
-/// in "theta, x, v".
+/// the same heading. Otherwise it is the first column of numbers that are no row numbers or parameter, if it has an
+/// unknown name and only rises; else the crank angle; else this first column, if it is an angle that does not change
+/// its direction, as in "theta, x, v".
 void guessAbscissa(RawTable &table, const TableFile &file)
 {
     const auto find = [columns = table.columnsOf(file)](const auto &suits) { return findElement(columns, suits); };
@@ -128,7 +128,8 @@ void guessAbscissa(RawTable &table, const TableFile &file)
     }
     RawColumn *const leading = find([&](const RawColumn &column) {
         const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
-        return !isChosen(column) && !isConstant(column) && (!isNumber || mayBeTime(column));
+        const bool isReadable = rangeOf(column.values).count > 0;
+        return !isChosen(column) && isReadable && !isConstant(column) && (!isNumber || mayBeTime(column));
     });
     if (leading && mayBeTime(*leading)) {
         return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);

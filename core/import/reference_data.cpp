@@ -35,27 +35,34 @@ bool startsAgain(std::span<const double> values, std::size_t row)
     return row >= kFewestRows && std::abs(values[row] - values[0]) <= kNear * range;
 }
 
-/// Throws if a row is another line of headings. The same headings again are only a row that is skipped.
+/// Returns whether a line without numbers contains headings or units other than those of the columns.
+bool beginsTable(const Cells &cells, std::span<const RawColumn> columns)
+{
+    std::size_t names = 0;
+    std::size_t units = 0;
+    bool hasOtherName = cells.size() != columns.size();
+    bool hasOtherUnit = false;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::string_view unit = unitIn(cells[i]);
+        const FileColumn *const column = i < columns.size() ? &columns[i].use : nullptr;
+        names += parseHeading(cells[i]).meaning.kind != NameMeaning::Kind::Nothing ? 1 : 0;
+        units += unit.empty() ? 0 : 1;
+        hasOtherName = hasOtherName || !column || column->heading != cells[i];
+        hasOtherUnit = hasOtherUnit || (column && parseUnit(unit) != parseUnit(column->unit));
+    }
+    return cells.size() > 1 && ((names > 1 && hasOtherName) || (units == cells.size() && hasOtherUnit));
+}
+
+/// Throws if another table begins in a file. Its own headings or units again are only a row that is skipped.
 void refuseAnotherTable(const RawTable &table)
 {
     for (const TableFile &file : table.files) {
         const std::span<const RawColumn> columns = std::span(table.columns).subspan(file.firstColumn, file.width);
-        const auto isUnreadable = [&](std::size_t row) {
-            return std::ranges::none_of(columns,
-                                        [row](const RawColumn &column) { return std::isfinite(column.values[row]); });
-        };
         for (std::size_t row = 0; row < file.rows.size(); ++row) {
-            if (!isUnreadable(row)) {
-                continue;
-            }
+            const auto isNumber = [row](const RawColumn &column) { return std::isfinite(column.values[row]); };
             const Line &line = file.rows[row];
-            const Cells cells = splitCells(line.text, file.layout.delimiter);
-            const auto isName = [](std::string_view cell) {
-                return parseHeading(cell).meaning.kind != NameMeaning::Kind::Nothing;
-            };
-            const bool areSame = std::ranges::equal(
-                cells, columns, {}, {}, [](const RawColumn &column) -> std::string_view { return column.use.heading; });
-            if (cells.size() > 1 && !areSame && std::ranges::count_if(cells, isName) > 1) {
+            if (std::ranges::none_of(columns, isNumber) &&
+                beginsTable(splitCells(line.text, file.layout.delimiter), columns)) {
                 throw ReadError{.line = line.number, .text = excerpt(line.text), .fault = {Fault::AnotherTable}};
             }
         }

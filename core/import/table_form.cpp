@@ -5,6 +5,7 @@
 #include "core/import/vocabulary.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -77,7 +78,7 @@ std::optional<SplitLine> findFirstRow(Lines lines)
 std::string_view withoutMark(std::string_view line)
 {
     const std::string_view text = trimmed(line);
-    for (const std::string_view mark : {"#", "%", "//"}) {
+    for (const std::string_view mark : {"#", "%", "//", "!", "--", "*"}) {
         const std::size_t end = text.starts_with(mark) ? text.find_first_not_of(mark[0]) : text.npos;
         if (end != text.npos) {
             return trimmed(text.substr(end));
@@ -202,18 +203,20 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
     return best;
 }
 
-/// Returns the unit in a cell below the headings, which Simulink writes as "Type: double Unit: rad". Empty if there is
-/// none.
-std::string_view unitIn(std::string_view cell)
+/// Returns whether R wrote the names of the rows, which have no heading, before the cells: quoted, words, or 1, 2, ….
+bool haveRowNames(Lines rows, char delimiter, std::size_t headings)
 {
-    constexpr std::string_view kUnit = "Unit:";
-    if (const std::size_t at = cell.find(kUnit); at != cell.npos) {
-        cell = trimmed(cell.substr(at + kUnit.size()));
-        cell = cell.substr(0, cell.find_first_of(" \t;,"));
-    } else if (cell.size() > 2 && (cell[0] == '[' || cell[0] == '(') && (cell.back() == ']' || cell.back() == ')')) {
-        cell = trimmed(cell.substr(1, cell.size() - 2));
+    constexpr std::array<std::string_view, 2> kFirstNumbers{"1", "2"};
+    for (std::size_t i = 0; i < kFirstNumbers.size(); ++i) {
+        const Cells cells = i < rows.size() ? splitCells(rows[i].text, delimiter) : Cells();
+        if (cells.size() != headings + 1 || !std::all_of(cells.begin() + 1, cells.end(), isNumber)) {
+            return false;
+        }
+        if (!rows[i].text.starts_with('"') && looksNumeric(cells[0]) && cells[0] != kFirstNumbers[i]) {
+            return false;
+        }
     }
-    return parseUnit(cell) ? cell : std::string_view();
+    return true;
 }
 
 /// Sets the unit of a column that is found in cell `i` of a line, unless it is empty. Throws if the heading states
@@ -275,15 +278,24 @@ void findDecimalSign(Lines lines, FileLayout &layout)
     layout.mayBeThousands = hasSign && !isClear;
 }
 
-/// Returns the line without the remark after it, such as "# start" or "// start". "#N/A" is a gap.
+/// Returns the line without the remark after it, such as "# start", "// start" or "% start". "#N/A" is a gap, and "12
+/// %" a number with its unit.
 std::string_view withoutRemark(std::string_view line)
 {
-    for (const std::string_view mark : {"#", "//"}) {
-        for (std::size_t at = line.find(mark); at != line.npos; at = line.find(mark, at + 1)) {
-            const char next = at + mark.size() < line.size() ? line[at + mark.size()] : ' ';
-            if (at > 0 && isBlank(line[at - 1]) && (isBlank(next) || (next >= 'a' && next <= 'z'))) {
-                return line.substr(0, at);
-            }
+    constexpr std::string_view kMarks = "#/%!";
+    for (std::size_t at = line.find_first_of(kMarks, 1); at != line.npos; at = line.find_first_of(kMarks, at + 1)) {
+        const bool isSlash = line[at] == '/';
+        const bool isClear = isSlash || line[at] == '#'; // the others have further meanings
+        const std::string_view after = line.substr(std::min(at + (isSlash ? 2 : 1), line.size()));
+        const std::string_view text = trimmed(after);
+        if (isSlash && line.substr(at, 2) != "//") {
+            continue;
+        }
+        const bool isApart = isBlank(line[at - 1]) || (isClear && isDigit(line[at - 1]));
+        const bool isWord = !text.empty() && lowerCase(text[0]) >= 'a' && lowerCase(text[0]) <= 'z';
+        const bool isRemark = text.size() < after.size() ? isClear || isWord : isWord && text[0] >= 'a';
+        if (isApart && (isRemark || (isClear && text.empty()))) {
+            return line.substr(0, at);
         }
     }
     return line;
@@ -347,6 +359,18 @@ std::vector<Line> splitLines(std::string_view text)
     return lines;
 }
 
+std::string_view unitIn(std::string_view cell)
+{
+    constexpr std::string_view kUnit = "Unit:";
+    if (const std::size_t at = cell.find(kUnit); at != cell.npos) {
+        cell = trimmed(cell.substr(at + kUnit.size()));
+        cell = cell.substr(0, cell.find_first_of(" \t;,"));
+    } else if (cell.size() > 2 && (cell[0] == '[' || cell[0] == '(') && (cell.back() == ']' || cell.back() == ')')) {
+        cell = trimmed(cell.substr(1, cell.size() - 2));
+    }
+    return parseUnit(cell) ? cell : std::string_view();
+}
+
 std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
 {
     const Lines examined = firstLines(lines);
@@ -366,8 +390,8 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     if (header) {
         layout.headerLine = lines[first].number;
         std::ranges::transform(withoutRemark(header->cells), std::back_inserter(headings), parseHeading);
-        if (row && lines[row->line].text.starts_with('"') && row->cells.size() == headings.size() + 1) {
-            headings.insert(headings.begin(), Heading()); // R writes row names without a heading
+        if (haveRowNames(rows, layout.delimiter, headings.size())) {
+            headings.insert(headings.begin(), Heading());
         }
         rows = rows.subspan(readAnnotations(firstLines(rows), row, headings));
     }

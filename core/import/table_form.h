@@ -23,6 +23,10 @@ struct Line {
 /// Splits a text at LF, CR LF and CR. Throws ReadError if one of the first lines is too long.
 std::vector<Line> splitLines(std::string_view text);
 
+/// Returns the unit that fills a cell below the headings, "mm" or "(mm)", or which Simulink writes there: "Type: double
+/// Unit: rad". Empty if there is none.
+std::string_view unitIn(std::string_view cell);
+
 /// Finds the table in the lines of a file, and removes those above the first row of numbers. Returns the headings,
 /// whose units may also be from a line of units or from the cells, and describes the rest in `layout`. Throws
 /// ReadError.

@@ -46,6 +46,25 @@ const std::vector<ReadFile> kOrdinary{
     {"zeit_per_ms_heading.csv", "time R4_x", 61, 1.2},
 };
 
+/// The same three rows, as different programs and people write them.
+struct Layout {
+    QByteArray text;
+    const char *roles; ///< without the marks of guesses
+};
+
+const std::vector<Layout> kLayouts{
+    {"t,x,v\n0,85,1 %start\n1,84,2 % note\n2,80,3\n", "time R4_x R4_x_diff"},
+    {"t,x,v\n0,85,1 ! start\n1,84,2// note\n2,80,3# 4\n", "time R4_x R4_x_diff"},
+    {"t x v\n0 85 1 % start, 2nd try\n1 84 2\n2 80 3\n", "time R4_x R4_x_diff"},
+    {"! run of March\n! t x v\n0 85 1\n1 84 2\n2 80 3\n", "time R4_x R4_x_diff"},
+    {"-- t x v\n0 85 1\n1 84 2\n2 80 3\n", "time R4_x R4_x_diff"},
+    {"t,x,v\n1,0,85,1\n2,1,84,2\n3,2,80,3\n", "- time R4_x R4_x_diff"}, // row names of R
+    {"t,x,v\nrun1,0,85,1\nrun2,1,84,2\nrun3,2,80,3\n", "- time R4_x R4_x_diff"},
+    {"  t  x v\n1 0 85 1\n2 1 84 2\n3 2 80 3\n", "- time R4_x R4_x_diff"},
+    {"case,angle,x\nopen,0,85\nopen,90,84\nopen,180,80\n", "- angle R4_x"},
+    {"sep=;\nt;x\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},
+};
+
 struct RefusedFile {
     const char *name;
     Kind kind;
@@ -81,6 +100,32 @@ private slots:
             QVERIFY2(abscissa.size() == file.rows && data->skippedCount == 0, file.name);
             QVERIFY2(std::abs(abscissa.back() - file.last) < 1e-9, file.name);
         }
+    }
+
+    void readsEveryLayout()
+    {
+        for (const Layout &layout : kLayouts) {
+            const Outcome outcome = read(layout.text);
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->time.size() == 3 && data->skippedCount == 0, layout.text);
+            QString roles = QString::fromStdString(rolesOf(data->layout));
+            QVERIFY2(roles.remove('?') == layout.roles, layout.text);
+            QVERIFY2(data->series.front().values == (std::vector{85.0, 84.0, 80.0}), layout.text);
+        }
+    }
+
+    void cutsNoPartOfACell()
+    {
+        const Outcome outcome = read("t,load,x\n0,12 % ,85\n1,50%,84\n2,#N/A,80\n");
+        QCOMPARE(described(outcome), std::string("time 0 1 2; R4_x 85 84 80"));
+    }
+
+    void refusesALineOfOtherUnits()
+    {
+        const Outcome outcome = read("t,x\ns,mm\n0,85\n1,84\ns,cm\n2,8\n");
+        const ReadError *const error = std::get_if<ReadError>(&outcome);
+        QVERIFY(error && error->fault.kind == Kind::AnotherTable && error->line == 5);
+        QVERIFY(std::holds_alternative<ReferenceData>(read("t,x\ns,mm\n0,85\n1,84\ns,mm\n2,80\n")));
     }
 
     void refusesThoseThatAreWrong()
@@ -128,6 +173,26 @@ private slots:
         QCOMPARE(rolesIn("time,p [deg],R4_x\n0,0,7\n1,90,8\n2,270,7\n"), std::string("time theta2? R4_x"));
         QCOMPARE(rolesIn("Degrees,R4_x\n0,7\n90,8\n270,7\n"), std::string("angle? R4_x"));
         QCOMPARE(rolesIn("time,p [deg],R4_x\n0,0,7\n1,90,8\n2,0,7\n"), std::string("time - R4_x"));
+    }
+
+    /// x, y and θ of one body: the crank turns, the slider does not, and the rest is the coupler.
+    void findsTheBodyOfAPosition()
+    {
+        const auto rolesIn = [](const char *headings, const char *angleOfSecondRow) {
+            QByteArray text = QByteArray(headings) + '\n';
+            for (int row = 0; row < 12; ++row) {
+                const QByteArray number = QByteArray::number(row);
+                text += number + ',' + QByteArray::number(30 + (row - 6) * (row - 6)) + ",2" + number + ',' +
+                        (row == 0 ? "0" : angleOfSecondRow) + '\n';
+            }
+            const Outcome outcome = read(text);
+            return QString::fromStdString(rolesOf(std::get<ReferenceData>(outcome).layout)).remove('?');
+        };
+        QCOMPARE(rolesIn("t,x,y,theta", "0"), QString("time R4_x R4_y theta4"));
+        QCOMPARE(rolesIn("t,x,y,theta", "20"), QString("time R3_x R3_y theta3"));
+        QCOMPARE(rolesIn("Tiempo,Posición X,Posición Y,Rotación", "0"), QString("time R4_x R4_y theta4"));
+        QCOMPARE(rolesIn("Time (s),Position (x) (m),Position (y) (m),Angle (rad)", "1e-9"),
+                 QString("time R4_x R4_y theta4"));
     }
 
     /// Words that only contain the letters of symbols denote nothing.
