@@ -18,7 +18,7 @@ of multibody dynamics.
 .
 The results of another simulation, saved as CSV, are drawn over the plots. The
 program reports how far they differ from the model, and finds the mechanism
-that they belong to. Everything can also be done from the command line.")
+that produced them. Everything can also be done from the command line.")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6svg6 (<< 6.7.2-5~) | qt6-svg-plugins") # a plugin, loaded at run time for the window's icon
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "fonts-dejavu-core | fonts-noto-core, qt6-translations-l10n, qt6-wayland")

@@ -518,6 +518,14 @@
         <translation>%1 se da más de una vez: deje una sola.</translation>
     </message>
     <message>
+        <source>One of the arguments is empty: remove it, or name a file.</source>
+        <translation>Uno de los argumentos está vacío: quítelo o indique un archivo.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; contains bytes that are not UTF-8: rename the file.</source>
+        <translation>«%1» contiene bytes que no son UTF-8: cambie el nombre del archivo.</translation>
+    </message>
+    <message>
         <source>Give the values to be checked, such as x=9.74 v=45.1.</source>
         <translation>Indique los valores que se deben revisar, como x=9.74 v=45.1.</translation>
     </message>
@@ -1029,7 +1037,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>Prints whether the crank makes full turns and why, the dead centres, the stroke, angles and times of both strokes, the time ratio, the extremes of the transmission angle and of the coupler angle, mean and peak speeds and peak accelerations, and where and when they occur. Crank angles in JSON and CSV are in degrees. The exit status is 4 if the mechanism cannot be assembled at all.</source>
-        <translation>Escribe si la manivela da vueltas completas y por qué, los puntos muertos, la carrera, los ángulos y tiempos de ambas carreras, la relación de tiempos, los valores extremos del ángulo de transmisión y del ángulo de la biela, las velocidades medias y máximas y las aceleraciones máximas, y dónde y cuándo se dan. Los ángulos de la manivela en JSON y CSV están en grados. El estado de salida es 4 si el mecanismo no se puede ensamblar en ninguna posición.</translation>
+        <translation>Escribe si la manivela da vueltas completas y por qué, los puntos muertos, la carrera, los ángulos y tiempos de ambas carreras, la relación de tiempos, los valores extremos del ángulo de transmisión y del ángulo de la biela, las velocidades medias y máximas y las aceleraciones máximas, y dónde y cuándo se dan. Los ángulos de la manivela en JSON y CSV están en grados. El código de salida es 4 si el mecanismo no se puede ensamblar en ninguna posición.</translation>
     </message>
     <message>
         <source>a row for each position of one revolution in which a channel has this value: R4_x=60, theta3=10deg, R4_x_diff=-0.2m/s</source>
@@ -2039,7 +2047,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>The data do not determine %1. Kept as given: %2.</source>
-        <translation>Los datos no determinan %1. Se conserva lo dado: %2.</translation>
+        <translation>Los datos no determinan %1. Se conserva el valor dado: %2.</translation>
     </message>
     <message>
         <source>The derivatives allow ω₂ = %1 rad/s, because their unit is unknown (radians or degrees?): state it in the headings.</source>
@@ -2285,7 +2293,7 @@ PA = %4, PB = %5</translation>
     </message>
     <message>
         <source>gap = %1</source>
-        <translation>hueco = %1</translation>
+        <translation>separación = %1</translation>
     </message>
     <message>
         <source>inner</source>
@@ -2440,7 +2448,7 @@ PA = %4, PB = %5</translation>
     </message>
     <message>
         <source>Slider-crank drawn to scale: crank %1, coupler %2, offset %3. The keys of the Playback menu move it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves the drawing, Page Down and Page Up describe its parts one after the other.</source>
-        <translation>Mecanismo biela-manivela dibujado a escala: manivela %1, biela %2, excentricidad %3. Las teclas del menú Reproducción lo mueven; los deslizadores y casillas de abajo cambian sus longitudes. Más, menos y 0 cambian el zoom, Control con las flechas mueve el dibujo, y Av Pág y Re Pág describen sus partes una tras otra.</translation>
+        <translation>Mecanismo biela-manivela dibujado a escala: manivela %1, biela %2, excentricidad %3. Las teclas del menú Reproducción lo mueven; los controles deslizantes y las casillas de abajo cambian sus longitudes. Más, menos y 0 cambian el zoom, Control con las flechas mueve el dibujo, y Av Pág y Re Pág describen sus partes una tras otra.</translation>
     </message>
 </context>
 <context>
@@ -3430,7 +3438,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>%1, slider</source>
-        <translation>%1, deslizador</translation>
+        <translation>%1, control deslizante</translation>
     </message>
     <message>
         <source>Unit of %1</source>
@@ -3461,7 +3469,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <name>slidercrank::PlotFigure</name>
     <message>
         <source>% of peak</source>
-        <translation>% máx.</translation>
+        <translation>% del máx.</translation>
     </message>
     <message>
         <source>not in the file</source>
@@ -3501,7 +3509,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>the mechanism cannot be assembled</source>
-        <translation>el mecanismo no se puede montar</translation>
+        <translation>el mecanismo no se puede ensamblar</translation>
     </message>
     <message>
         <source>error of the coupler</source>
