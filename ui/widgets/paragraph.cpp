@@ -9,7 +9,8 @@ namespace slidercrank
 QString withUnbrokenUnits(QString text)
 {
     text.replace("θ₂₀ = ", "θ₂₀\u00a0=\u00a0");
-    return text.replace(QRegularExpression("(?<=\\d) (?=%|°|mm|rad|s\\b)"), "\u00a0");
+    static const QRegularExpression kBeforeUnit("(?<=\\d) (?=%|°|mm|rad|s\\b)");
+    return text.replace(kBeforeUnit, "\u00a0");
 }
 
 QLabel *plainText(const QString &text)
