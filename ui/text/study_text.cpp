@@ -163,8 +163,11 @@ std::vector<Record> studyRecords(const StudyResult &result)
 
 QString machineText()
 {
-    QStringList parts{QSysInfo::buildCpuArchitecture(), StudyText::tr("%1 threads").arg(QThread::idealThreadCount()),
-                      BOOST_COMPILER};
+    QStringList parts{QSysInfo::buildCpuArchitecture()};
+    if (const int threads = QThread::idealThreadCount(); threads > 1) {
+        parts += StudyText::tr("%1 threads").arg(threads);
+    }
+    parts += BOOST_COMPILER;
 #ifndef NDEBUG
     parts += StudyText::tr("not optimized");
 #endif
