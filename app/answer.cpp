@@ -12,12 +12,27 @@
 namespace slidercrank
 {
 
+namespace
+{
+
+QByteArray bytesOf(const Answer &answer, OutputFormat format)
+{
+    switch (format) {
+    case OutputFormat::Text: break;
+    case OutputFormat::Csv: return csvText(answer.rows);
+    case OutputFormat::Json: return jsonDocument(answer.json);
+    }
+    return printableText(answer.text).toUtf8();
+}
+
+} // namespace
+
 Question::Question(const OptionReader &options)
     : mechanism(readMechanism(options))
-    , format(options.word("format", "text"))
+    , format(options.choice("format", OutputFormat::Text))
     , output(readOutput(options))
 {
-    if (format != u"text") {
+    if (format != OutputFormat::Text) {
         setLanguage(Language::English);
         QLocale::setDefault(QLocale::c());
     }
@@ -25,9 +40,7 @@ Question::Question(const OptionReader &options)
 
 ExitStatus Question::write(const Streams &streams, const Answer &answer) const
 {
-    const QByteArray bytes = format == u"json"  ? jsonDocument(answer.json)
-                             : format == u"csv" ? csvText(answer.rows)
-                                                : printableText(answer.text).toUtf8();
+    const QByteArray bytes = bytesOf(answer, format);
     return bytes.isEmpty() ? answer.status : moreSevere(answer.status, writeOutput(streams, output, bytes));
 }
 

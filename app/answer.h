@@ -4,6 +4,7 @@
 // What the commands have in common that answer a question about a mechanism as text, CSV or JSON.
 
 #include "app/option_groups.h"
+#include "app/option_words.h"
 #include "ui/text/record.h"
 
 namespace slidercrank
@@ -19,7 +20,7 @@ struct Answer {
 
 struct Question {
     Mechanism mechanism;
-    QString format; ///< "text", "csv" or "json"
+    OutputFormat format;
     QString output; ///< empty: standard output
 
     /// Switches to English for JSON and CSV, which are the same in every language. Messages that follow are in English,

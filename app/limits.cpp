@@ -29,9 +29,6 @@ namespace slidercrank
 namespace
 {
 
-/// Names in JSON, by Mobility.
-constexpr std::array kMobilityNames{"full-turn", "rocker", "locked", "impossible"};
-
 /// Returns one revolution of the crank, in which every limit has a time.
 Sampling oneRevolution(const Mechanism &mechanism)
 {
@@ -144,20 +141,24 @@ private:
 /// Reads --tolerance, such as "a=0.05,b=0.1": half the range of each length.
 LengthTolerances readTolerances(const OptionReader &options)
 {
+    struct LengthName {
+        const char *name;
+        double LengthTolerances::*tolerance;
+    };
+    constexpr LengthName kLengths[] = {
+        {"a", &LengthTolerances::a}, {"b", &LengthTolerances::b}, {"c", &LengthTolerances::c}};
     LengthTolerances tolerances;
     QStringList names;
     for (const QString &part : options.text("tolerance").split(',')) {
         const QString name = part.section('=', 0, 0).trimmed();
-        double *tolerance = name == u"a"   ? &tolerances.a
-                            : name == u"b" ? &tolerances.b
-                            : name == u"c" ? &tolerances.c
-                                           : nullptr;
-        if (!tolerance || names.contains(name)) {
+        const auto *const length =
+            std::ranges::find(kLengths, name, [](const LengthName &each) { return QString(each.name); });
+        if (length == std::end(kLengths) || names.contains(name)) {
             throw UsageError{CommandLine::tr("--tolerance must be a list such as a=0.05,b=0.1,c=0.05, not \"%1\".")
                                  .arg(options.text("tolerance"))};
         }
         names += name;
-        *tolerance = parseNumber("tolerance", part.section('=', 1), kMillimetre, 0.0);
+        tolerances.*length->tolerance = parseNumber("tolerance", part.section('=', 1), kMillimetre, 0.0);
     }
     return tolerances;
 }
@@ -281,7 +282,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
     const std::vector<Record> rows = list.records();
     Answer answer{.rows = rows,
                   .json = {{"mechanism", toJson(mechanism.parameters())},
-                           {"mobility", kMobilityNames[static_cast<std::size_t>(list.motion.mobility)]},
+                           {"mobility", wordFor(list.motion.mobility)},
                            {"reason", sentence},
                            {"limits", jsonList(rows, jsonObject)}}};
     if (list.motion.mobility == Mobility::Impossible) {

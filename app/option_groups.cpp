@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_groups.h"
 
+#include "app/option_words.h"
 #include "core/import/heading.h"
 #include "core/import/quantity.h"
 #include "core/mechanism/channel.h"
@@ -25,6 +26,18 @@ namespace
 
 constexpr int kLargestStepCount = 100'000'000;
 constexpr double kShortestTime = 1e-12; // s
+
+Unit unitOf(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: break;
+    case Parameter::Omega2: return kRadianPerSecond;
+    case Parameter::Theta20: return kRadian;
+    }
+    return kMillimetre;
+}
 
 /// Parses the meaning that --column gives a column: "R4_x [m]", "time" or "ignored".
 ColumnChoice parseMeaning(const QString &text)
@@ -51,8 +64,7 @@ double parseParameter(const char *option, const QString &text, Parameter paramet
     if (parameter == Parameter::Theta20 && !withoutUnit.fault && withoutUnit.value != 0.0) { // degrees or radians?
         throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg(option, text)};
     }
-    constexpr std::array kUnits{kMillimetre, kMillimetre, kMillimetre, kRadianPerSecond, kRadian}; // by Parameter
-    return parseNumber(option, text, kUnits[indexOf(parameter)], isLink ? kShortestLink : -kLargestParameter);
+    return parseNumber(option, text, unitOf(parameter), isLink ? kShortestLink : -kLargestParameter);
 }
 
 QStringList channelNames()
@@ -139,7 +151,7 @@ std::vector<ColumnChoice> readColumns(const OptionReader &options)
 {
     std::vector<ColumnChoice> choices;
     if (options.has("abscissa")) {
-        const bool isTime = options.word("abscissa", {}) == u"time";
+        const bool isTime = options.choice("abscissa", FirstColumn::TimeStamps) == FirstColumn::TimeStamps;
         choices.push_back({.role = isTime ? ColumnRole::Time : ColumnRole::CrankAngle, .heading = "#1"});
     }
     for (const QString &text : options.texts("column")) {

@@ -70,9 +70,17 @@ void OptionReader::checkRepetitions() const
             throw UsageError{CommandLine::tr("--%1 needs the name of a file.").arg(option.name)};
         }
     }
+    if (files().contains("")) {
+        throw UsageError{CommandLine::tr("One of the arguments is empty: remove it, or name a file.")};
+    }
     if (inputFiles().count("-") > 1) {
         throw UsageError{CommandLine::tr("Standard input can be read only once: give one \"-\".")};
     }
+}
+
+void OptionReader::checkWord(const char *name) const
+{
+    indexAmong(QString(find(name)->value).split('|'), text(name), name);
 }
 
 void OptionReader::readScene()

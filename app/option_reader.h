@@ -14,6 +14,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -53,25 +54,16 @@ public:
                   double smallest = -kLargestParameter, double largest = kLargestParameter) const;
     int integer(const char *name, int defaultValue, int smallest, int largest) const;
 
-    /// The enumerator whose word is given. Throws if the word is none of the enumeration.
+    /// The enumerator whose word is given. Throws if the option of this command does not take the word.
     template <typename Enum>
     Enum choice(const char *name, Enum defaultValue) const
     {
         if (!has(name)) {
             return defaultValue;
         }
-        const qsizetype row = indexAmong(wordsOf<Enum>(), text(name), name);
-        return EnumWords<Enum>::rows[static_cast<std::size_t>(row)].key;
-    }
-
-    /// The given word. Throws if the option table, "text|csv|json", does not contain it.
-    QString word(const char *name, const QString &defaultWord) const
-    {
-        if (!has(name)) {
-            return defaultWord;
-        }
-        indexAmong(QString(find(name)->value).split('|'), text(name), name);
-        return text(name);
+        checkWord(name);
+        const auto &rows = EnumWords<Enum>::rows;
+        return std::ranges::find(rows, text(name), [](const EnumWord<Enum> &row) { return QString(row.word); })->key;
     }
 
     /// Throws if any of these options was given. %1 in the message becomes the name of the option.
@@ -79,6 +71,7 @@ public:
 
 private:
     void checkRepetitions() const; ///< throws if an option or standard input is given twice, or a file has no name
+    void checkWord(const char *name) const; ///< throws if the value is none of the words in the table of options
     const OptionDescription *find(const char *name) const; ///< null if the command does not take the option
 
     const CommandDescription &m_command;

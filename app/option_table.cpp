@@ -140,7 +140,7 @@ public:
            QT_TR_NOOP("overrides the meaning of a column, may be repeated: \"slider.s=R4_x [m]\", \"T=time [ms]\", "
                       "\"#3=ignored\" (the third column). A meaning is time, crank-angle, ignored or a channel; theta2 "
                       "without a time is the crank angle")},
-          {"compare identify render", "abscissa", "time|angle",
+          {"compare identify render", "abscissa", kJoinedWords<FirstColumn>.data(),
            QT_TR_NOOP(
                "whether the first column holds time stamps or crank angles, which --omega2 and --theta20 convert "
                "to time")}}},
@@ -157,9 +157,11 @@ public:
            QT_TR_NOOP("unit of angles that are written without one (deg)")},
           {"check", "length-unit", kJoinedWords<LengthUnit>.data(),
            QT_TR_NOOP("unit of lengths that are written without one (mm)")},
-          {"solve", "format", "csv|json", QT_TR_NOOP("output format (csv)")},
-          {"check identify", "format", "text|json", QT_TR_NOOP("output format (text)")},
-          {"limits compare study", "format", "text|csv|json", QT_TR_NOOP("output format (text)")},
+          {"solve", "format", kSomeJoinedWords<OutputFormat::Csv, OutputFormat::Json>.data(),
+           QT_TR_NOOP("output format (csv)")},
+          {"check identify", "format", kSomeJoinedWords<OutputFormat::Text, OutputFormat::Json>.data(),
+           QT_TR_NOOP("output format (text)")},
+          {"limits compare study", "format", kJoinedWords<OutputFormat>.data(), QT_TR_NOOP("output format (text)")},
           {"limits", "vary", "NAME=FROM..TO",
            QT_TR_NOOP(
                "a row of limits for each of several values of a parameter: b=50..120 (CSV unless --format json)")},
@@ -193,7 +195,7 @@ public:
                       "error_acceleration (all)")},
           {"render", "no-cursor", nullptr, QT_TR_NOOP("do not write the values at the time of --at in the plots")},
           {"render", "paper", kJoinedWords<PaperSize>.data(), QT_TR_NOOP("paper of a report (a4)")},
-          {"render", "theme", "light|dark", QT_TR_NOOP("colours (light)")},
+          {"render", "theme", kSomeJoinedWords<Theme::Light, Theme::Dark>.data(), QT_TR_NOOP("colours (light)")},
           {"render", "speed", "FACTOR",
            QT_TR_NOOP("for frames (30 per second): seconds of motion per second of playback (1)")},
           {"render", "output", "FILE",

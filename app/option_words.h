@@ -3,11 +3,49 @@
 
 // The words of enumerators that only the command line has (ui/text/enum_words.h).
 
+#include "core/limits/mobility.h"
 #include "ui/export/report.h"
 #include "ui/text/enum_words.h"
+#include "ui/text/theme.h"
 
 namespace slidercrank
 {
+
+/// The format of what a command writes. Each command offers some of them.
+enum class OutputFormat { Text, Csv, Json };
+
+template <>
+struct EnumWords<OutputFormat> {
+    static constexpr EnumWord<OutputFormat> rows[] = {
+        {OutputFormat::Text, "text"}, {OutputFormat::Csv, "csv"}, {OutputFormat::Json, "json"}};
+    static_assert(isCompleteTable(rows, OutputFormat::Json));
+};
+
+/// What the first column of a reference file holds.
+enum class FirstColumn { TimeStamps, CrankAngles };
+
+template <>
+struct EnumWords<FirstColumn> {
+    static constexpr EnumWord<FirstColumn> rows[] = {{FirstColumn::TimeStamps, "time"},
+                                                     {FirstColumn::CrankAngles, "angle"}};
+    static_assert(isCompleteTable(rows, FirstColumn::CrankAngles));
+};
+
+template <>
+struct EnumWords<Theme> {
+    static constexpr EnumWord<Theme> rows[] = {
+        {Theme::System, "system"}, {Theme::Light, "light"}, {Theme::Dark, "dark"}};
+    static_assert(isCompleteTable(rows, Theme::Dark));
+};
+
+template <>
+struct EnumWords<Mobility> {
+    static constexpr EnumWord<Mobility> rows[] = {{Mobility::FullTurn, "full-turn"},
+                                                  {Mobility::Rocker, "rocker"},
+                                                  {Mobility::Locked, "locked"},
+                                                  {Mobility::Impossible, "impossible"}};
+    static_assert(isCompleteTable(rows, Mobility::Impossible));
+};
 
 /// The cases of the study.
 enum class CaseChoice {

@@ -35,6 +35,12 @@ namespace
 
 enum class Subject { Figure, Mechanism, Report, Frames, Plot };
 
+/// The words of --what. A Plot has none: its word is the name of the plot.
+constexpr EnumWord<Subject> kSubjects[] = {{Subject::Figure, "figure"},
+                                           {Subject::Mechanism, "mechanism"},
+                                           {Subject::Report, "report"},
+                                           {Subject::Frames, "frames"}};
+
 struct RenderRequest {
     Subject subject = Subject::Figure;
     FigureOptions figure;           ///< of pictures
@@ -60,12 +66,18 @@ QStringList namesOfPlots()
 /// Reads --what, --plots and --no-cursor.
 void readSubject(const OptionReader &options, RenderRequest &request)
 {
-    QStringList names{"figure", "mechanism", "report", "frames"};
-    const qsizetype firstPlot = names.size();
-    names += namesOfPlots();
-    const qsizetype index = options.has("what") ? indexAmong(names, options.text("what"), "what") : 0;
-    request.subject = static_cast<Subject>(std::min(index, firstPlot));
-    QStringList plots = index < firstPlot ? QStringList() : QStringList(names[index]);
+    QStringList plots;
+    if (options.has("what")) {
+        const QString what = options.text("what");
+        QStringList words;
+        request.subject = Subject::Plot;
+        for (const auto &[subject, word] : kSubjects) {
+            words += word;
+            request.subject = what == QLatin1String(word) ? subject : request.subject;
+        }
+        indexAmong(words + namesOfPlots(), what, "what"); // throws if it is not among them
+        plots += request.subject == Subject::Plot ? QStringList(what) : QStringList();
+    }
     if (options.has("plots")) {
         if (request.subject != Subject::Figure) {
             throw UsageError{CommandLine::tr("--plots chooses among the plots of the figure: use it without --what.")};
@@ -152,9 +164,12 @@ void readTarget(const OptionReader &options, RenderRequest &request)
     const std::optional<FigureFormat> format = figureFormat(request.output);
     const QString type = QMimeDatabase().mimeTypeForFile(request.output, QMimeDatabase::MatchExtension).name();
     const bool isFolder = !request.output.isEmpty() && !format && !type.contains(QRegularExpression("^video|^image"));
-    const bool isSuitable = request.subject == Subject::Frames   ? isFolder || isVideo(request.output)
-                            : request.subject == Subject::Report ? format == FigureFormat::Pdf
-                                                                 : format.has_value();
+    bool isSuitable = format.has_value();
+    if (request.subject == Subject::Frames) {
+        isSuitable = isFolder || isVideo(request.output);
+    } else if (request.subject == Subject::Report) {
+        isSuitable = format == FigureFormat::Pdf;
+    }
     if (!isSuitable) {
         throw UsageError{CommandLine::tr("render needs --output with a name that ends in .png, .svg or .pdf (report: "
                                          ".pdf; frames: a new folder, .mp4, .webm or .gif).")};
@@ -227,7 +242,7 @@ RenderRequest readRequest(const OptionReader &options)
     if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
         request.scene.reference = ReferenceSource{files, {}, {}};
     }
-    request.theme = options.word("theme", "light") == u"light" ? Theme::Light : Theme::Dark;
+    request.theme = options.choice("theme", Theme::Light);
     readPicture(options, request);
     readTime(options, request);
     options.refuseFiles();

@@ -10,8 +10,6 @@
 #include "ui/document/settings_fields.h"
 #include "ui/export/motion_csv.h"
 
-#include <array>
-
 namespace slidercrank
 {
 
@@ -79,7 +77,6 @@ bool writeRows(Output &output, const Table &table, const Trajectory &motion)
 
 QByteArray motionJson(const Mechanism &mechanism, Method method, const Table &table, const Trajectory &motion)
 {
-    constexpr std::array kLengthUnits{"mm", "cm", "m", "in"}; // by LengthUnit
     QJsonObject values;
     for (const OutputChannel &channel : table.channels) {
         QJsonArray column;
@@ -88,13 +85,13 @@ QByteArray motionJson(const Mechanism &mechanism, Method method, const Table &ta
         }
         values.insert(columnName(channel), column);
     }
-    return jsonDocument({{"mechanism", toJson(mechanism.parameters())},
-                         {"method", method == Method::Newton ? "newton" : "closed-form"},
-                         {"units", QJsonObject{{"length", kLengthUnits[static_cast<std::size_t>(table.units.length)]},
-                                               {"angle", table.units.angle == AngleUnit::Radian ? "rad" : "deg"},
-                                               {"time", "s"}}},
-                         {"time", jsonList(motion.time, jsonNumber)},
-                         {"channels", values}});
+    return jsonDocument(
+        {{"mechanism", toJson(mechanism.parameters())},
+         {"method", wordFor(method)},
+         {"units",
+          QJsonObject{{"length", wordFor(table.units.length)}, {"angle", wordFor(table.units.angle)}, {"time", "s"}}},
+         {"time", jsonList(motion.time, jsonNumber)},
+         {"channels", values}});
 }
 
 /// JSON holds all values of a channel together, so they are all in memory: about 50 bytes each, and their text.
@@ -114,7 +111,7 @@ void refuseLargeJson(const Table &table, std::size_t timeStamps)
 ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
 {
     const Table table{readChannels(options), readUnits(options)};
-    const bool isJson = options.word("format", "csv") == u"json";
+    const bool isJson = options.choice("format", OutputFormat::Csv) == OutputFormat::Json;
     const SolverSettings solver = readSolver(options);
     const SampledChannels channels(table.channels, readCrankAcceleration(options));
     const Mechanism undriven = readMechanism(options);

@@ -12,7 +12,10 @@
 #include <QStringList>
 
 #include <array>
+#include <cstddef>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 namespace slidercrank
 {
@@ -74,31 +77,21 @@ struct EnumWords<AngleUnit> {
     static_assert(isCompleteTable(rows, AngleUnit::Radian));
 };
 
-/// Returns the words of the enumeration.
+/// Returns the word of an enumerator.
 template <typename Enum>
-QStringList wordsOf()
+constexpr const char *wordFor(Enum key)
 {
-    QStringList words;
-    for (const EnumWord<Enum> &row : EnumWords<Enum>::rows) {
-        words += row.word;
-    }
-    return words;
+    return rowOf(EnumWords<Enum>::rows, key).word;
 }
 
-template <typename Enum>
+template <auto... keys>
 consteval auto joinWords()
 {
-    constexpr std::size_t length = [] {
-        std::size_t sum = 0;
-        for (const EnumWord<Enum> &row : EnumWords<Enum>::rows) {
-            sum += std::string_view(row.word).size() + 1;
-        }
-        return sum;
-    }();
+    constexpr std::size_t length = (... + (std::string_view(wordFor(keys)).size() + 1));
     std::array<char, length> text{};
     std::size_t end = 0;
-    for (const EnumWord<Enum> &row : EnumWords<Enum>::rows) {
-        for (const char letter : std::string_view(row.word)) {
+    for (const std::string_view word : {std::string_view(wordFor(keys))...}) {
+        for (const char letter : word) {
             text[end++] = letter;
         }
         text[end++] = '|';
@@ -107,8 +100,18 @@ consteval auto joinWords()
     return text;
 }
 
-/// The words as the help shows them: "open|crossed".
+template <typename Enum, std::size_t... rows>
+consteval auto joinAllWords(std::index_sequence<rows...>)
+{
+    return joinWords<EnumWords<Enum>::rows[rows].key...>();
+}
+
+/// All words of an enumeration as the help shows them: "open|crossed".
 template <typename Enum>
-inline constexpr auto kJoinedWords = joinWords<Enum>();
+inline constexpr auto kJoinedWords = joinAllWords<Enum>(std::make_index_sequence<std::size(EnumWords<Enum>::rows)>());
+
+/// The words of these enumerators only: "csv|json".
+template <auto... keys>
+inline constexpr auto kSomeJoinedWords = joinWords<keys...>();
 
 } // namespace slidercrank
