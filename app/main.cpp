@@ -7,10 +7,13 @@
 #include "ui/text/language.h"
 
 #include <QApplication>
+#include <QByteArray>
 #include <QFile>
+#include <QList>
 #include <QLocale>
 #include <QLoggingCategory>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <new>
@@ -31,7 +34,18 @@ bool hasDisplay()
 #endif
 }
 
-ExitStatus run()
+/// Whether the argument is text in the encoding of the system. Qt replaces bytes that are not, so that the names of two
+/// files could become equal.
+bool isText([[maybe_unused]] const QByteArray &argument)
+{
+#ifdef Q_OS_WIN // Qt does not read these bytes, but the command line in UTF-16
+    return true;
+#else
+    return QString::fromLocal8Bit(argument).toLocal8Bit() == argument;
+#endif
+}
+
+ExitStatus run(const QList<QByteArray> &arguments)
 {
     QFile output;
     QFile error;
@@ -40,6 +54,12 @@ ExitStatus run()
         return ExitStatus::FileError;
     }
     const Streams streams{output, error};
+    const auto undecodable = std::ranges::find_if_not(arguments, isText);
+    if (undecodable != arguments.end()) {
+        streams.report(CommandLine::tr("\"%1\" contains bytes that are not UTF-8: rename the file.")
+                           .arg(QString::fromLocal8Bit(*undecodable)));
+        return ExitStatus::UsageError;
+    }
     try {
         return runCommandLine(QCoreApplication::arguments(), streams);
     } catch (const std::bad_alloc &) {
@@ -79,5 +99,5 @@ int main(int argc, char *argv[])
     } else {
         QApplication::setStyle("Fusion"); // its colours can be chosen on every platform
     }
-    return static_cast<int>(run());
+    return static_cast<int>(run(QList<QByteArray>(argv, argv + argc)));
 }

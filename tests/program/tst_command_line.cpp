@@ -103,6 +103,9 @@ private slots:
             {"solve --steps 1000000 --format json", "at most 270270 time stamps"},
             {"compare", "needs a file"},
             {"compare - -", "only once"},
+            {"compare \"\"", "is empty"},
+            {"check x=9.74 \"\"", "is empty"},
+            {"render -o x.png --theme system", "--theme must be light or dark"},
             {"solve --b 60 --b 61", "more than once"},
             {"solve -o \"\"", "name of a file"},
             {"compare a.csv --column x", "must be a heading"},
@@ -278,16 +281,38 @@ private slots:
         for (int i = 0; i < 8; ++i) {
             table += QByteArray::number(i) + ',' + QByteArray::number(70 + i * i) + ",1\n";
         }
-        const QString file = write("red\x1b[31m.csv", table);
-        for (const QStringList &command : {QStringList{"compare", file}, QStringList {
-                                               "compare",
-                                               path("no\x07.csv")
-                                           }}) {
-            const RunResult outcome = run(command);
+        struct Row {
+            QString name;
+            QByteArray printed;
+        };
+        write("red\x1b[31m.csv", table);
+        for (const auto &[name, printed] :
+             {Row{"red\x1b[31m.csv", "red\\x1b[31m.csv"}, // exists, the others do not
+              Row{"no\x07.csv", "no\\x07.csv"}, Row{"two\nlines.csv", "two\\x0alines.csv"}, Row {
+                  QStringLiteral(u"vsc.\u202ereversed"),
+                  "vsc.\\x202ereversed"
+              }}) {
+            const RunResult outcome = run({"compare", m_folder.filePath(name)});
             const QByteArray everything = outcome.output + outcome.error;
-            QVERIFY2(everything.contains("\\x1b[31m.csv") || everything.contains("no\\x07.csv"), everything);
+            QVERIFY2(everything.contains(printed), everything);
             QVERIFY(!everything.contains('\x1b') && !everything.contains('\x07'));
         }
+#endif
+    }
+
+    /// Two such names would become equal, and the second result would replace the first one.
+    void refusesNamesThatAreNotUtf8()
+    {
+#ifdef Q_OS_UNIX
+        QProcess shell;
+        shell.setWorkingDirectory(m_folder.path());
+        shell.start("sh", {"-c", "exec \"$0\" solve --output \"$(printf 'odd\\377.csv')\"", SLIDERCRANK_PROGRAM});
+        const RunResult outcome = resultOf(shell);
+        QVERIFY2(outcome.status == 2 && outcome.hasOneLineError(), outcome.error);
+        QVERIFY2(outcome.error.contains("not UTF-8"), outcome.error);
+        QCOMPARE(QDir(m_folder.path()).entryList({"odd*"}), QStringList());
+#else
+        QSKIP("Here names are UTF-16.");
 #endif
     }
 

@@ -114,7 +114,7 @@ QString displayName(const QString &path)
     }
     const QString &folder = unnamedFolder();
     const bool isInFolder = !folder.isEmpty() && path.startsWith(folder + u'/');
-    return printableText(QDir::toNativeSeparators(isInFolder ? path.mid(folder.size() + 1) : path));
+    return printableLine(QDir::toNativeSeparators(isInFolder ? path.mid(folder.size() + 1) : path));
 }
 
 void setUnnamedFolder(const QString &folder)

@@ -6,10 +6,31 @@
 namespace slidercrank
 {
 
-QString printableText(const QString &text)
+namespace
 {
-    const auto mustBeReplaced = [](QChar character) {
-        return character.category() == QChar::Other_Control && character != u'\n' && character != u'\t';
+
+/// Whether the character changes the direction of the characters that follow it, so that a name can look like another.
+bool changesDirection(QChar character)
+{
+    switch (character.direction()) {
+    case QChar::DirLRE:
+    case QChar::DirLRO:
+    case QChar::DirRLE:
+    case QChar::DirRLO:
+    case QChar::DirPDF:
+    case QChar::DirLRI:
+    case QChar::DirRLI:
+    case QChar::DirFSI:
+    case QChar::DirPDI: return true;
+    default: return false;
+    }
+}
+
+QString withCodes(const QString &text, const QString &kept)
+{
+    const auto mustBeReplaced = [&kept](QChar character) {
+        return (character.category() == QChar::Other_Control && !kept.contains(character)) ||
+               changesDirection(character);
     };
     if (std::ranges::none_of(text, mustBeReplaced)) {
         return text;
@@ -23,6 +44,18 @@ QString printableText(const QString &text)
         }
     }
     return printable;
+}
+
+} // namespace
+
+QString printableText(const QString &text)
+{
+    return withCodes(text, "\n\t");
+}
+
+QString printableLine(const QString &text)
+{
+    return withCodes(text, {});
 }
 
 } // namespace slidercrank
