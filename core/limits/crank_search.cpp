@@ -59,16 +59,16 @@ std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, Derived
 /// Returns the critical points of the channel for ω2 = 1 rad/s, each of them once.
 CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction &scaled, Order order)
 {
-    constexpr double kSamePlace = 1e-10; // rad
-    constexpr double kSameValue = 1e-12; // relative
+    constexpr double kPlaceTolerance = 1e-10; // rad
+    constexpr double kValueTolerance = 1e-12; // relative
     const std::array curve{CrankCurve{scaled.function, order}};
     CriticalPoints points;
     const std::vector<CriticalPoints> found = findCriticalPoints(mechanism, curve);
     for (CriticalPoint point : found.front()) {
         point.value = scaled.factor * point.value + (order == Order::Position ? scaled.constant : 0.0);
         const bool isRepeated = !points.empty() && point.kind == points.back().kind &&
-                                point.theta2 - points.back().theta2 < kSamePlace &&
-                                std::abs(point.value - points.back().value) <= kSameValue * std::abs(point.value);
+                                point.theta2 - points.back().theta2 < kPlaceTolerance &&
+                                std::abs(point.value - points.back().value) <= kValueTolerance * std::abs(point.value);
         if (!isRepeated) {
             points.push_back(point);
         }

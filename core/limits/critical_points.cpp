@@ -133,8 +133,8 @@ private:
     void addExtrema(const SteepPlace &place, double from, double to)
     {
         constexpr double kCell = 0.1;
-        constexpr int kFewestCells = 16;
-        const int cells = std::max(kFewestCells, static_cast<int>(std::ceil((to - from) / kCell)));
+        constexpr int kMinCells = 16;
+        const int cells = std::max(kMinCells, static_cast<int>(std::ceil((to - from) / kCell)));
         double left = from;
         Rates atLeft = place.at(left);
         for (int i = 1; i <= cells; ++i) {

@@ -16,14 +16,14 @@ namespace
 /// Returns the points at which the magnitude is `largest` except for rounding.
 std::vector<PeakPlace> largestPlaces(const CriticalPoints &points, double largest)
 {
-    constexpr double kSameValue = 1e-12; // relative
-    constexpr double kSamePlace = 1e-10; // rad
+    constexpr double kValueTolerance = 1e-12; // relative
+    constexpr double kPlaceTolerance = 1e-10; // rad
     std::vector<PeakPlace> places;
     for (const CriticalPoint &point : points) {
         const auto isNear = [&point](const PeakPlace &place) {
-            return std::abs(std::remainder(place.theta2 - point.theta2, kTurn)) < kSamePlace;
+            return std::abs(std::remainder(place.theta2 - point.theta2, kTurn)) < kPlaceTolerance;
         };
-        if (std::abs(point.value) >= largest * (1.0 - kSameValue) && std::ranges::none_of(places, isNear)) {
+        if (std::abs(point.value) >= largest * (1.0 - kValueTolerance) && std::ranges::none_of(places, isNear)) {
             places.push_back({point.theta2, point.value});
         }
     }
@@ -37,12 +37,15 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
     std::vector<Peak> peaks;
     std::array<CriticalPoints, kPlottedChannels.size()> points = findCriticalPoints(mechanism);
     const bool turnsUniformly = mechanism.a() == mechanism.b() && mechanism.c() == 0.0; // θ3 is ±θ2 or differs by π/2
-    for (const std::size_t index : {3U, 5U, 2U, 4U}) {
-        if (points[index].empty()) {
+    for (const Channel channel : {Channel{R4x, Order::Velocity}, Channel{R4x, Order::Acceleration},
+                                  Channel{Theta3, Order::Velocity}, Channel{Theta3, Order::Acceleration}}) {
+        CriticalPoints &ofChannel =
+            points[static_cast<std::size_t>(std::ranges::find(kPlottedChannels, channel) - kPlottedChannels.begin())];
+        if (ofChannel.empty()) {
             return {};
         }
-        Peak peak{kPlottedChannels[index], 0.0, {}};
-        for (CriticalPoint &point : points[index]) { // an acceleration is unbounded where the velocity jumps
+        Peak peak{channel, 0.0, {}};
+        for (CriticalPoint &point : ofChannel) { // an acceleration is unbounded where the velocity jumps
             const bool jumps = point.kind != CriticalPoint::Kind::Extremum && peak.channel.order == Order::Acceleration;
             point.value = jumps || std::isinf(point.value) ? kInfinity : point.value;
             peak.magnitude = std::max(peak.magnitude, std::abs(point.value));
@@ -51,7 +54,7 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
         if (isConstant || mechanism.omega2() == 0.0) {
             peak.magnitude = std::abs(mechanism.omega2());
         } else {
-            peak.places = largestPlaces(points[index], peak.magnitude);
+            peak.places = largestPlaces(ofChannel, peak.magnitude);
         }
         peaks.push_back(peak);
     }

@@ -14,6 +14,13 @@ namespace slidercrank
 namespace
 {
 
+/// The limits of one of the two strokes.
+struct StrokeKinds {
+    LimitKind angle;
+    LimitKind time;
+    LimitKind meanSpeed;
+};
+
 class LimitList
 {
 public:
@@ -30,13 +37,13 @@ public:
     }
 
     /// Adds one of the two strokes, which take a crank rotation `angle` each.
-    void addStroke(const std::array<LimitKind, 3> &angleTimeSpeed, double angle, double stroke, double omega2)
+    void addStroke(const StrokeKinds &kinds, double angle, double stroke, double omega2)
     {
-        add(angleTimeSpeed[0], angle);
+        add(kinds.angle, angle);
         if (omega2 != 0.0) {
             const double time = angle / std::abs(omega2);
-            add(angleTimeSpeed[1], time);
-            add(angleTimeSpeed[2], stroke / time);
+            add(kinds.time, time);
+            add(kinds.meanSpeed, stroke / time);
         }
     }
 

@@ -26,48 +26,52 @@ HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     assert(harmonics >= 1 && 2 * m_terms.size() < kAngles);
     const ClosedForm closedForm(withDrive(mechanism, 1.0, 0.0));
     std::vector<Complex> waves; // e^-iθ
-    std::vector<std::array<double, 2>> positions;
+    std::vector<double> theta3;
+    std::vector<double> R4x;
     for (std::size_t i = 0; i < kAngles; ++i) {
         const double part = static_cast<double>(i) / kAngles;
         const TwoPart theta2 = crankAngle(kTurn, part, kTurnLo * part);
         const Motion motion = closedForm.motionAt(theta2.hi); // ω2 = 1: the time is θ2
         const SinCos wave = sinCos(theta2);
         waves.emplace_back(wave.cos, -wave.sin);
-        positions.push_back({motion.theta3, motion.R4x});
+        theta3.push_back(motion.theta3);
+        R4x.push_back(motion.R4x);
     }
-    for (std::size_t n = 0; n < m_terms.size(); ++n) {
-        for (const std::size_t channel : {0U, 1U}) {
-            Complex sum;
-            Complex rest; // keeps the digits that the second derivative needs
-            for (std::size_t i = 0; i < kAngles; ++i) {
-                const Complex next = positions[i][channel] * waves[n * i % kAngles];
-                const TwoPart real = twoSum(sum.real(), next.real());
-                const TwoPart imaginary = twoSum(sum.imag(), next.imag());
-                sum = {real.hi, imaginary.hi};
-                rest += Complex(real.lo, imaginary.lo);
-            }
-            m_terms[n][channel] = (n == 0 ? 1.0 : 2.0) / kAngles * (sum + rest);
+    const auto coefficient = [&waves](const std::vector<double> &positions, std::size_t n) {
+        Complex sum;
+        Complex rest; // keeps the digits that the second derivative needs
+        for (std::size_t i = 0; i < kAngles; ++i) {
+            const Complex next = positions[i] * waves[n * i % kAngles];
+            const TwoPart real = twoSum(sum.real(), next.real());
+            const TwoPart imaginary = twoSum(sum.imag(), next.imag());
+            sum = {real.hi, imaginary.hi};
+            rest += Complex(real.lo, imaginary.lo);
         }
+        return (n == 0 ? 1.0 : 2.0) / kAngles * (sum + rest);
+    };
+    for (std::size_t n = 0; n < m_terms.size(); ++n) {
+        m_terms[n] = {coefficient(theta3, n), coefficient(R4x, n)};
     }
 }
 
-std::array<HarmonicSeries::Sums, 2> HarmonicSeries::at(double t) const
+HarmonicSeries::Approximation HarmonicSeries::at(double t) const
 {
     const SinCos crank = sinCos(crankAngle(m_omega2, t, m_theta20));
     const Complex once(crank.cos, crank.sin);
     Complex nth = 1.0;
-    std::array<Sums, 2> sums{};
+    Approximation motion;
     for (std::size_t n = 0; n < m_terms.size(); ++n) {
         const double speed = static_cast<double>(n) * m_omega2;
-        for (std::size_t channel = 0; channel < sums.size(); ++channel) {
-            const Complex value = m_terms[n][channel] * nth;
-            sums[channel][0] += value.real();
-            sums[channel][1] -= speed * value.imag();
-            sums[channel][2] -= speed * speed * value.real();
-        }
+        const auto add = [speed](Sums &sums, const Complex &value) {
+            sums.position += value.real();
+            sums.velocity -= speed * value.imag();
+            sums.acceleration -= speed * speed * value.real();
+        };
+        add(motion.theta3, m_terms[n].theta3 * nth);
+        add(motion.R4x, m_terms[n].R4x * nth);
         nth *= once;
     }
-    return sums;
+    return motion;
 }
 
 } // namespace slidercrank

@@ -15,7 +15,6 @@
 
 #include "core/mechanism/mechanism.h"
 
-#include <array>
 #include <complex>
 #include <vector>
 
@@ -28,18 +27,33 @@ public:
     /// Preconditions: the crank makes full turns, harmonics >= 1.
     HarmonicSeries(const Mechanism &mechanism, int harmonics);
 
-    /// A position with its first and second time derivative (mm or rad, s).
-    using Sums = std::array<double, 3>;
+    /// A position with its time derivatives (mm or rad, s).
+    struct Sums {
+        double position = 0.0;
+        double velocity = 0.0;
+        double acceleration = 0.0;
+    };
 
-    /// Returns the sums of the series of θ3 and R4x at time t (s).
-    std::array<Sums, 2> at(double t) const;
+    struct Approximation {
+        Sums theta3;
+        Sums R4x;
+    };
+
+    /// Returns the sums of the series at time t (s).
+    Approximation at(double t) const;
 
 private:
     using Complex = std::complex<double>;
 
+    /// Aₙ - i Bₙ of both series.
+    struct Term {
+        Complex theta3;
+        Complex R4x;
+    };
+
     double m_omega2;
     double m_theta20;
-    std::vector<std::array<Complex, 2>> m_terms; ///< Aₙ - i Bₙ of θ3 and R4x, by n from 0
+    std::vector<Term> m_terms; ///< by n from 0
 };
 
 } // namespace slidercrank

@@ -132,8 +132,8 @@ struct Study::State {
 
     StudyRequest request;
     std::vector<Plan> plans{};
-    std::size_t completed = 0;                ///< number of plans
-    std::optional<Measurement> measurement{}; ///< of the next plan; nullopt before it begins
+    std::size_t completed = 0;                ///< number of plans that are done
+    std::optional<Measurement> measurement{}; ///< carries out the next plan; nullopt before it begins
     std::vector<CaseResult> cases{};
     Clock::time_point start = Clock::now();
 

@@ -94,9 +94,12 @@ StudyRun finiteDifference(const Mechanism &mechanism, std::span<const double> ti
             };
             const auto [theta3Dot, theta3DDot] = differences(&Motion::theta3);
             const auto [R4xDot, R4xDDot] = differences(&Motion::R4x);
-            const Status status = !std::isnan(R4xDDot)    ? Status::Solved
-                                  : !std::isnan(here.R4x) ? Status::Singular
-                                                          : Status::NotAssemblable;
+            Status status = Status::Solved;
+            if (std::isnan(here.R4x)) {
+                status = Status::NotAssemblable;
+            } else if (std::isnan(R4xDDot)) {
+                status = Status::Singular;
+            }
             put(answers, i, {here.theta3, here.R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot}, status);
         }
     };
@@ -109,8 +112,10 @@ StudyRun harmonics(int count, const Mechanism &mechanism, std::span<const double
     }
     return [series = HarmonicSeries(mechanism, count), timeStamps](StudyAnswers &answers) {
         for (std::size_t i = 0; i < timeStamps.size(); ++i) {
-            const auto [theta3, slider] = series.at(timeStamps[i]);
-            put(answers, i, {theta3[0], slider[0], theta3[1], slider[1], theta3[2], slider[2]}, Status::Solved);
+            const auto [theta3, R4x] = series.at(timeStamps[i]);
+            put(answers, i,
+                {theta3.position, R4x.position, theta3.velocity, R4x.velocity, theta3.acceleration, R4x.acceleration},
+                Status::Solved);
         }
     };
 }
