@@ -23,7 +23,7 @@ namespace
 
 #if QT_CONFIG(future)
 constexpr int kProgressSteps = 1000;
-constexpr int kMostThreads = 1000; // a thread for each task, so that short tasks do not wait for long ones
+constexpr int kMaxThreads = 1000; // a thread for each task, so that short tasks do not wait for long ones
 #else
 constexpr std::chrono::milliseconds kPause{20};  // in which the window is painted
 constexpr std::chrono::milliseconds kPieces{40}; // of work, until the window is painted again
@@ -84,7 +84,7 @@ void BackgroundTask::run(const Work &work, const std::function<void()> &done, co
     connect(watcher, &QFutureWatcherBase::finished, this,
             [this, watcher, done, failed] { finish(watcher, watcher->result(), done, failed); });
     QThreadPool *const pool = QThreadPool::globalInstance(); // the application waits for it when it ends
-    pool->setMaxThreadCount(kMostThreads);
+    pool->setMaxThreadCount(kMaxThreads);
     watcher->setFuture(QtConcurrent::run(pool, [work, stop = m_stop.get_token()](QPromise<QString> &promise) {
         promise.setProgressRange(0, kProgressSteps);
         promise.addResult(problemOf([&] {

@@ -27,7 +27,7 @@ public:
     using QObject::QObject;
     ~BackgroundTask() override;
 
-    /// Takes the part that is done, 0 … 1, in ascending order.
+    /// Receives the fraction of the work that is done, 0 … 1, in ascending order.
     using Progress = std::function<void(double part)>;
     using Failed = std::function<void(const QString &sentence)>;
 

@@ -15,10 +15,10 @@
 namespace slidercrank
 {
 
-/// Returns the saved choices for such files; empty if there are none.
+/// Returns the saved choices for files of this layout; empty if there are none.
 std::vector<ColumnChoice> savedChoices(const FileLayout &layout, const QStringList &paths);
 
-/// Saves the choices for such files. They replace those that are saved.
+/// Saves the choices for files of this layout. They replace the choices that were saved for them before.
 void saveChoices(const FileLayout &layout, const QStringList &paths, const std::vector<ColumnChoice> &choices);
 
 } // namespace slidercrank

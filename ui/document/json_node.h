@@ -4,8 +4,8 @@
 // Reads or writes JSON values. A function describe(value, node) does both for a type: here for the types of single
 // values and lists, in settings_fields.h for structs of settings.
 //
-// Whatever is missing or not valid is read as another value, which is valid. So JSON is valid if writing what was read
-// gives the same JSON again.
+// A value that is missing or not valid is replaced by a default, which is valid. So JSON is valid if writing what was
+// read gives the same JSON again.
 
 #include "core/mechanism/channel.h"
 #include "ui/text/enum_words.h"

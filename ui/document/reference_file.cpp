@@ -106,7 +106,7 @@ QString readErrorText(const ReadError &error, const QStringList &files)
                      .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
 }
 
-std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &bytes)
+std::optional<QString> readWhole(const QString &path, Content content, QByteArray &bytes)
 {
     constexpr qint64 kBlock = 1 << 18; // bytes
     const QString name = displayName(path);
@@ -121,7 +121,7 @@ std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &
     const auto isTooLarge = [&bytes, size] { return std::max<qint64>(size, bytes.size()) > kLargest; };
     try {
         bytes = file.read(kFileBeginning);
-        if (const auto error = isTable ? findForeignFormat(toView(bytes)) : std::nullopt) {
+        if (const auto error = content == Content::Table ? findForeignFormat(toView(bytes)) : std::nullopt) {
             return readErrorText(*error, {name});
         }
         bytes.reserve(static_cast<qsizetype>(std::min(size, kLargest)));
@@ -159,7 +159,7 @@ ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions option
     QByteArrayList bytes;
     std::vector<FileBytes> files;
     for (const QString &path : source.paths) {
-        if (const std::optional<QString> sentence = readWhole(path, true, bytes.emplaceBack())) {
+        if (const std::optional<QString> sentence = readWhole(path, Content::Table, bytes.emplaceBack())) {
             return *sentence;
         }
         files.push_back({toView(bytes.last()), fileName(path)});

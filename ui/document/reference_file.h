@@ -39,9 +39,12 @@ struct Reference : ReferenceSource {
 /// The data, or one sentence that says what is wrong, where, and what to do.
 using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>;
 
-/// Reads a file, a pipe or standard input. Returns a sentence if that fails, if the content is too large, or if it is
-/// to be a table and has another format; then it may have read a part. May run in any thread.
-std::optional<QString> readWhole(const QString &path, bool isTable, QByteArray &bytes);
+/// What a file is expected to hold.
+enum class Content { Table, Scene };
+
+/// Reads a file, a pipe or standard input. Returns a sentence if that fails, if the content is too large, or if a table
+/// is expected and the bytes have a different format; then it may have read a part. May run in any thread.
+std::optional<QString> readWhole(const QString &path, Content content, QByteArray &bytes);
 
 /// Whether the sentence about a file that cannot be read ends with the option of the command line that would help.
 enum class Advice { None, Option };

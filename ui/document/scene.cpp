@@ -154,7 +154,7 @@ std::variant<Scene, QString> readScene(const QString &path)
             .arg(displayName(path));
     }
     QByteArray bytes;
-    if (const std::optional<QString> sentence = readWhole(path, false, bytes)) {
+    if (const std::optional<QString> sentence = readWhole(path, Content::Scene, bytes)) {
         return *sentence;
     }
     return parseScene(bytes, path);

@@ -105,7 +105,7 @@ void Session::unpinMotions()
     edit(with(m_choices, &Choices::pinned, {}));
 }
 
-void Session::edit(const Choices &choices, const QString &name, bool adoptsRange)
+void Session::edit(const Choices &choices, const QString &name, TimeRange timeRange)
 {
     if (choices == m_choices) {
         return;
@@ -114,7 +114,7 @@ void Session::edit(const Choices &choices, const QString &name, bool adoptsRange
     const ReferenceOutcome timed =
         fault ? faultText(*fault) : timedBy(Mechanism(choices.parameters), choices.reference);
     if (const QString *sentence = std::get_if<QString>(&timed)) {
-        if (adoptsRange) {
+        if (timeRange == TimeRange::OfReference) {
             emit referenceRefused(choices.reference->paths, *sentence);
         } else {
             emit problemFound(*sentence);
@@ -130,7 +130,8 @@ void Session::edit(const Choices &choices, const QString &name, bool adoptsRange
                               choices.sampling == rangeOf(shown->data.time, choices.sampling);
         const auto &reference = std::get<std::shared_ptr<const Reference>>(timed);
         const Sampling range = rangeOf(reference->data.time, choices.sampling);
-        complete.sampling = isOfFile || (adoptsRange && !contains(choices.sampling, range)) ? range : choices.sampling;
+        const bool isReplaced = timeRange == TimeRange::OfReference && !contains(choices.sampling, range);
+        complete.sampling = isOfFile || isReplaced ? range : choices.sampling;
     }
     m_edits.edit(m_choices, complete, name);
 }
@@ -233,11 +234,11 @@ void Session::publishIdentification(std::shared_ptr<const ReferenceIdentificatio
     }
 }
 
-void Session::read(const ReferenceSource &source, bool isOfScene)
+void Session::read(const ReferenceSource &source, Asker asker)
 {
-    const auto work = [source, isOfScene](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
+    const auto work = [source, asker](const std::stop_token &stop, const BackgroundTask::Progress &progress) {
         ReferenceSource complete = source;
-        if (!isOfScene) {
+        if (asker == Asker::User) {
             complete.columns = savedChoices(readLayout(source.paths), source.paths);
         }
         ReadOptions options;
@@ -247,11 +248,12 @@ void Session::read(const ReferenceSource &source, bool isOfScene)
         };
         return readReference(complete, options);
     };
-    const auto finish = [this, source, isOfScene](const ReferenceOutcome &outcome) {
+    const auto finish = [this, source, asker](const ReferenceOutcome &outcome) {
         if (const QString *sentence = std::get_if<QString>(&outcome)) {
             emit referenceRefused(source.paths, *sentence);
         } else {
-            editReference(std::get<std::shared_ptr<const Reference>>(outcome), !isOfScene);
+            editReference(std::get<std::shared_ptr<const Reference>>(outcome),
+                          asker == Asker::User ? TimeRange::OfReference : TimeRange::Kept);
         }
     };
     m_reading.start(work, finish, finish);
@@ -264,7 +266,7 @@ void Session::loadReference(const QStringList &paths)
         emit referenceRefused(
             paths, tr("%1 is a pipe or a device: save the data in a file, and open that.").arg(displayName(*pipe)));
     } else {
-        read({paths, {}, {}}, false);
+        read({paths, {}, {}}, Asker::User);
     }
 }
 
@@ -281,19 +283,19 @@ void Session::open(const Choices &choices, double seconds, const std::optional<R
     applyChoices(choices);
     setTime(seconds);
     if (source) {
-        read(*source, true);
+        read(*source, Asker::Scene);
     }
 }
 
 void Session::setReference(const std::shared_ptr<const Reference> &reference)
 {
     m_reading.discard();
-    editReference(reference, false);
+    editReference(reference, TimeRange::Kept);
 }
 
-void Session::editReference(const std::shared_ptr<const Reference> &reference, bool adoptsRange)
+void Session::editReference(const std::shared_ptr<const Reference> &reference, TimeRange timeRange)
 {
-    edit(with(m_choices, &Choices::reference, reference), {}, adoptsRange);
+    edit(with(m_choices, &Choices::reference, reference), {}, timeRange);
 }
 
 void Session::useFoundMechanism()
@@ -313,7 +315,7 @@ void Session::useFoundMechanism()
         Choices choices = m_choices;
         choices.parameters = parameters;
         choices.reference = with;
-        edit(choices, EditStack::tr("use of the file's mechanism"), true);
+        edit(choices, EditStack::tr("use of the file's mechanism"), TimeRange::OfReference);
     };
     const std::optional<ReferenceSource> angleIndexed = found.drive ? overCrankAngle(*reference) : std::nullopt;
     if (!angleIndexed) {
@@ -335,14 +337,14 @@ void Session::apply(const Convention &convention)
     if (convention.kind == Convention::Kind::Branch) {
         setParameters(with(parameters(), &Parameters::branch, oppositeBranch(parameters().branch)));
     } else if (m_choices.reference) {
-        editReference(applied(convention, m_choices.reference), true);
+        editReference(applied(convention, m_choices.reference), TimeRange::OfReference);
     }
 }
 
 void Session::readAsPrinted()
 {
     if (m_choices.reference && m_choices.reference->asPrinted) {
-        editReference(m_choices.reference->asPrinted, true);
+        editReference(m_choices.reference->asPrinted, TimeRange::OfReference);
     }
 }
 

@@ -117,15 +117,20 @@ signals:
     void cancelled();                        ///< cancel() was called
 
 private:
-    /// Without a name, the edit is named by what it changes. With `adoptsRange`, the time range of the reference
-    /// replaces one that does not contain it.
-    void edit(const Choices &choices, const QString &name = {}, bool adoptsRange = false);
-    void editReference(const std::shared_ptr<const Reference> &reference, bool adoptsRange);
+    enum class TimeRange {
+        Kept,
+        OfReference ///< that of the reference replaces one that does not contain it
+    };
+    enum class Asker { User, Scene };
+
+    /// Without a name, the edit is named by what it changes.
+    void edit(const Choices &choices, const QString &name = {}, TimeRange timeRange = TimeRange::Kept);
+    void editReference(const std::shared_ptr<const Reference> &reference, TimeRange timeRange);
     void applyChoices(const Choices &choices);
 
     /// Reads in the background, and then makes the data the reference or emits referenceRefused(). The source of a
     /// scene is complete; otherwise the saved column choices are used, and the time range is adopted.
-    void read(const ReferenceSource &source, bool isOfScene);
+    void read(const ReferenceSource &source, Asker asker);
 
     void recompute();
     void publish(std::shared_ptr<const Result> result);

@@ -101,7 +101,12 @@ double MechanismDrag::crankAngleOfSlider(double R4x)
         }
     }
     const double theta2 = slidercrank::crankAngleAt(m_mechanism, *m_stroke, R4x);
-    m_pushedAgainst = theta2 == m_stroke->to.theta2 ? 1 : theta2 == m_stroke->from.theta2 ? -1 : 0;
+    m_pushedAgainst = 0;
+    if (theta2 == m_stroke->to.theta2) {
+        m_pushedAgainst = 1;
+    } else if (theta2 == m_stroke->from.theta2) {
+        m_pushedAgainst = -1;
+    }
     return theta2;
 }
 

@@ -23,6 +23,16 @@ QString shownText(Measure measure, double value)
     return withUnit(shortNumber(shownValue(measure, value, notation().units)), shownUnit(measure));
 }
 
+QString pointName(LinkagePoint point)
+{
+    switch (point) {
+    case LinkagePoint::A: return "A";
+    case LinkagePoint::B: return "B";
+    case LinkagePoint::G3: break;
+    }
+    return "G₃";
+}
+
 /// Returns an angle (rad) with as many decimals as can be read while it changes.
 QString angleText(double angle)
 {
@@ -97,8 +107,7 @@ void MechanismSketch::addArrowName(const QLineF &arrow, LinkagePoint point, cons
     if (arrow.length() < kShortest || !QRectF(QPointF(), size).contains(arrow.p2())) {
         return;
     }
-    const QStringList points{"A", "B", "G₃"}; // in the order of LinkagePoint
-    const QString name = QLatin1String(arrows.isOfVelocity() ? "v_" : "a_") + points[static_cast<int>(point)];
+    const QString name = QLatin1String(arrows.isOfVelocity() ? "v_" : "a_") + pointName(point);
     addLabelBeside(arrow.p2(), unitVector(arrow.p2() - arrow.p1()), kGap, name, m_ink, true);
 }
 

@@ -5,6 +5,7 @@
 #include "core/newton/newton.h"
 #include "core/sampling/time_step_equations.h"
 #include "ui/text/axis_scale.h"
+#include "ui/text/enum_table.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
@@ -19,23 +20,24 @@ namespace
 {
 
 struct Equation {
+    Constraint key;
     const char *direction; ///< of the joint's equation; empty if the joint has only one
     const char *text;
 };
 
-/// In the order of Constraint.
-constexpr Equation kEquations[kCoordinateCount] = {{"x", "Rₓ¹ = 0"},
-                                                   {"y", "R_y¹ = 0"},
-                                                   {"θ", "θ¹ = 0"},
-                                                   {"x", "Rₓ² − a/2 cos θ₂ = 0"},
-                                                   {"y", "R_y² − a/2 sin θ₂ = 0"},
-                                                   {"x", "−Rₓ³ + Rₓ² + a/2 cos θ₂ + b/2 cos θ³ = 0"},
-                                                   {"y", "−R_y³ + R_y² + a/2 sin θ₂ + b/2 sin θ³ = 0"},
-                                                   {"x", "Rₓ⁴ − Rₓ³ − b/2 cos θ³ = 0"},
-                                                   {"y", "R_y⁴ − R_y³ − b/2 sin θ³ = 0"},
-                                                   {"θ", "θ⁴ − θ¹ = 0"},
-                                                   {"y", "R_y⁴ − c = 0"},
-                                                   {"", "θ₂ − ω₂ t − θ₂₀ = 0"}};
+constexpr Equation kEquations[] = {{GroundX, "x", "Rₓ¹ = 0"},
+                                   {GroundY, "y", "R_y¹ = 0"},
+                                   {GroundAngle, "θ", "θ¹ = 0"},
+                                   {CrankPivotX, "x", "Rₓ² − a/2 cos θ₂ = 0"},
+                                   {CrankPivotY, "y", "R_y² − a/2 sin θ₂ = 0"},
+                                   {CrankPinX, "x", "−Rₓ³ + Rₓ² + a/2 cos θ₂ + b/2 cos θ³ = 0"},
+                                   {CrankPinY, "y", "−R_y³ + R_y² + a/2 sin θ₂ + b/2 sin θ³ = 0"},
+                                   {SliderPinX, "x", "Rₓ⁴ − Rₓ³ − b/2 cos θ³ = 0"},
+                                   {SliderPinY, "y", "R_y⁴ − R_y³ − b/2 sin θ³ = 0"},
+                                   {SliderAngle, "θ", "θ⁴ − θ¹ = 0"},
+                                   {SliderLine, "y", "R_y⁴ − c = 0"},
+                                   {CrankDrive, "", "θ₂ − ω₂ t − θ₂₀ = 0"}};
+static_assert(isCompleteTable(kEquations, CrankDrive));
 
 QString symbolText(Coordinate coordinate)
 {

@@ -69,8 +69,8 @@ public:
 protected:
     void paintEvent(QPaintEvent *event) override
     {
-        constexpr float kOpacity = 0.3F; // the groove and the handle remain visible
-        constexpr double kBand = 12.0;   // px high
+        constexpr float kOpacity = 0.3F;     // the groove and the handle remain visible
+        constexpr double kBandHeight = 12.0; // px high
         const QRect handle = this->handle();
         const double lowest = numberAt(minimum());
         const double highest = numberAt(maximum());
@@ -81,11 +81,11 @@ protected:
         QColor colour = seriesColours(palette()).warning;
         colour.setAlphaF(kOpacity);
         QPainter painter(this);
-        const double top = handle.center().y() - 0.5 * kBand;
+        const double top = handle.center().y() - 0.5 * kBandHeight;
         const double from = m_free.length() < 0.0 ? width() : m_free.lower > lowest ? pixel(m_free.lower) : 0.0;
         const double to = m_free.upper < highest ? std::max(from, pixel(m_free.upper)) : width();
-        painter.fillRect(QRectF(0.0, top, from, kBand), colour);
-        painter.fillRect(QRectF(to, top, width() - to, kBand), colour);
+        painter.fillRect(QRectF(0.0, top, from, kBandHeight), colour);
+        painter.fillRect(QRectF(to, top, width() - to, kBandHeight), colour);
         painter.end();
         NumberSlider::paintEvent(event);
     }
@@ -245,9 +245,10 @@ void ParameterPanel::refreshNotation()
 
 bool ParameterPanel::eventFilter(QObject *watched, QEvent *event)
 {
-    const auto row = std::ranges::find(m_rows, watched, &Row::label);
-    if (event->type() == QEvent::MouseButtonPress && row != m_rows.end()) {
-        emit responseRequested(static_cast<Parameter>(row - m_rows.begin()));
+    for (const Parameter parameter : kAllParameters) {
+        if (event->type() == QEvent::MouseButtonPress && watched == m_rows[indexOf(parameter)].label) {
+            emit responseRequested(parameter);
+        }
     }
     return QWidget::eventFilter(watched, event);
 }

@@ -10,6 +10,7 @@
 #include "ui/text/notation.h"
 #include "ui/text/record.h"
 #include "ui/text/written_number.h"
+#include "ui/widgets/enum_box.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
 #include "ui/widgets/save_dialog.h"
@@ -117,9 +118,9 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
     named("responseView", this, tr("How the limits depend on a parameter"));
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse); // without a caret
     for (const Parameter parameter : kVariedParameters) {
-        m_parameter->addItem(tr("Response to %1").arg(symbolText(parameter)));
+        addChoice(m_parameter, parameter, tr("Response to %1").arg(symbolText(parameter)));
     }
-    m_parameter->setCurrentIndex(static_cast<int>(indexOf(Parameter::B)));
+    choose(m_parameter, Parameter::B);
     connect(m_parameter, &QComboBox::currentIndexChanged, this, &ResponseView::refresh);
     auto *head = new QHBoxLayout;
     head->addWidget(m_parameter, 0, Qt::AlignTop);
@@ -156,7 +157,7 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
 
 void ResponseView::setParameter(Parameter parameter)
 {
-    m_parameter->setCurrentIndex(static_cast<int>(indexOf(parameter)));
+    choose(m_parameter, parameter);
 }
 
 /// Computes new curves if anything except the value of the varied parameter has changed, or if their range is no longer
@@ -167,7 +168,7 @@ void ResponseView::refresh()
         return;
     }
     const Parameters &parameters = m_session->result()->mechanism.parameters();
-    const Parameter parameter = kVariedParameters[static_cast<std::size_t>(m_parameter->currentIndex())];
+    const auto parameter = chosen<Parameter>(m_parameter);
     const double value = valueOf(parameters, parameter);
     const int pixels = std::max(2, m_charts[0]->width());
     if (m_response.parameter == parameter) {
@@ -235,7 +236,7 @@ ChartContent ResponseView::chartOf(std::size_t limit) const
         .x = {tr("%1 [%2]").arg(symbolText(parameter), unitBehind(parameter).trimmed()), shownRange(range.assembled)},
         .y = {{}, roundedOutwards(shown)},
         .series = {curve, pinned, present},
-        .clear = shownRange(range.fullTurn)};
+        .unshaded = shownRange(range.fullTurn)};
 }
 
 /// Changes the parameter to the value at that position of a chart, rounded to a small fraction of the range and limited

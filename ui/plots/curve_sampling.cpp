@@ -71,17 +71,20 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
     };
     std::vector<CurvePoint> points;
     while (next < end) {
-        std::array<std::size_t, 3> kept{next, next, end}; // lowest, highest, first gap
+        std::size_t lowest = next;
+        std::size_t highest = next;
+        std::size_t firstGap = end;
         const double column = columnOf(next);
         do {
             if (std::isfinite(values[next])) {
-                kept[0] = values[next] >= values[kept[0]] ? kept[0] : next; // also from NaN
-                kept[1] = values[next] <= values[kept[1]] ? kept[1] : next;
+                lowest = values[next] >= values[lowest] ? lowest : next; // also from NaN
+                highest = values[next] <= values[highest] ? highest : next;
             } else {
-                kept[2] = std::min(kept[2], next);
+                firstGap = std::min(firstGap, next);
             }
             ++next;
         } while (!isFew && next < end && columnOf(next) == column);
+        std::array kept{lowest, highest, firstGap};
         std::ranges::sort(kept);
         const auto last = std::unique(kept.begin(), kept.end());
         for (auto i = kept.begin(); i != last && *i < end; ++i) {

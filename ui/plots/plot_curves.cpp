@@ -195,11 +195,15 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
 {
     const bool hasFile = m_result->reference != nullptr;
     const bool isSlider = channel % kErrorsPerRow != 0;
-    const std::array names{tr("difference of the coupler from %1"), tr("difference of the slider from %1"),
-                           tr("error of the coupler"), tr("error of the slider")};
-    const QString name = names[(hasFile ? 2 : 0) + (isSlider ? 1 : 0)];
-    PlotCurve curve{hasFile ? name : name.arg(m_style.comparedWith),
-                    isSlider ? &SeriesColours::errorOther : &SeriesColours::error};
+    PlotCurve curve;
+    curve.ink = isSlider ? &SeriesColours::errorOther : &SeriesColours::error;
+    if (hasFile) {
+        curve.name = isSlider ? tr("error of the slider") : tr("error of the coupler");
+    } else {
+        const QString name =
+            isSlider ? tr("difference of the slider from %1") : tr("difference of the coupler from %1");
+        curve.name = name.arg(m_style.comparedWith);
+    }
     curve.width = 1.6; // thin, since the errors of a matching file are noise
     curve.read = [this, channel](const ReadTime &at) {
         return m_errors->error(channel, modelValue(channel, at), referenceValue(channel, at));
@@ -318,7 +322,8 @@ double PlotFigure::modelValue(std::size_t channel, const ReadTime &time) const
 double PlotFigure::referenceValue(std::size_t channel, const ReadTime &time) const
 {
     if (!m_result->reference) {
-        return m_motions[m_motions.size() - 2].value(channel, time.t);
+        const MotionCurves &pinnedLast = *std::prev(m_motions.end(), 2); // the model is behind it
+        return pinnedLast.value(channel, time.t);
     }
     const ReferenceSeries *series = m_result->reference->data.find(kPlottedChannels[channel]);
     return series && time.row ? series->values[*time.row] : kNone;

@@ -2,6 +2,7 @@
 #include "ui/text/finding_text.h"
 
 #include "core/import/reference_data.h"
+#include "ui/text/enum_table.h"
 #include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
@@ -18,29 +19,89 @@ namespace slidercrank
 namespace
 {
 
+constexpr bool isAlongX(Coordinate coordinate)
+{
+    return coordinate == R1x || coordinate == R2x || coordinate == R3x || coordinate == R4x;
+}
+
+struct BodyWords {
+    const char *name;        ///< untranslated
+    const char *superscript; ///< in absolute coordinates
+};
+
 struct FindingText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::FindingText)
 
 public:
-    // In the order of Parameter.
-    static constexpr const char *kParameters[] = {QT_TR_NOOP("crank"), QT_TR_NOOP("coupler"), QT_TR_NOOP("offset"),
-                                                  QT_TR_NOOP("crank speed"), QT_TR_NOOP("initial angle")};
+    struct ParameterWords {
+        Parameter key;
+        const char *name;   ///< untranslated
+        const char *symbol; ///< in equations
+        const char *option; ///< on the command line and in JSON
+    };
+    static constexpr ParameterWords kParameters[] = {
+        {Parameter::A, QT_TR_NOOP("crank"), "a", "a"},
+        {Parameter::B, QT_TR_NOOP("coupler"), "b", "b"},
+        {Parameter::C, QT_TR_NOOP("offset"), "c", "c"},
+        {Parameter::Omega2, QT_TR_NOOP("crank speed"), "ω₂", "omega2"},
+        {Parameter::Theta20, QT_TR_NOOP("initial angle"), "θ₂₀", "theta20"}};
+    static_assert(isCompleteTable(kParameters, Parameter::Theta20));
+
+    static BodyWords bodyOf(Coordinate coordinate)
+    {
+        switch (coordinate) {
+        case R1x:
+        case R1y:
+        case Theta1: break;
+        case R2x:
+        case R2y:
+        case Theta2: return {QT_TR_NOOP("crank"), "²"};
+        case R3x:
+        case R3y:
+        case Theta3: return {QT_TR_NOOP("coupler"), "³"};
+        case R4x:
+        case R4y:
+        case Theta4: return {QT_TR_NOOP("slider"), "⁴"};
+        }
+        return {QT_TR_NOOP("ground"), "¹"};
+    }
+
+    /// The names of a position and of its derivatives, for any body. Untranslated.
+    struct QuantityNames {
+        const char *position;
+        const char *velocity;
+        const char *acceleration;
+
+        const char *of(Order order) const
+        {
+            switch (order) {
+            case Order::Position: break;
+            case Order::Velocity: return velocity;
+            case Order::Acceleration: return acceleration;
+            }
+            return position;
+        }
+    };
+
+    static QuantityNames namesOf(Coordinate coordinate)
+    {
+        if (isAngle(coordinate)) {
+            return {QT_TR_NOOP("%1 angle"), QT_TR_NOOP("%1 angular velocity"), QT_TR_NOOP("%1 angular acceleration")};
+        }
+        if (coordinate == R4x) {
+            return {QT_TR_NOOP("%1 position"), QT_TR_NOOP("%1 velocity"), QT_TR_NOOP("%1 acceleration")};
+        }
+        if (isAlongX(coordinate)) {
+            return {QT_TR_NOOP("%1 centre in x"), QT_TR_NOOP("%1 centre's velocity in x"),
+                    QT_TR_NOOP("%1 centre's acceleration in x")};
+        }
+        return {QT_TR_NOOP("%1 centre in y"), QT_TR_NOOP("%1 centre's velocity in y"),
+                QT_TR_NOOP("%1 centre's acceleration in y")};
+    }
 
     static QString quantity(Channel channel)
     {
-        static constexpr const char *kBodies[] = {QT_TR_NOOP("ground"), QT_TR_NOOP("crank"), QT_TR_NOOP("coupler"),
-                                                  QT_TR_NOOP("slider")};
-        static constexpr const char *kQuantities[][3] = {
-            {QT_TR_NOOP("%1 angle"), QT_TR_NOOP("%1 angular velocity"), QT_TR_NOOP("%1 angular acceleration")},
-            {QT_TR_NOOP("%1 position"), QT_TR_NOOP("%1 velocity"), QT_TR_NOOP("%1 acceleration")},
-            {QT_TR_NOOP("%1 centre in x"), QT_TR_NOOP("%1 centre's velocity in x"),
-             QT_TR_NOOP("%1 centre's acceleration in x")},
-            {QT_TR_NOOP("%1 centre in y"), QT_TR_NOOP("%1 centre's velocity in y"),
-             QT_TR_NOOP("%1 centre's acceleration in y")}};
-        const std::ptrdiff_t kind = isAngle(channel.coordinate) ? 0
-                                    : channel.coordinate == R4x ? 1
-                                                                : 2 + channel.coordinate % 3;
-        return tr(kQuantities[kind][static_cast<int>(channel.order)]).arg(tr(kBodies[channel.coordinate / 3]));
+        return tr(namesOf(channel.coordinate).of(channel.order)).arg(tr(bodyOf(channel.coordinate).name));
     }
 };
 
@@ -87,9 +148,13 @@ QString errorText(std::optional<double> value)
 QString symbolText(Channel channel)
 {
     if (notation().symbols == Symbols::Textbook && (channel.coordinate == Theta3 || channel.coordinate == R4x)) {
-        const QStringList symbols =
-            channel.coordinate == Theta3 ? QStringList{"θ₃", "ω₃", "α₃"} : QStringList{"x_B", "v_B", "a_B"};
-        return symbols[static_cast<qsizetype>(channel.order)];
+        const bool isCoupler = channel.coordinate == Theta3;
+        switch (channel.order) {
+        case Order::Position: break;
+        case Order::Velocity: return isCoupler ? "ω₃" : "v_B";
+        case Order::Acceleration: return isCoupler ? "α₃" : "a_B";
+        }
+        return isCoupler ? "θ₃" : "x_B";
     }
     return absoluteSymbolText(channel);
 }
@@ -98,10 +163,17 @@ QString absoluteSymbolText(Channel channel)
 {
     const bool isAngular = isAngle(channel.coordinate);
     const bool isStroke = channel.coordinate == R4x && channel.order != Order::Position;
-    const QString body = channel.coordinate == Theta2 ? "₂" : QStringLiteral("¹²³⁴").mid(channel.coordinate / 3, 1);
-    const QString direction = isAngular || isStroke ? QString() : channel.coordinate % 3 == 0 ? "ₓ" : "_y";
-    const QString letters = isAngular ? "θωα" : "Rva";
-    return letters[static_cast<qsizetype>(channel.order)] + direction + body;
+    const QString body = channel.coordinate == Theta2 ? "₂" : FindingText::bodyOf(channel.coordinate).superscript;
+    QString direction;
+    if (!isAngular && !isStroke) {
+        direction = isAlongX(channel.coordinate) ? "ₓ" : "_y";
+    }
+    switch (channel.order) {
+    case Order::Position: break;
+    case Order::Velocity: return (isAngular ? "ω" : "v") + direction + body;
+    case Order::Acceleration: return (isAngular ? "α" : "a") + direction + body;
+    }
+    return (isAngular ? "θ" : "R") + direction + body;
 }
 
 QString quantityName(Channel channel)
@@ -121,18 +193,17 @@ QString unitText(Channel channel)
 
 QString parameterName(Parameter parameter)
 {
-    return FindingText::tr(FindingText::kParameters[indexOf(parameter)]);
+    return FindingText::tr(rowOf(FindingText::kParameters, parameter).name);
 }
 
 QString symbolText(Parameter parameter)
 {
-    const QStringList symbols{"a", "b", "c", "ω₂", "θ₂₀"};
-    return symbols[static_cast<qsizetype>(indexOf(parameter))];
+    return rowOf(FindingText::kParameters, parameter).symbol;
 }
 
 const char *optionName(Parameter parameter)
 {
-    return std::array{"a", "b", "c", "omega2", "theta20"}[indexOf(parameter)];
+    return rowOf(FindingText::kParameters, parameter).option;
 }
 
 QString assemblyText(Branch branch)

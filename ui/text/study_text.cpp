@@ -73,13 +73,19 @@ QString statusName(Status status)
     return QString::fromUtf8(wordOf(status));
 }
 
-/// The counts by status are an object in JSON, and a column for each status in CSV.
-Record recordOf(const MethodResult &row, bool isJson)
+/// Returns the number of time stamps with each status.
+Record countsOf(const MethodResult &row)
 {
     Record counts;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
         counts.emplace_back(statusName(static_cast<Status>(i)), jsonCount(row.counts[i]));
     }
+    return counts;
+}
+
+/// `counts`: how the format states countsOf(row).
+Record recordOf(const MethodResult &row, const Record &counts)
+{
     Record record{{"method", QString::fromStdString(nameOf(row.method))},
                   {"tolerance", jsonNumber(row.tolerance)},
                   {"channels", row.channels},
@@ -89,11 +95,7 @@ Record recordOf(const MethodResult &row, bool isJson)
                   {"maxError", jsonNumber(row.maxError)},
                   {"errorBound", jsonNumber(row.errorBound)},
                   {"status", statusName(row.status)}};
-    if (isJson) {
-        record.emplace_back("counts", jsonObject(counts));
-    } else {
-        record.insert(record.end(), counts.begin(), counts.end());
-    }
+    record.insert(record.end(), counts.begin(), counts.end());
     record.emplace_back("silentFailures", row.silentFailures ? jsonCount(*row.silentFailures) : QJsonValue());
     record.emplace_back("linearSolvesPerState", jsonNumber(row.linearSolvesPerState));
     return record;
@@ -137,10 +139,12 @@ QString caseText(const std::string &name)
 
 QJsonObject studyJson(const StudyResult &result)
 {
-    const auto jsonCase = [](const CaseResult &each) {
-        QJsonObject object{
-            {"name", QString::fromStdString(each.name)},
-            {"methods", jsonList(each.methods, [](const auto &row) { return jsonObject(recordOf(row, true)); })}};
+    const auto jsonMethod = [](const MethodResult &row) {
+        return jsonObject(recordOf(row, {{"counts", jsonObject(countsOf(row))}}));
+    };
+    const auto jsonCase = [&jsonMethod](const CaseResult &each) {
+        QJsonObject object{{"name", QString::fromStdString(each.name)},
+                           {"methods", jsonList(each.methods, jsonMethod)}};
         if (!each.workPrecision.empty()) {
             object.insert("workPrecision", jsonList(each.workPrecision, jsonWork));
         }
@@ -154,7 +158,7 @@ std::vector<Record> studyRecords(const StudyResult &result)
     std::vector<Record> records;
     for (const CaseResult &each : result.cases) {
         for (const MethodResult &row : each.methods) {
-            records.push_back(recordOf(row, false));
+            records.push_back(recordOf(row, countsOf(row)));
             records.back().insert(records.back().begin(), {"case", QString::fromStdString(each.name)});
         }
     }

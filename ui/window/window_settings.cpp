@@ -77,6 +77,13 @@ void restoreTable(const QSettings &settings, MotionTablePanel &panel)
                        settings.value(kTable + "localSeparators", false).toBool()});
 }
 
+/// Returns a stored enumerator; of a damaged setting a valid one. `last`: the last of the enumeration.
+template <typename Enum>
+Enum stored(const QSettings &settings, const QString &key, Enum last)
+{
+    return static_cast<Enum>(std::clamp(settings.value(key, 0).toInt(), 0, static_cast<int>(last)));
+}
+
 FoldingTabs &tabsIn(const QMainWindow &window)
 {
     return *window.centralWidget()->findChild<FoldingTabs *>();
@@ -112,12 +119,9 @@ QString recentFolder()
 Notation chosenNotation()
 {
     const QSettings settings;
-    const auto chosen = [&settings](const QString &key, int last) {
-        return std::clamp(settings.value(key, 0).toInt(), 0, last);
-    };
-    return {static_cast<Symbols>(chosen(kSymbols, 1)),
-            {static_cast<LengthUnit>(chosen(kLengthUnit, 3)), static_cast<AngleUnit>(chosen(kAngleUnit, 1))},
-            static_cast<CrankSpeedUnit>(chosen(kCrankSpeedUnit, 2))};
+    return {stored(settings, kSymbols, Symbols::Textbook),
+            {stored(settings, kLengthUnit, LengthUnit::Inch), stored(settings, kAngleUnit, AngleUnit::Radian)},
+            stored(settings, kCrankSpeedUnit, CrankSpeedUnit::TurnPerMinute)};
 }
 
 bool isNotationChosen()
@@ -136,7 +140,7 @@ void rememberNotation(const Notation &notation)
 
 Theme chosenTheme()
 {
-    return static_cast<Theme>(QSettings().value(kTheme, 0).toInt());
+    return stored(QSettings(), kTheme, Theme::Dark);
 }
 
 void rememberTheme(Theme theme)

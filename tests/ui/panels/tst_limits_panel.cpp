@@ -105,11 +105,14 @@ LimitValues expectedLimits(const Parameters &parameters)
     const MotionLimits limits = motionLimits(mechanism);
     expected[kStroke] = limits.stroke.value_or(kNone);
     if (limits.mobility == Mobility::FullTurn) {
-        const auto finite = [](double peak) { return std::isfinite(peak) ? peak : kNone; };
-        const std::vector<Peak> peaks = motionPeaks(mechanism); // slider velocity and acceleration come first
+        const std::vector<Peak> peaks = motionPeaks(mechanism);
+        const auto finitePeak = [&peaks](Channel channel) {
+            const double magnitude = std::ranges::find(peaks, channel, &Peak::channel)->magnitude;
+            return std::isfinite(magnitude) ? magnitude : kNone;
+        };
         expected = {*limits.stroke, *limits.timeRatio,
-                    kDegreesPerRadian * limits.coupler.minimumTransmissionAngle.angle, finite(peaks[0].magnitude),
-                    finite(peaks[1].magnitude)};
+                    kDegreesPerRadian * limits.coupler.minimumTransmissionAngle.angle,
+                    finitePeak({R4x, Order::Velocity}), finitePeak({R4x, Order::Acceleration})};
     } else if (limits.mobility != Mobility::Impossible) {
         expected[kTransmissionAngle] = 0.0;
     }
