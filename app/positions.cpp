@@ -43,7 +43,7 @@ ChannelValue readChannelValue(const char *option, const QString &text, const Uni
             withUnit(numberText(inFileUnit * perFileUnit, 10), unitText(measure, units))};
 }
 
-/// A crank at rest, whether it starts to move or not, is at the angle by its initial angle.
+/// Returns the position of a crank that stands still at `theta2`: the mechanism with this initial angle.
 Positions atRest(const OptionReader &options, const Mechanism &mechanism, double theta2)
 {
     return {withCrankAt(withDrive(mechanism, 0.0, 0.0), theta2), {readStart(options)}};

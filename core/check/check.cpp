@@ -99,7 +99,7 @@ std::vector<Slip> fittingSlips(const std::vector<Comparison> &comparisons)
 /// Returns how many different changes the slips make that are at most as large as those of the slips that fit.
 std::ptrdiff_t countTried(const std::vector<Comparison> &comparisons)
 {
-    constexpr double kSame = 1e-9; // relative: the same change, computed in two ways
+    constexpr double kRelativeTolerance = 1e-9; // relative: the same change, computed in two ways
     double largest = 0.0;
     std::vector<double> changes;
     for (const Comparison &comparison : comparisons) {
@@ -108,8 +108,8 @@ std::ptrdiff_t countTried(const std::vector<Comparison> &comparisons)
     }
     std::erase_if(changes, [largest](double change) { return change > largest; });
     std::ranges::sort(changes);
-    const auto repeated =
-        std::ranges::unique(changes, [](double x, double y) { return std::abs(y - x) <= kSame * std::abs(x); });
+    const auto repeated = std::ranges::unique(
+        changes, [](double x, double y) { return std::abs(y - x) <= kRelativeTolerance * std::abs(x); });
     return std::distance(changes.begin(), repeated.begin());
 }
 

@@ -55,7 +55,7 @@ enum class CheckOutcome {
     NotNeeded,      ///< all values are right
     Named,          ///< exactly one slip gives the wrong values
     Ambiguous,      ///< several slips give them
-    TooFewDigits,   ///< a slip gives them, but chance is not unlikely
+    TooFewDigits,   ///< a slip gives them, but so may chance with so few digits
     RoundedEarlier, ///< no slip is named, but the deviations are within the error of intermediate results that are
                     ///< rounded to three digits
     None            ///< no slip gives them

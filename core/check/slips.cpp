@@ -224,9 +224,9 @@ constexpr double kRadiansPerSecondPerRpm = std::numbers::pi / 30.0;
 
 /// Where a slip is made.
 enum class Stage {
-    Input,   ///< before everything is computed
-    Formula, ///< after θ3 is known: in all formulas that follow, or only in those of the slider
-    Result   ///< after everything is computed
+    Input,   ///< in the given values: everything follows from it
+    Formula, ///< in a formula, when θ3 is known: what follows from it may be wrong, too
+    Result   ///< in a result alone
 };
 
 /// A way to make a slip.

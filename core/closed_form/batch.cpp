@@ -17,7 +17,7 @@ namespace slidercrank
 namespace HWY_NAMESPACE
 {
 
-/// Computes a block of at most kBlock time stamps, a multiple of kMostLanes. All vectors go through one stage before
+/// Computes a block of at most kBlock time stamps, a multiple of kMaxLanes. All vectors go through one stage before
 /// the next begins: stages are short enough for a processor to overlap several vectors, which it cannot do when each
 /// vector is carried from its time stamp to its last channel. The numbers are valid where `roots` is positive; returns
 /// whether that is everywhere.
@@ -83,14 +83,14 @@ HWY_EXPORT(evaluateBlock);
 void ClosedForm::evaluate(std::span<const double> times, const PlottedColumns &columns,
                           std::span<Status> statuses) const
 {
-    using HWY_NAMESPACE::kBlock, HWY_NAMESPACE::kMostLanes;
+    using HWY_NAMESPACE::kBlock, HWY_NAMESPACE::kMaxLanes;
     std::fill(statuses.begin(), statuses.end(), Status::Solved);
     double roots[kBlock] = {};
     const std::size_t size = times.size();
-    const bool isShort = size < kMostLanes; // then all time stamps are computed one by one
+    const bool isShort = size < kMaxLanes; // then all time stamps are computed one by one
     for (std::size_t from = 0, count = size; from < size; from += count) {
         if (!isShort) { // whole vectors, of which the last one overlaps the one before it
-            count = std::clamp((size - from) / kMostLanes * kMostLanes, kMostLanes, kBlock);
+            count = std::clamp((size - from) / kMaxLanes * kMaxLanes, kMaxLanes, kBlock);
             from = std::min(from, size - count);
         }
         PlottedColumns target = columns;

@@ -32,8 +32,9 @@ MotionConstants::MotionConstants(const Mechanism &mechanism)
     , gamma(exactSum(a, b, -C))
     , reach(exactSum(a, b, C))
 {
-    constexpr double kNear = 0x1p-10; // of the reach: above it a difference of doubles loses three digits at most
-    nearLimit = epsilon < 0.0 ? kNear * reach : 0.0;
+    constexpr double kNearFraction =
+        0x1p-10; // of the reach; above it a difference of doubles loses three digits at most
+    nearLimit = epsilon < 0.0 ? kNearFraction * reach : 0.0;
 
     const bool isOpen = mechanism.branch() == Branch::Open;
     branch = isOpen ? 1.0 : -1.0;

@@ -37,11 +37,11 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// The largest number of time stamps that are evaluated together, and in a vector.
 inline constexpr std::size_t kBlock = 64;
-inline constexpr std::size_t kMostLanes = 8;
+inline constexpr std::size_t kMaxLanes = 8;
 
 /// A vector of doubles with the operators of a number.
 struct Lanes {
-    using Tag = hn::CappedTag<double, kMostLanes>;
+    using Tag = hn::CappedTag<double, kMaxLanes>;
     using Vector = hn::Vec<Tag>;
     using Mask = hn::Mask<Tag>;
 
@@ -272,7 +272,7 @@ struct Rates {
     Number theta3, s, R4x;
 };
 
-/// `inverse`: 1/s.
+/// Returns the velocities. `inverse`: 1/s, where s = b cos θ3.
 template <class Number>
 HWY_INLINE Rates<Number> velocities(const MotionConstants &k, const Clearance<Number> &at, Number inverse)
 {
@@ -322,7 +322,7 @@ HWY_INLINE Number turnNumerator(const MotionConstants &k, const Clearance<Number
     return select(cancel, rearranged, first + second);
 }
 
-/// `inverse`: 1/s.
+/// Returns the accelerations. `inverse`: 1/s, where s = b cos θ3.
 template <class Number>
 HWY_INLINE Rates<Number> accelerations(const MotionConstants &k, const Clearance<Number> &at, Number inverse)
 {

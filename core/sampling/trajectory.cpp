@@ -102,7 +102,7 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
         advance(mechanism, t, timeStep, options);
         if (timeStep.positionStatus == Status::Solved) {
             summary.add({.iterations = timeStep.iterations,
-                         .mostIterations = timeStep.iterations,
+                         .maxIterationsOfStep = timeStep.iterations,
                          .largestResidual = timeStep.residual});
         }
         return timeStep.state;
@@ -184,7 +184,7 @@ void SamplingSummary::add(const SamplingSummary &next)
         statusCounts[i] += next.statusCounts[i];
     }
     iterations += next.iterations;
-    mostIterations = std::max(mostIterations, next.mostIterations);
+    maxIterationsOfStep = std::max(maxIterationsOfStep, next.maxIterationsOfStep);
     largestResidual = std::max(largestResidual, next.largestResidual);
 }
 

@@ -37,7 +37,7 @@ struct Sampling {
 double timeStepsPerTurn(const Mechanism &mechanism, const Sampling &sampling);
 
 /// With fewer time steps per revolution, a polyline through the samples misrepresents the motion.
-inline constexpr double kFewestPerTurn = 20.0;
+inline constexpr double kMinSamplesPerTurn = 20.0;
 
 struct SolverSettings {
     Method method = Method::ClosedForm;
@@ -55,7 +55,7 @@ struct SamplingSummary {
 
     // Of Newton-Raphson, over the time steps whose position it found; 0 for the closed form.
     long long iterations = 0;     ///< total
-    int mostIterations = 0;       ///< of one time step
+    int maxIterationsOfStep = 0;  ///< largest number in one time step
     double largestResidual = 0.0; ///< in the measure of the options
 
     std::size_t count(Status status) const { return statusCounts[static_cast<std::size_t>(status)]; }

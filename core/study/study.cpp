@@ -35,25 +35,25 @@ double clockStep()
 }
 
 /// Measures every method at the time stamps of the case.
-Measurement measurementOfMethods(const Case &which)
+Measurement measurementOfMethods(const Case &studied)
 {
-    Measurement measurement(which.parameters, timeStampsOf(which));
+    Measurement measurement(studied.parameters, timeStampsOf(studied));
     for (const StudyMethod &method : studyMethods()) {
-        measurement.add(method, method.needsEqualSteps ? which.sampling.timeStamps() : measurement.times());
+        measurement.add(method, method.needsEqualSteps ? studied.sampling.timeStamps() : measurement.times());
     }
     return measurement;
 }
 
 /// Measures every method, with every step size if its cost or error depends on it.
-Measurement measurementOfWorkPrecision(Case which)
+Measurement measurementOfWorkPrecision(Case studied)
 {
-    which.sampling.steps = kWorkPrecisionOutputs;
-    Measurement measurement(which.parameters, which.sampling.timeStamps());
+    studied.sampling.steps = kWorkPrecisionOutputs;
+    Measurement measurement(studied.parameters, studied.sampling.timeStamps());
     for (const StudyMethod &method : studyMethods()) {
         // A power of two, so that the time stamps of the outputs are the same doubles.
         for (int multiple = 1; multiple <= (method.dependsOnStep ? 32 : 1); multiple *= 2) {
-            which.sampling.steps = multiple * kWorkPrecisionOutputs;
-            measurement.add(method, which.sampling.timeStamps());
+            studied.sampling.steps = multiple * kWorkPrecisionOutputs;
+            measurement.add(method, studied.sampling.timeStamps());
         }
     }
     return measurement;
@@ -126,7 +126,7 @@ struct Study::State {
             AllMethods,   ///< every method at the time stamps of the case
             WorkPrecision ///< the error of every method against its cost
         };
-        const Case *which;
+        const Case *studied;
         Kind kind;
     };
 
@@ -139,16 +139,17 @@ struct Study::State {
 
     void begin()
     {
-        const auto &[which, kind] = plans[completed];
+        const auto &[studied, kind] = plans[completed];
         measurement =
-            kind == Plan::Kind::AllMethods ? measurementOfMethods(*which) : measurementOfWorkPrecision(*which);
+            kind == Plan::Kind::AllMethods ? measurementOfMethods(*studied) : measurementOfWorkPrecision(*studied);
     }
 
     void end()
     {
-        const auto &[which, kind] = plans[completed];
+        const auto &[studied, kind] = plans[completed];
         if (kind == Plan::Kind::AllMethods) {
-            cases.push_back({which->name, which->parameters, measurement->times().size(), measurement->results(), {}});
+            cases.push_back(
+                {studied->name, studied->parameters, measurement->times().size(), measurement->results(), {}});
         } else {
             cases.back().workPrecision = measurement->results();
         }
@@ -163,11 +164,11 @@ Study::Study(const StudyRequest &request)
     constexpr double kMinClockSteps = 3.0; // in a round
     State &state = *m_state;
     state.request.secondsPerRound = std::max(request.secondsPerRound, kMinClockSteps * clockStep());
-    for (const Case &which : state.request.cases) {
+    for (const Case &studied : state.request.cases) {
         const bool isFirst = state.plans.empty();
-        state.plans.push_back({&which, State::Plan::Kind::AllMethods});
+        state.plans.push_back({&studied, State::Plan::Kind::AllMethods});
         if (isFirst) {
-            state.plans.push_back({&which, State::Plan::Kind::WorkPrecision});
+            state.plans.push_back({&studied, State::Plan::Kind::WorkPrecision});
         }
     }
 }

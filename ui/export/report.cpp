@@ -87,7 +87,7 @@ public:
     void keepSectionsTogether()
     {
         for (QTextBlock block = m_document.begin(); block.isValid(); block = block.next()) {
-            if (block.blockFormat().headingLevel() == kSection) {
+            if (block.blockFormat().headingLevel() == kSectionLevel) {
                 const double top = boxOf(block).top();
                 const double bottom = bottomOf(block);
                 const bool isDivided = pageAt(top) != pageAt(bottom);
@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    static constexpr int kSection = 2; ///< level of the headings of sections
+    static constexpr int kSectionLevel = 2; ///< level of the headings of sections
 
     void layOut() { m_document.markContentsDirty(0, m_document.characterCount()); }
     QRectF boxOf(const QTextBlock &block) const { return m_document.documentLayout()->blockBoundingRect(block); }
@@ -143,7 +143,7 @@ private:
 
     static QTextBlock headingOf(QTextBlock block)
     {
-        while (block.isValid() && block.blockFormat().headingLevel() != kSection) {
+        while (block.isValid() && block.blockFormat().headingLevel() != kSectionLevel) {
             block = block.previous();
         }
         return block;
@@ -153,7 +153,7 @@ private:
     {
         do {
             block = block.next();
-        } while (block.isValid() && block.blockFormat().headingLevel() != kSection);
+        } while (block.isValid() && block.blockFormat().headingLevel() != kSectionLevel);
         return block;
     }
 
@@ -244,10 +244,10 @@ public:
     /// Whether the last page has only a few lines.
     bool endsWithFewLines() const
     {
-        constexpr double kFew = 0.1; // of the page
+        constexpr double kMinLastPage = 0.1; // fraction of the page
         const double page = m_document.pageSize().height();
         const double end = m_document.documentLayout()->blockBoundingRect(m_document.lastBlock()).bottom();
-        return m_document.pageCount() > 1 && end - (m_document.pageCount() - 1) * page < kFew * page;
+        return m_document.pageCount() > 1 && end - (m_document.pageCount() - 1) * page < kMinLastPage * page;
     }
 
     /// Prints the pages with their numbers.

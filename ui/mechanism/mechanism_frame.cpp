@@ -81,11 +81,11 @@ MechanismProjection MechanismFrame::projection(const QSizeF &size) const
 void MechanismFrame::zoom(double factor, QPointF pixel, const QSizeF &size)
 {
     // Relative to the scale of the fitted frame. At a closer zoom a circle would exceed the number range of QPainter.
-    constexpr double kFarthest = 0.05;
-    constexpr double kClosest = 100.0;
+    constexpr double kMinZoom = 0.05;
+    constexpr double kMaxZoom = 100.0;
     const MechanismProjection now = projection(size);
     const double whole = m_fitted.isNull() ? now.scale : projectionOnto(m_fitted, size).scale;
-    const double shrunk = now.scale / std::clamp(factor * now.scale, kFarthest * whole, kClosest * whole);
+    const double shrunk = now.scale / std::clamp(factor * now.scale, kMinZoom * whole, kMaxZoom * whole);
     const QPointF fixed = now.toModel(pixel);
     const QRectF visible = now.visible();
     m_zoomed = QRectF(fixed + shrunk * (visible.topLeft() - fixed), fixed + shrunk * (visible.bottomRight() - fixed));

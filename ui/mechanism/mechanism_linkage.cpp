@@ -182,7 +182,7 @@ void MechanismSketch::addGhost()
         return;
     }
     const bool isFile = !m_scene->result->difference;
-    const std::size_t pinned = m_scene->result->pinned.size(); // the last one is drawn
+    const std::size_t pinned = m_scene->result->pinned.size(); // the ghost is the last of them
     const QColor &colour =
         isFile ? m_colours.reference : m_colours.*kPinnedColours[std::max<std::size_t>(pinned, 1) - 1];
     const QLineF coupler = addOutline(ghost, QPen(colour, 1.6));

@@ -175,9 +175,9 @@ void MechanismView::fitFrame()
 
 void MechanismView::setResult(const std::shared_ptr<const Result> &result)
 {
-    const bool isSame = m_scene.result && result && m_scene.result->mechanism == result->mechanism;
+    const bool isSameMechanism = m_scene.result && result && m_scene.result->mechanism == result->mechanism;
     m_scene.result = result;
-    if (isSame || !result) {
+    if (isSameMechanism || !result) {
         return; // the drawing does not depend on sampling, solver and reference
     }
     const bool dragsLength = m_pressed && m_pressed->drag && m_pressed->drag->length();

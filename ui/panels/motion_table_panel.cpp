@@ -42,8 +42,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::chrono::milliseconds kPause{100}; // numbers that change faster cannot be read
-
 } // namespace
 
 MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
@@ -74,7 +72,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     m_judgement->setTextFormat(Qt::RichText);
     makeTables();
     m_pause.setSingleShot(true);
-    m_pause.setInterval(kPause);
+    m_pause.setInterval(kReadingTime);
     connect(&m_pause, &QTimer::timeout, this, [this] {
         if (m_isStale) {
             refresh();

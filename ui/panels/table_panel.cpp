@@ -28,9 +28,8 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::chrono::milliseconds kPause{100}; // numbers that change faster cannot be read
-constexpr int kChartWidth = 360;                 // px, beside tables
-constexpr QSize kChartSize(900, 600);            // px, of an exported chart
+constexpr int kChartWidth = 360;      // px, beside tables
+constexpr QSize kChartSize(900, 600); // px, of an exported chart
 
 } // namespace
 
@@ -91,7 +90,7 @@ TablePanel::TablePanel(Session *session, const QString &name, const QString &tit
     rows->addWidget(m_note);
 
     m_pause.setSingleShot(true);
-    m_pause.setInterval(kPause);
+    m_pause.setInterval(kReadingTime);
     connect(&m_pause, &QTimer::timeout, this, [this] {
         if (m_stale) {
             refresh();

@@ -9,6 +9,7 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <chrono>
 #include <functional>
 
 class QBoxLayout;
@@ -18,6 +19,8 @@ class QToolButton;
 
 namespace slidercrank
 {
+
+inline constexpr std::chrono::milliseconds kReadingTime{100}; ///< numbers that change faster cannot be read
 
 class Session;
 

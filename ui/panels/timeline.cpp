@@ -99,8 +99,8 @@ void Timeline::createActions()
     m_actions[Play]->setAutoRepeat(false);
     addAction(Forward, tr("Step &forward"), Qt::Key_Right, [this] { stepTo(std::floor(currentStep() + 1.0)); });
     addAction(Back, tr("Step &back"), Qt::Key_Left, [this] { stepTo(std::ceil(currentStep() - 1.0)); });
-    addAction(Start, tr("To the &start"), Qt::Key_Home, [this] { m_session->setTime(first()); });
-    addAction(End, tr("To the &end"), Qt::Key_End, [this] { m_session->setTime(last()); });
+    addAction(Start, tr("To the &start"), Qt::Key_Home, [this] { m_session->setTime(startTime()); });
+    addAction(End, tr("To the &end"), Qt::Key_End, [this] { m_session->setTime(endTime()); });
     addAction(Loop, tr("&Loop"), Qt::CTRL | Qt::Key_L);
     m_actions[Loop]->setToolTip(tr("Start again at the end (Ctrl+L)"));
     m_actions[Loop]->setCheckable(true);
@@ -255,14 +255,14 @@ void Timeline::changeEvent(QEvent *event)
     }
 }
 
-double Timeline::first() const
+double Timeline::startTime() const
 {
     return m_session->sampling().start;
 }
 
-double Timeline::last() const
+double Timeline::endTime() const
 {
-    return first() + m_session->sampling().duration;
+    return startTime() + m_session->sampling().duration;
 }
 
 double Timeline::revolution() const
@@ -319,8 +319,8 @@ void Timeline::editSampling()
 void Timeline::play()
 {
     if (!isPlaying()) {
-        if (m_session->time() >= last()) {
-            m_session->setTime(first());
+        if (m_session->time() >= endTime()) {
+            m_session->setTime(startTime());
         }
         m_lastFrame = m_clock();
         m_frames.start();
@@ -353,8 +353,9 @@ void Timeline::nextFrame()
 {
     const double now = m_clock();
     const double time = m_session->time() + playbackSpeed() * (now - std::exchange(m_lastFrame, now));
-    const bool isOver = time >= last() && !m_actions[Loop]->isChecked();
-    m_session->setTime(time < last() || isOver ? time : first() + std::fmod(time - first(), last() - first()));
+    const bool isOver = time >= endTime() && !m_actions[Loop]->isChecked();
+    m_session->setTime(
+        time < endTime() || isOver ? time : startTime() + std::fmod(time - startTime(), endTime() - startTime()));
     if (isOver) {
         pause();
     }
@@ -396,7 +397,7 @@ void Timeline::goToAngle(double angle)
     }
     const double time = (theta2 - parameters.theta20) / parameters.omega2; // of this angle, including whole turns
     m_session->setTime(
-        time >= first() && time <= last()
+        time >= startTime() && time <= endTime()
             ? time
             : nearestTimeAtCrankAngle(Mechanism(parameters), m_session->sampling(), theta2, m_session->time()));
 }

@@ -55,13 +55,13 @@ void addSeries(PlotDrawing &drawing, const ChartContent &content, const ChartSer
 }
 
 /// Shades the axes outside the range.
-void addShade(PlotDrawing &drawing, const Interval &clear, QColor colour)
+void addShade(PlotDrawing &drawing, const Interval &unshaded, QColor colour)
 {
     constexpr float kOpacity = 0.16F;
     colour.setAlphaF(kOpacity);
     const QCPRange all = drawing.xAxis->range();
-    const double from = std::min(clear.lower, all.upper);
-    const double to = std::clamp(clear.upper, from, all.upper); // reversed: the shaded parts meet
+    const double from = std::min(unshaded.lower, all.upper);
+    const double to = std::clamp(unshaded.upper, from, all.upper); // reversed: the shaded parts meet
     for (const auto &[left, right] : {std::pair{all.lower, from}, {to, all.upper}}) {
         auto *shade = new QCPItemRect(&drawing);
         shade->setLayer("background");
@@ -101,8 +101,8 @@ void Chart::fill(const QSize &size, const QPalette &palette)
     m_drawing->layOut(size);
     setAxis(*m_drawing->xAxis, m_content.x, m_drawing->axisRect()->width(), 44);
     setAxis(*m_drawing->yAxis, m_content.y, m_drawing->axisRect()->height(), 22);
-    if (m_content.clear) {
-        addShade(*m_drawing, *m_content.clear, colours.warning);
+    if (m_content.unshaded) {
+        addShade(*m_drawing, *m_content.unshaded, colours.warning);
     }
     for (const ChartSeries &series : m_content.series) {
         addSeries(*m_drawing, m_content, series, colours);

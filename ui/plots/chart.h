@@ -44,7 +44,7 @@ struct ChartContent {
     ChartAxis x;
     ChartAxis y;
     std::vector<ChartSeries> series = {};
-    std::optional<Interval> clear = {}; ///< the chart is shaded outside this range of x; everywhere if it is reversed
+    std::optional<Interval> unshaded = {}; ///< range of x without shade; a reversed range leaves none
 };
 
 class Chart : public QWidget

@@ -207,7 +207,7 @@ private:
     std::vector<MotionCurves> m_motions; ///< the pinned motions and, last, the model
 
     // These are computed for the time range and the pixels of the plots.
-    std::size_t m_columns = 1;                  ///< the details that a plot can show side by side
+    std::size_t m_columns = 1;                  ///< number of columns of details (about a pixel) in a plot
     std::vector<MotionCurves::Curves> m_curves; ///< of m_motions
     std::optional<MotionErrors> m_errors;
     std::array<Plot, kPlotCount> m_plots;

@@ -244,17 +244,18 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
 {
     constexpr double kRounding = 1e-9;
     const double perTurn = timeStepsPerTurn(mechanism, sampling);
-    return perTurn >= kFewestPerTurn * (1.0 - kRounding)
+    return perTurn >= kMinSamplesPerTurn * (1.0 - kRounding)
                ? QString()
                : MotionFacts::tr("%1 samples per revolution are too few for a curve: at least %2 are needed.")
-                     .arg(numberText(perTurn, 2), numberText(kFewestPerTurn));
+                     .arg(numberText(perTurn, 2), numberText(kMinSamplesPerTurn));
 }
 
 QString iterationsText(const SamplingSummary &run)
 {
-    return run.found() == 0
-               ? dash()
-               : MotionFacts::tr("%1 in total, at most %2 at a time step").arg(run.iterations).arg(run.mostIterations);
+    return run.found() == 0 ? dash()
+                            : MotionFacts::tr("%1 in total, at most %2 at a time step")
+                                  .arg(run.iterations)
+                                  .arg(run.maxIterationsOfStep);
 }
 
 double shownCrankAngle(double theta2)
