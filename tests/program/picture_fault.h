@@ -136,8 +136,8 @@ inline QString pictureFault(const QString &path, PictureSubject subject, const Q
     if (isPdf) {
         text = QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {"-layout", path, "-"}));
     } else if (suffix == QLatin1String("svg")) {
-        static const QRegularExpression kText(QStringLiteral("<text[^>]*>([^<]*)</text>"));
-        QRegularExpressionMatchIterator matches = kText.globalMatch(QString::fromUtf8(contentOf(path)));
+        static const QRegularExpression kTextElement(QStringLiteral("<text[^>]*>([^<]*)</text>"));
+        QRegularExpressionMatchIterator matches = kTextElement.globalMatch(QString::fromUtf8(contentOf(path)));
         while (matches.hasNext()) {
             text += matches.next().captured(1);
         }

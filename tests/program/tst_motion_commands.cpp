@@ -240,7 +240,7 @@ private slots:
             QVERIFY(single.contains("\nstroke," + table.rows[row][3] + ','));
         }
         const qsizetype ratio = table.header.indexOf("time-ratio");
-        QVERIFY(table.rows[0][ratio].isEmpty() && !table.rows[1][ratio].isEmpty()); // 40 < a + |c| <= 50
+        QVERIFY(table.rows[0][ratio].isEmpty() && !table.rows[1][ratio].isEmpty()); // full turns need b >= a + |c| = 45
         const QJsonArray rows = run("limits --vary omega2=0..10 --count 2 --format json").json()["rows"].toArray();
         QVERIFY(rows[0].toObject()["return-time"].isNull() && rows[1].toObject()["return-time"].isDouble());
     }

@@ -82,8 +82,9 @@ double distanceToSegment(const QPointF &point, const QPointF &from, const QPoint
 {
     const QPointF along = to - from;
     const double length = QPointF::dotProduct(along, along);
-    const double part = length > 0.0 ? std::clamp(QPointF::dotProduct(point - from, along) / length, 0.0, 1.0) : 0.0;
-    const QPointF away = point - (from + part * along);
+    const double fraction =
+        length > 0.0 ? std::clamp(QPointF::dotProduct(point - from, along) / length, 0.0, 1.0) : 0.0;
+    const QPointF away = point - (from + fraction * along);
     return std::hypot(away.x(), away.y());
 }
 

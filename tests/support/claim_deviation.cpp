@@ -19,7 +19,7 @@ using Outcome = Identification::Outcome;
 struct Deviation {
     Channel channel;
     Values numbers{};
-    Values difference{};  ///< without whole turns
+    Values difference{};  ///< of an angle: without whole turns
     Values uncertainty{}; ///< standard deviation of noise and of the rounding of numbers, time stamps and lengths
 
     double largest() const { return difference.abs().maxCoeff(); }

@@ -29,7 +29,7 @@ struct Claim {
 struct ParameterError {
     double difference;
     double standardError; ///< 0 if none is claimed
-    double size;          ///< of the parameter
+    double size;          ///< the parameter's entry in parameterSizes()
 };
 
 /// Returns the errors of the parameters that the claim identifies.

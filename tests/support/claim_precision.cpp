@@ -60,7 +60,7 @@ struct LinearizedFit {
 
     void add(const ClaimTable &file, const ClaimColumn &column)
     {
-        constexpr double kSmall = 0.005;
+        constexpr double kRelativeTolerance = 0.005;
         const auto represented = static_cast<double>(stride);
         const Values exact = column.factor * valuesOf(truth, column.shown, times - file.delay);
         const Values late = column.factor * valuesOf(truth, column.shown, times - file.delay + file.timeStep()) - exact;
@@ -81,7 +81,7 @@ struct LinearizedFit {
                 count += represented;
                 information += represented * std::log(spread / (std::sqrt(kTurn * std::numbers::e) * errors[i]));
                 isClose = isClose && (column.content == Content::Motion ||
-                                      std::abs(values[i] - exact[i]) <= kSmall * range + 4.0 * errors[i]);
+                                      std::abs(values[i] - exact[i]) <= kRelativeTolerance * range + 4.0 * errors[i]);
             }
         }
         columns.push_back(column);
@@ -113,7 +113,7 @@ struct LinearizedFit {
 bool isAccurate(const LinearizedFit &fit)
 {
     constexpr double kStep = 1e-6;
-    constexpr double kErrors = 3.0;
+    constexpr double kStandardErrors = 3.0;
     const Index unknowns = kParameters + static_cast<Index>(fit.columns.size());
     MatrixXd jacobian(fit.weights.size(), static_cast<Index>(fit.free.size()));
     for (Index j = 0; j < jacobian.cols(); ++j) {
@@ -136,8 +136,9 @@ bool isAccurate(const LinearizedFit &fit)
     }
     const VectorXd values = fit.valuesFor(VectorXd::Zero(unknowns));
     for (Index k = 0; k < errors.cols(); ++k) {
-        for (const double sign : {-kErrors, kErrors}) {
-            const double growth = (fit.valuesFor(sign * errors.col(k)) - values).squaredNorm() / (kErrors * kErrors);
+        for (const double sign : {-kStandardErrors, kStandardErrors}) {
+            const double growth =
+                (fit.valuesFor(sign * errors.col(k)) - values).squaredNorm() / (kStandardErrors * kStandardErrors);
             if (!(growth > 0.5 && growth < 2.0)) {
                 return false;
             }
@@ -175,7 +176,7 @@ bool canBeFitted(Channel channel)
 
 bool determinesItsMechanism(const ClaimTable &file)
 {
-    constexpr double kLeastEvidence = 40.0; // nats; more than the program requires
+    constexpr double kMinEvidence = 40.0; // nats; more than the program requires
     const bool isNoisy = std::ranges::any_of(
         file.columns, [](double rms) { return rms > 0.0; }, &ClaimColumn::noise);
     const Index fewestRows = isNoisy ? 20 : 4; // noise has to be distinguished from misfit
@@ -186,7 +187,7 @@ bool determinesItsMechanism(const ClaimTable &file)
     LinearizedFit fit(file);
     const auto unknowns = static_cast<double>(fit.free.size());
     return fit.isClose && fit.count >= 2.0 * unknowns &&
-           (1.0 - unknowns / fit.count) * fit.information >= kLeastEvidence && isAccurate(fit);
+           (1.0 - unknowns / fit.count) * fit.information >= kMinEvidence && isAccurate(fit);
 }
 
 } // namespace slidercrank

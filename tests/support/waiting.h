@@ -31,12 +31,12 @@ inline constexpr int kPatience = 120'000;
 /// Processes all posted events, including layout, painting and the events that these post.
 inline void settle()
 {
-    constexpr int kMostRounds = 100; // an animation posts events without end
+    constexpr int kMaxRounds = 100; // an animation posts events without end
     auto *events = QAbstractEventDispatcher::instance();
     int round = 0;
     do {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    } while (events->processEvents(QEventLoop::AllEvents) && ++round < kMostRounds);
+    } while (events->processEvents(QEventLoop::AllEvents) && ++round < kMaxRounds);
 }
 
 /// Waits until all background tasks have finished and their results have been delivered.

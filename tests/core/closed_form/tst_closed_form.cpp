@@ -116,7 +116,7 @@ QString differenceFromOne(const Parameters &parameters, std::span<const double> 
     return {};
 }
 
-class tst_closed_form : public QObject
+class TestClosedForm : public QObject
 {
     Q_OBJECT
 
@@ -261,27 +261,27 @@ private slots:
                         .sampling = {0.0, 2.0 * std::numbers::pi / std::abs(parameters.omega2), 50}};
 
         // A whole turn, both sides of each limit, and the neighbouring doubles of t, and of θ20 at t = 0.
-        std::vector<std::pair<Parameters, double>> places;
+        std::vector<std::pair<Parameters, double>> positions; // mechanism and time
         for (const double t : turn.sampling.timeStamps()) {
-            places.emplace_back(parameters, t);
+            positions.emplace_back(parameters, t);
         }
         for (const double limit : perpendicularTimes(turn)) {
             for (double distance = 1e-1; distance > 1e-16; distance *= 0.1) {
-                places.emplace_back(parameters, limit - distance);
-                places.emplace_back(parameters, limit + distance);
+                positions.emplace_back(parameters, limit - distance);
+                positions.emplace_back(parameters, limit + distance);
             }
             double t = limit;
             Parameters turned = parameters;
             turned.theta20 = std::remainder(parameters.omega2 * limit + parameters.theta20, 2.0 * std::numbers::pi);
             for (int i = -3; i <= 3; ++i) {
-                places.emplace_back(parameters, t + i * (std::nextafter(t, 1e300) - t));
-                places.emplace_back(turned, 0.0);
-                places.back().first.theta20 += i * (std::nextafter(turned.theta20, 10.0) - turned.theta20);
+                positions.emplace_back(parameters, t + i * (std::nextafter(t, 1e300) - t));
+                positions.emplace_back(turned, 0.0);
+                positions.back().first.theta20 += i * (std::nextafter(turned.theta20, 10.0) - turned.theta20);
             }
         }
         Worst worst;
         Worst worstNear;
-        for (const auto &[p, t] : places) {
+        for (const auto &[p, t] : positions) {
             const ExactState exact = exactState(p, t);
             const State got = ClosedForm{Mechanism(p)}.stateAt(t);
             const double clearance = static_cast<double>(exact.clearance);
@@ -396,7 +396,7 @@ private slots:
     }
 };
 
-const Suite<tst_closed_form> suite("tst_closed_form");
+const Suite<TestClosedForm> suite("tst_closed_form");
 
 } // namespace tst_closed_form
 

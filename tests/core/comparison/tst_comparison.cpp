@@ -28,7 +28,7 @@ const Rounding kThreeDecimals{Rounding::Rule::Decimals, 3};
 const Rounding kSixDigits{Rounding::Rule::SignificantDigits, 6};
 constexpr double kHalfStep = 0.0005;
 
-/// Compares two columns of a channel. An error of the offset is relative to a = 100 mm.
+/// Compares two columns of a channel. R4y is constant, so its errors are measured relative to a = 100 mm.
 ChannelComparison compareValues(const std::vector<double> &model, const std::vector<double> &values,
                                 const Rounding &rounding = kThreeDecimals, Channel channel = kOffset)
 {

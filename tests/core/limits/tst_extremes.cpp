@@ -100,7 +100,7 @@ bool turnsRoundFreely(const Parameters &p)
     return ManyDigits(p.b) > ManyDigits(p.a) + std::abs(p.c) && p.omega2 != 0.0;
 }
 
-class tst_extremes : public QObject
+class TestExtremes : public QObject
 {
     Q_OBJECT
 
@@ -221,7 +221,7 @@ private slots:
     }
 };
 
-const Suite<tst_extremes> suite("tst_extremes");
+const Suite<TestExtremes> suite("tst_extremes");
 
 } // namespace tst_extremes
 

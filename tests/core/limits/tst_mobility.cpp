@@ -94,7 +94,7 @@ bool near(double x, double y, double tolerance)
 /// Like QVERIFY, but a failure also prints the mechanism.
 #define VERIFY_FOR(parameters, condition) QVERIFY2(condition, describe(parameters).c_str())
 
-class tst_mobility : public QObject
+class TestMobility : public QObject
 {
     Q_OBJECT
 
@@ -328,7 +328,7 @@ private slots:
     }
 };
 
-const Suite<tst_mobility> suite("tst_mobility");
+const Suite<TestMobility> suite("tst_mobility");
 
 } // namespace tst_mobility
 

@@ -14,7 +14,7 @@ using namespace slidercrank;
 namespace tst_mechanism
 {
 
-class tst_mechanism : public QObject
+class TestMechanism : public QObject
 {
     Q_OBJECT
 
@@ -124,7 +124,7 @@ private slots:
     }
 };
 
-const Suite<tst_mechanism> suite("tst_mechanism");
+const Suite<TestMechanism> suite("tst_mechanism");
 
 } // namespace tst_mechanism
 

@@ -23,7 +23,7 @@ bool isNormalized(TwoPart value)
     return value.hi + value.lo == value.hi;
 }
 
-class tst_two_part_angle : public QObject
+class TestTwoPartAngle : public QObject
 {
     Q_OBJECT
 
@@ -99,7 +99,7 @@ private slots:
     }
 };
 
-const Suite<tst_two_part_angle> suite("tst_two_part_angle");
+const Suite<TestTwoPartAngle> suite("tst_two_part_angle");
 
 } // namespace tst_two_part_angle
 

@@ -57,7 +57,7 @@ Vector12 coordinates(const ExactState &exact, Order order)
     return result;
 }
 
-class tst_constraints : public QObject
+class TestConstraints : public QObject
 {
     Q_OBJECT
 
@@ -166,7 +166,7 @@ private slots:
     }
 };
 
-const Suite<tst_constraints> suite("tst_constraints");
+const Suite<TestConstraints> suite("tst_constraints");
 
 } // namespace tst_constraints
 

@@ -37,7 +37,7 @@ private slots:
     /// README: 8.1e-15 of the peak at scale 1.
     void agreesWithTheClosedFormAtEveryScale()
     {
-        constexpr double kPart = 5e-14; // of a channel's peak
+        constexpr double kTolerance = 5e-14; // of a channel's peak
         for (const double factor : {1.0, 1e-9, 1e9}) {
             RandomMechanisms random(21);
             Deviation worst;
@@ -49,7 +49,7 @@ private slots:
                 const std::vector<double> times = turn(p, 40);
                 for (const Branch branch : {Branch::Open, Branch::Crossed}) {
                     p.branch = branch;
-                    const auto sizes = scaled(roughSizes(p, times), kPart);
+                    const auto sizes = scaled(roughSizes(p, times), kTolerance);
                     for (const Elimination elimination : {Elimination::Dense, Elimination::Structured}) {
                         if (elimination == Elimination::Dense && factor != 1.0) {
                             continue; // the matrix mixes mm and rad: 1e-11 rad/s² is lost in rounding next to 1e11 mm
@@ -68,7 +68,7 @@ private slots:
                     }
                 }
             }
-            qInfo("lengths times %g, worst: %.3g of peak", factor, worst.ratio() * kPart);
+            qInfo("lengths times %g, worst: %.3g of peak", factor, worst.ratio() * kTolerance);
         }
     }
 

@@ -96,7 +96,7 @@ private slots:
     {
         const std::vector<NewtonOptions> ways = everyWay(kReport.maxIterations, kReport.tolerance);
         for (std::size_t kind = 0; kind < std::size(kKinds); ++kind) {
-            constexpr double kPart = 0.01;
+            constexpr double kToleranceFraction = 0.01;
             RandomMechanisms random(40 + kind);
             int poses = 0;
             int unsolved = 0;
@@ -126,7 +126,7 @@ private slots:
                     }
                     std::array<double, kChannelCount> tolerances;
                     for (std::size_t index = 0; index < kChannelCount; ++index) {
-                        tolerances[index] = kPart * std::max(sizes[index], std::abs(exact.values[index]));
+                        tolerances[index] = kToleranceFraction * std::max(sizes[index], std::abs(exact.values[index]));
                     }
                     const Order last = status == Status::Solved ? Order::Acceleration : Order::Position;
                     const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances, last);
@@ -145,7 +145,7 @@ private slots:
     /// the toggle.
     void solvedDerivativesAreAccurateNearAToggle()
     {
-        constexpr double kPart = 6.0 * kResolvedFraction;
+        constexpr double kToleranceFraction = 6.0 * kResolvedFraction;
         constexpr int kMechanisms = 600;
         RandomMechanisms random(22);
         int solved = 0;
@@ -166,7 +166,8 @@ private slots:
             std::array<double, kChannelCount> tolerances;
             for (std::size_t index = 0; index < kChannelCount; ++index) {
                 const double ordinary = naturalSize(p, channelAt(index)) * p.a / (p.a + p.b + std::abs(p.c));
-                tolerances[index] = kPart * std::max(std::abs(static_cast<double>(exact.values[index])), ordinary);
+                tolerances[index] =
+                    kToleranceFraction * std::max(std::abs(static_cast<double>(exact.values[index])), ordinary);
             }
             for (const double tolerance : {0.0, 1e-12, 1e-8, 1e-4}) {
                 for (const NewtonOptions &options : everyWay(60, tolerance)) {

@@ -93,7 +93,7 @@ private slots:
                     }
                     if (isNewton && instant.positionStatus == Status::Solved) {
                         expected.iterations += instant.iterations;
-                        expected.mostIterations = std::max(expected.mostIterations, instant.iterations);
+                        expected.maxIterationsOfStep = std::max(expected.maxIterationsOfStep, instant.iterations);
                         expected.largestResidual = std::max(expected.largestResidual, instant.residual);
                     }
                     for (std::size_t index = 0; index < kChannelCount; ++index) {

@@ -28,17 +28,17 @@ StudyRequest quick(std::vector<Case> cases)
     return request;
 }
 
-Case coarse(Case which, int steps)
+Case coarse(Case fine, int maxSteps)
 {
-    which.sampling.steps = std::min(which.sampling.steps, steps);
-    return which;
+    fine.sampling.steps = std::min(fine.sampling.steps, maxSteps);
+    return fine;
 }
 
 Case named(std::string_view name)
 {
-    for (const Case &which : allCases()) {
-        if (which.name == name) {
-            return which;
+    for (const Case &each : allCases()) {
+        if (each.name == name) {
+            return each;
         }
     }
     qFatal("no such case");
@@ -69,7 +69,7 @@ double errorOf(const CaseResult &result, std::string_view method, std::optional<
     return row && row->maxError ? *row->maxError : std::numeric_limits<double>::quiet_NaN();
 }
 
-class tst_study : public QObject
+class TestStudy : public QObject
 {
     Q_OBJECT
 
@@ -300,7 +300,7 @@ private slots:
     }
 };
 
-const Suite<tst_study> suite("tst_study");
+const Suite<TestStudy> suite("tst_study");
 
 } // namespace tst_study
 

@@ -45,7 +45,8 @@ private slots:
     void publishesOneResultPerEdit()
     {
         Session session;
-        QCOMPARE(session.result()->trajectory.summary.count(Status::Solved), std::size_t(201)); // Table 1
+        QCOMPARE(session.result()->trajectory.summary.count(Status::Solved),
+                 std::size_t(201)); // the default, as in Table 1 of the reference report
         QSignalSpy results(&session, &Session::resultChanged);
         session.setParameters(withCoupler(70.0));
         session.setParameters(withCoupler(70.0)); // no change

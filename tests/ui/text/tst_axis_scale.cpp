@@ -10,7 +10,7 @@ using namespace slidercrank;
 namespace tst_axis_scale
 {
 
-class TstAxisScale : public QObject
+class TestAxisScale : public QObject
 {
     Q_OBJECT
 
@@ -75,7 +75,7 @@ private:
     static constexpr double kInfinity = std::numeric_limits<double>::infinity();
 };
 
-const Suite<TstAxisScale> suite("tst_axis_scale");
+const Suite<TestAxisScale> suite("tst_axis_scale");
 
 } // namespace tst_axis_scale
 
