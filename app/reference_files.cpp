@@ -8,8 +8,6 @@
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 
-#include <array>
-
 namespace slidercrank
 {
 
@@ -145,8 +143,12 @@ QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings)
 
 const char *verdictName(Verdict verdict)
 {
-    constexpr std::array kNames{"agrees", "close", "differs"};
-    return kNames[static_cast<std::size_t>(verdict)];
+    switch (verdict) {
+    case Verdict::Agrees: return "agrees";
+    case Verdict::Close: return "close";
+    case Verdict::Differs: break;
+    }
+    return "differs";
 }
 
 Record comparisonRecord(const ChannelComparison &channel)

@@ -2,6 +2,7 @@
 #include "app/time_step_report.h"
 
 #include "core/limits/mobility.h"
+#include "ui/text/enum_table.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/written_number.h"
 
@@ -15,23 +16,27 @@ namespace
 /// residual.
 constexpr int kSufficientIterations = 100;
 
-/// By Status. %1 says which time steps, %2 is the shortest coupler with which the crank makes full turns, %3 the
-/// iteration limit.
-constexpr std::array kMessages{
-    "",
-    QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                      "Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider's line "
-                      "there; a longer coupler (--b) avoids it."),
-    QT_TRANSLATE_NOOP(
-        "slidercrank::CommandLine",
-        "Newton-Raphson did not converge at %1: choose a greater --max-iterations (now %3) or --tolerance."),
-    QT_TRANSLATE_NOOP("slidercrank::CommandLine",
-                      "The mechanism cannot be assembled at %1: the coupler must be at least %2 long for the crank "
-                      "to make full turns (--b)."),
-    QT_TRANSLATE_NOOP(
-        "slidercrank::CommandLine",
-        "The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer to 0.")};
-static_assert(kMessages.size() == kStatusCount);
+/// %1 says which time steps, %2 is the shortest coupler with which the crank makes full turns, %3 the iteration limit.
+constexpr EnumText<Status> kMessages[] = {
+    {Status::Solved, ""},
+    {Status::Singular,
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "Velocity and acceleration do not exist at %1: the coupler is perpendicular to the slider's line "
+         "there; a longer coupler (--b) avoids it.")},
+    {Status::IterationLimit,
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "Newton-Raphson did not converge at %1: choose a greater --max-iterations (now %3) or --tolerance.")},
+    {Status::NotAssemblable,
+     QT_TRANSLATE_NOOP("slidercrank::CommandLine",
+                       "The mechanism cannot be assembled at %1: the coupler must be at least %2 long for the crank "
+                       "to make full turns (--b).")},
+    {Status::NotFinite,
+     QT_TRANSLATE_NOOP(
+         "slidercrank::CommandLine",
+         "The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer to 0.")}};
+static_assert(isCompleteTable(kMessages, Status::NotFinite));
 
 } // namespace
 
@@ -56,7 +61,7 @@ ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summar
         const QString message =
             isOutOfReach ? CommandLine::tr("Newton-Raphson did not converge at %1: rounding errors are larger than the "
                                            "--tolerance (now %4); choose a greater one.")
-                         : CommandLine::tr(kMessages[static_cast<std::size_t>(status)]);
+                         : CommandLine::tr(rowOf(kMessages, status).text);
         messages += QString(message)
                         .replace("%4", numberText(newton.tolerance))
                         .replace("%3", QString::number(newton.maxIterations))

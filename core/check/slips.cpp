@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/slips.h"
 
+#include "core/mechanism/enum_table.h"
 #include "core/mechanism/turn.h"
 #include "core/mechanism/two_part_angle.h"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <string_view>
 #include <utility>
 
 namespace slidercrank
@@ -321,38 +322,43 @@ std::span<const SlipRow> allSlips()
     return kSlips;
 }
 
-/// By Slip.
-constexpr std::array<std::string_view, kSlipCount> kNames{"other-assembly",
-                                                          "offset-sign",
-                                                          "offset-omitted",
-                                                          "crank-speed-sign",
-                                                          "crank-acceleration-sign",
-                                                          "crank-acceleration-omitted",
-                                                          "crank-angle-sign",
-                                                          "crank-angle-unit",
-                                                          "crank-speed-in-rpm",
-                                                          "crank-speed-in-degrees",
-                                                          "links-exchanged",
-                                                          "diameter-for-radius",
-                                                          "coupler-angle-sign",
-                                                          "crank-sine-for-cosine",
-                                                          "coupler-sine-for-cosine",
-                                                          "crank-speed-not-squared",
-                                                          "crank-normal-omitted",
-                                                          "coupler-normal-omitted",
-                                                          "normals-omitted",
-                                                          "harmonic-motion",
-                                                          "two-harmonics",
-                                                          "second-harmonic-double",
-                                                          "coupler-centre",
-                                                          "from-outer-dead-centre",
-                                                          "from-inner-dead-centre",
-                                                          "inches",
-                                                          "metres",
-                                                          "centimetres",
-                                                          "value-in-radians",
-                                                          "pressure-angle",
-                                                          "coupler-angle-rounded"};
+struct SlipName {
+    Slip key;
+    std::string_view name;
+};
+
+constexpr SlipName kNames[] = {{Slip::OtherAssembly, "other-assembly"},
+                               {Slip::OffsetSign, "offset-sign"},
+                               {Slip::OffsetOmitted, "offset-omitted"},
+                               {Slip::CrankSpeedSign, "crank-speed-sign"},
+                               {Slip::CrankAccelerationSign, "crank-acceleration-sign"},
+                               {Slip::CrankAccelerationOmitted, "crank-acceleration-omitted"},
+                               {Slip::CrankAngleSign, "crank-angle-sign"},
+                               {Slip::CrankAngleUnit, "crank-angle-unit"},
+                               {Slip::CrankSpeedInRpm, "crank-speed-in-rpm"},
+                               {Slip::CrankSpeedInDegrees, "crank-speed-in-degrees"},
+                               {Slip::LinksExchanged, "links-exchanged"},
+                               {Slip::DiameterForRadius, "diameter-for-radius"},
+                               {Slip::CouplerAngleSign, "coupler-angle-sign"},
+                               {Slip::CrankSineForCosine, "crank-sine-for-cosine"},
+                               {Slip::CouplerSineForCosine, "coupler-sine-for-cosine"},
+                               {Slip::CrankSpeedNotSquared, "crank-speed-not-squared"},
+                               {Slip::CrankNormalOmitted, "crank-normal-omitted"},
+                               {Slip::CouplerNormalOmitted, "coupler-normal-omitted"},
+                               {Slip::NormalsOmitted, "normals-omitted"},
+                               {Slip::HarmonicMotion, "harmonic-motion"},
+                               {Slip::TwoHarmonics, "two-harmonics"},
+                               {Slip::SecondHarmonicDouble, "second-harmonic-double"},
+                               {Slip::CouplerCentre, "coupler-centre"},
+                               {Slip::FromOuterDeadCentre, "from-outer-dead-centre"},
+                               {Slip::FromInnerDeadCentre, "from-inner-dead-centre"},
+                               {Slip::Inches, "inches"},
+                               {Slip::Metres, "metres"},
+                               {Slip::Centimetres, "centimetres"},
+                               {Slip::ValueInRadians, "value-in-radians"},
+                               {Slip::PressureAngle, "pressure-angle"},
+                               {Slip::CouplerAngleRounded, "coupler-angle-rounded"}};
+static_assert(isCompleteTable(kNames, Slip::CouplerAngleRounded));
 
 /// Computes the motion from a wrong input. Returns whether there is such a mechanism.
 bool solveMechanism(Calculation &hand)
@@ -368,7 +374,7 @@ bool solveMechanism(Calculation &hand)
 
 std::string_view nameOf(Slip slip)
 {
-    return kNames[static_cast<std::size_t>(slip)];
+    return rowOf(kNames, slip).name;
 }
 
 std::vector<SlipOutcome> slipOutcomes(const CrankPosition &position, const OutputState &exact)

@@ -57,8 +57,6 @@ enum class Slip {
     CouplerAngleRounded   ///< θ3 rounded to three digits before it was used
 };
 
-inline constexpr std::size_t kSlipCount = 31;
-
 /// Returns the name of a slip in JSON: "crank-speed-sign".
 std::string_view nameOf(Slip slip);
 

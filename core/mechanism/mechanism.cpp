@@ -10,9 +10,17 @@ namespace slidercrank
 namespace
 {
 
-/// Indexed by Parameter.
-constexpr std::array kMembers{&Parameters::a, &Parameters::b, &Parameters::c, &Parameters::omega2,
-                              &Parameters::theta20};
+constexpr double Parameters::*memberFor(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A: return &Parameters::a;
+    case Parameter::B: return &Parameters::b;
+    case Parameter::C: return &Parameters::c;
+    case Parameter::Omega2: return &Parameters::omega2;
+    case Parameter::Theta20: break;
+    }
+    return &Parameters::theta20;
+}
 
 } // namespace
 
@@ -32,12 +40,12 @@ std::array<Parameters, 8> mirrorImages(const Parameters &p)
 
 double &valueOf(Parameters &parameters, Parameter parameter)
 {
-    return parameters.*kMembers[indexOf(parameter)];
+    return parameters.*memberFor(parameter);
 }
 
 double valueOf(const Parameters &parameters, Parameter parameter)
 {
-    return parameters.*kMembers[indexOf(parameter)];
+    return parameters.*memberFor(parameter);
 }
 
 std::optional<ParameterFault> findFault(const Parameters &parameters)
@@ -71,9 +79,14 @@ Mechanism withDrive(const Mechanism &mechanism, double omega2, double theta20)
 
 std::string_view wordOf(Status status)
 {
-    constexpr std::array<std::string_view, kStatusCount> kWords{"solved", "singular", "iteration-limit",
-                                                                "not-assemblable", "not-finite"};
-    return kWords[static_cast<std::size_t>(status)];
+    switch (status) {
+    case Status::Solved: break;
+    case Status::Singular: return "singular";
+    case Status::IterationLimit: return "iteration-limit";
+    case Status::NotAssemblable: return "not-assemblable";
+    case Status::NotFinite: return "not-finite";
+    }
+    return "solved";
 }
 
 } // namespace slidercrank

@@ -5,8 +5,6 @@
 
 #include "core/mechanism/mechanism.h"
 
-#include <array>
-
 namespace slidercrank
 {
 
@@ -25,15 +23,41 @@ enum class MechanismPart {
 
 constexpr MechanismPart partOf(Constraint row)
 {
-    using enum MechanismPart;
-    constexpr std::array kParts{Ground, Ground, Ground, Pivot, Pivot, PinA, PinA, PinB, PinB, Guide, Guide, Drive};
-    return kParts[static_cast<std::size_t>(row)];
+    switch (row) {
+    case GroundX:
+    case GroundY:
+    case GroundAngle: return MechanismPart::Ground;
+    case CrankPivotX:
+    case CrankPivotY: return MechanismPart::Pivot;
+    case CrankPinX:
+    case CrankPinY: return MechanismPart::PinA;
+    case SliderPinX:
+    case SliderPinY: return MechanismPart::PinB;
+    case SliderAngle:
+    case SliderLine: return MechanismPart::Guide;
+    case CrankDrive: break;
+    }
+    return MechanismPart::Drive;
 }
 
 /// Returns the body: Ground, Crank, Coupler or Slider.
 constexpr MechanismPart partOf(Coordinate coordinate)
 {
-    return static_cast<MechanismPart>(coordinate / 3 + static_cast<int>(MechanismPart::Ground));
+    switch (coordinate) {
+    case R1x:
+    case R1y:
+    case Theta1: return MechanismPart::Ground;
+    case R2x:
+    case R2y:
+    case Theta2: return MechanismPart::Crank;
+    case R3x:
+    case R3y:
+    case Theta3: return MechanismPart::Coupler;
+    case R4x:
+    case R4y:
+    case Theta4: break;
+    }
+    return MechanismPart::Slider;
 }
 
 } // namespace slidercrank

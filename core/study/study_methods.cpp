@@ -166,10 +166,18 @@ std::vector<StudyMethod> makeMethods()
 
 std::string nameOf(const MethodName &method)
 {
-    constexpr std::array kNames{"newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor",
-                                "closed-form",  "closed-form-batch",   "finite-difference"};
-    return method.kind == MethodName::Kind::Harmonics ? "harmonic-" + std::to_string(method.harmonics)
-                                                      : kNames[static_cast<std::size_t>(method.kind)];
+    using enum MethodName::Kind;
+    switch (method.kind) {
+    case NewtonDense: return "newton-dense";
+    case NewtonDenseTaylor: return "newton-dense-taylor";
+    case NewtonStructured: return "newton-structured";
+    case NewtonStructuredTaylor: return "newton-structured-taylor";
+    case ClosedForm: return "closed-form";
+    case ClosedFormBatch: return "closed-form-batch";
+    case FiniteDifference: return "finite-difference";
+    case Harmonics: break;
+    }
+    return "harmonic-" + std::to_string(method.harmonics);
 }
 
 const std::vector<StudyMethod> &studyMethods()

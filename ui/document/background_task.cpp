@@ -83,7 +83,8 @@ void BackgroundTask::run(const Work &work, const std::function<void()> &done, co
             [this](int value) { emit progressed(static_cast<double>(value) / kProgressSteps); });
     connect(watcher, &QFutureWatcherBase::finished, this,
             [this, watcher, done, failed] { finish(watcher, watcher->result(), done, failed); });
-    QThreadPool *const pool = QThreadPool::globalInstance(); // the application waits for it when it ends
+    // The application waits for this pool when it ends, and nothing else uses it, so that its limit may be raised.
+    QThreadPool *const pool = QThreadPool::globalInstance();
     pool->setMaxThreadCount(kMaxThreads);
     watcher->setFuture(QtConcurrent::run(pool, [work, stop = m_stop.get_token()](QPromise<QString> &promise) {
         promise.setProgressRange(0, kProgressSteps);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/check_text.h"
 
+#include "ui/text/enum_table.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 
-#include <array>
 #include <cmath>
 
 namespace slidercrank
@@ -19,39 +19,44 @@ struct CheckText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::CheckText)
 
 public:
-    /// By Slip; the subjects of "… gives exactly your v and a."
-    static constexpr std::array<const char *, kSlipCount> kSlips{
-        QT_TR_NOOP("The other assembly"),
-        QT_TR_NOOP("The offset c with the opposite sign"),
-        QT_TR_NOOP("Omitting the offset c"),
-        QT_TR_NOOP("ω₂ with the opposite sign"),
-        QT_TR_NOOP("α₂ with the opposite sign"),
-        QT_TR_NOOP("Omitting α₂"),
-        QT_TR_NOOP("θ₂ with the opposite sign"),
-        QT_TR_NOOP("Taking the degrees of θ₂ as radians (or the reverse: check the mode of the calculator)"),
-        QT_TR_NOOP("Taking ω₂ in rpm as rad/s (or the reverse)"),
-        QT_TR_NOOP("Taking ω₂ in °/s as rad/s (or the reverse)"),
-        QT_TR_NOOP("Exchanging a and b"),
-        QT_TR_NOOP("Taking twice or half the crank length a (diameter or stroke instead of radius)"),
-        QT_TR_NOOP("Measuring θ₃ clockwise"),
-        QT_TR_NOOP("Exchanging sine and cosine of θ₂"),
-        QT_TR_NOOP("Exchanging sine and cosine of θ₃"),
-        QT_TR_NOOP("ω₂ instead of ω₂²"),
-        QT_TR_NOOP("Omitting the centripetal term a ω₂² of the crank"),
-        QT_TR_NOOP("Omitting the centripetal term b ω₃² of the coupler"),
-        QT_TR_NOOP("Omitting both centripetal terms (a ω₂² and b ω₃²)"),
-        QT_TR_NOOP("Simple harmonic motion (that of the crank pin A instead of the wrist pin B)"),
-        QT_TR_NOOP("The approximation x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂) with its derivatives"),
-        QT_TR_NOOP("sin 2θ₂/n instead of sin 2θ₂/2n in the velocity (n = b/a)"),
-        QT_TR_NOOP("The centre of the coupler instead of the wrist pin B"),
-        QT_TR_NOOP("Measuring from the outer dead centre towards the crank"),
-        QT_TR_NOOP("Measuring from the inner dead centre outwards"),
-        QT_TR_NOOP("Taking inches as millimetres (or the reverse)"),
-        QT_TR_NOOP("Taking metres as millimetres (or the reverse)"),
-        QT_TR_NOOP("Taking centimetres as millimetres (or the reverse)"),
-        QT_TR_NOOP("Taking radians as degrees (or the reverse)"),
-        QT_TR_NOOP("The pressure angle 90° − μ instead of μ"),
-        QT_TR_NOOP("Rounding θ₃ to three digits")};
+    /// The subjects of "… gives exactly your v and a."
+    static constexpr EnumText<Slip> kSlips[] = {
+        {Slip::OtherAssembly, QT_TR_NOOP("The other assembly")},
+        {Slip::OffsetSign, QT_TR_NOOP("The offset c with the opposite sign")},
+        {Slip::OffsetOmitted, QT_TR_NOOP("Omitting the offset c")},
+        {Slip::CrankSpeedSign, QT_TR_NOOP("ω₂ with the opposite sign")},
+        {Slip::CrankAccelerationSign, QT_TR_NOOP("α₂ with the opposite sign")},
+        {Slip::CrankAccelerationOmitted, QT_TR_NOOP("Omitting α₂")},
+        {Slip::CrankAngleSign, QT_TR_NOOP("θ₂ with the opposite sign")},
+        {Slip::CrankAngleUnit,
+         QT_TR_NOOP("Taking the degrees of θ₂ as radians (or the reverse: check the mode of the calculator)")},
+        {Slip::CrankSpeedInRpm, QT_TR_NOOP("Taking ω₂ in rpm as rad/s (or the reverse)")},
+        {Slip::CrankSpeedInDegrees, QT_TR_NOOP("Taking ω₂ in °/s as rad/s (or the reverse)")},
+        {Slip::LinksExchanged, QT_TR_NOOP("Exchanging a and b")},
+        {Slip::DiameterForRadius,
+         QT_TR_NOOP("Taking twice or half the crank length a (diameter or stroke instead of radius)")},
+        {Slip::CouplerAngleSign, QT_TR_NOOP("Measuring θ₃ clockwise")},
+        {Slip::CrankSineForCosine, QT_TR_NOOP("Exchanging sine and cosine of θ₂")},
+        {Slip::CouplerSineForCosine, QT_TR_NOOP("Exchanging sine and cosine of θ₃")},
+        {Slip::CrankSpeedNotSquared, QT_TR_NOOP("ω₂ instead of ω₂²")},
+        {Slip::CrankNormalOmitted, QT_TR_NOOP("Omitting the centripetal term a ω₂² of the crank")},
+        {Slip::CouplerNormalOmitted, QT_TR_NOOP("Omitting the centripetal term b ω₃² of the coupler")},
+        {Slip::NormalsOmitted, QT_TR_NOOP("Omitting both centripetal terms (a ω₂² and b ω₃²)")},
+        {Slip::HarmonicMotion,
+         QT_TR_NOOP("Simple harmonic motion (that of the crank pin A instead of the wrist pin B)")},
+        {Slip::TwoHarmonics,
+         QT_TR_NOOP("The approximation x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂) with its derivatives")},
+        {Slip::SecondHarmonicDouble, QT_TR_NOOP("sin 2θ₂/n instead of sin 2θ₂/2n in the velocity (n = b/a)")},
+        {Slip::CouplerCentre, QT_TR_NOOP("The centre of the coupler instead of the wrist pin B")},
+        {Slip::FromOuterDeadCentre, QT_TR_NOOP("Measuring from the outer dead centre towards the crank")},
+        {Slip::FromInnerDeadCentre, QT_TR_NOOP("Measuring from the inner dead centre outwards")},
+        {Slip::Inches, QT_TR_NOOP("Taking inches as millimetres (or the reverse)")},
+        {Slip::Metres, QT_TR_NOOP("Taking metres as millimetres (or the reverse)")},
+        {Slip::Centimetres, QT_TR_NOOP("Taking centimetres as millimetres (or the reverse)")},
+        {Slip::ValueInRadians, QT_TR_NOOP("Taking radians as degrees (or the reverse)")},
+        {Slip::PressureAngle, QT_TR_NOOP("The pressure angle 90° − μ instead of μ")},
+        {Slip::CouplerAngleRounded, QT_TR_NOOP("Rounding θ₃ to three digits")}};
+    static_assert(isCompleteTable(kSlips, Slip::CouplerAngleRounded));
 };
 
 } // namespace
@@ -71,7 +76,7 @@ QString checkedValueText(const CheckedValue &checked, int digits, double deviati
 QString slipText(Slip slip, const QStringList &wrongNames)
 {
     return CheckText::tr("%1 gives exactly your %2.")
-        .arg(CheckText::tr(CheckText::kSlips[static_cast<std::size_t>(slip)]), listed(wrongNames));
+        .arg(CheckText::tr(rowOf(CheckText::kSlips, slip).text), listed(wrongNames));
 }
 
 QString explanationText(const CheckResult &result, const QStringList &wrongNames)

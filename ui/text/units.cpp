@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/units.h"
 
-#include <array>
+#include "core/mechanism/enum_table.h"
 
 namespace slidercrank
 {
@@ -9,26 +9,31 @@ namespace slidercrank
 namespace
 {
 
+template <typename Unit>
 struct UnitDescription {
+    Unit key;
     const char *text;
     double perDefault; ///< how many of it are a mm or a degree
 };
 
-/// By LengthUnit.
-constexpr std::array<UnitDescription, 4> kLengthUnits{
-    {{"mm", 1.0}, {"cm", 1.0 / 10.0}, {"m", 1.0 / 1000.0}, {"in", 1.0 / 25.4}}};
+constexpr UnitDescription<LengthUnit> kLengthUnits[] = {{LengthUnit::Millimetre, "mm", 1.0},
+                                                        {LengthUnit::Centimetre, "cm", 1.0 / 10.0},
+                                                        {LengthUnit::Metre, "m", 1.0 / 1000.0},
+                                                        {LengthUnit::Inch, "in", 1.0 / 25.4}};
+static_assert(isCompleteTable(kLengthUnits, LengthUnit::Inch));
 
-/// By AngleUnit.
-constexpr std::array<UnitDescription, 2> kAngleUnits{{{"°", 1.0}, {"rad", 1.0 / kDegreesPerRadian}}};
+constexpr UnitDescription<AngleUnit> kAngleUnits[] = {{AngleUnit::Degree, "°", 1.0},
+                                                      {AngleUnit::Radian, "rad", 1.0 / kDegreesPerRadian}};
+static_assert(isCompleteTable(kAngleUnits, AngleUnit::Radian));
 
-const UnitDescription &lengthUnit(const Units &units)
+const UnitDescription<LengthUnit> &lengthUnit(const Units &units)
 {
-    return kLengthUnits[static_cast<std::size_t>(units.length)];
+    return rowOf(kLengthUnits, units.length);
 }
 
-const UnitDescription &angleUnit(const Units &units)
+const UnitDescription<AngleUnit> &angleUnit(const Units &units)
 {
-    return kAngleUnits[static_cast<std::size_t>(units.angle)];
+    return rowOf(kAngleUnits, units.angle);
 }
 
 /// Returns the unit of a length or of an angle, without the time.
