@@ -106,8 +106,8 @@ bool mayBeTime(const RawColumn &column)
 }
 
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
-/// the same heading. Otherwise it is the first column of numbers that are no row numbers or parameter, if it has an
-/// unknown name and only rises; else the crank angle; else this first column, if it is an angle that does not change
+/// the same heading. Otherwise it is the first column that is no row number or parameter, if it has an unknown name and
+/// only rises; else the crank angle; else the first one that is not of words, if it is an angle that does not change
 /// its direction, as in "theta, x, v".
 void guessAbscissa(RawTable &table, const TableFile &file)
 {
@@ -126,24 +126,26 @@ void guessAbscissa(RawTable &table, const TableFile &file)
         })) {
         return setAbscissa(table, *chosen, ColumnRole::CrankAngle, ColumnReason::Chosen);
     }
-    RawColumn *const leading = find([&](const RawColumn &column) {
+    const auto isLeading = [&](const RawColumn &column) {
         const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
-        const bool isReadable = rangeOf(column.values).count > 0;
-        return !isChosen(column) && isReadable && !isConstant(column) && (!isNumber || mayBeTime(column));
-    });
+        return !isChosen(column) && !isConstant(column) && (!isNumber || mayBeTime(column));
+    };
+    RawColumn *const leading = find(isLeading);
     if (leading && mayBeTime(*leading)) {
         return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
     }
+    RawColumn *const readable =
+        find([&](const RawColumn &column) { return isLeading(column) && rangeOf(column.values).count > 0; });
     RawColumn *const named = find([&](const RawColumn &column) {
         return !isChosen(column) && column.meaning.kind > Kind::Quantity && column.meaning.channel == kCrankAngle &&
                column.unitAs(ColumnRole::CrankAngle);
     });
-    const bool isAngle = leading && leading->meaning.kind == Kind::Quantity &&
-                         leading->meaning.channel == Channel{Theta3, Order::Position} && isTurningAngle(*leading);
+    const bool isAngle = readable && readable->meaning.kind == Kind::Quantity &&
+                         readable->meaning.channel == Channel{Theta3, Order::Position} && isTurningAngle(*readable);
     if (named) {
         setAbscissa(table, *named, ColumnRole::CrankAngle, named->meaning.reason);
     } else if (isAngle) {
-        setAbscissa(table, *leading, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
+        setAbscissa(table, *readable, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     }
 }
 

@@ -88,7 +88,7 @@ std::string_view withoutMark(std::string_view line)
 }
 
 /// Counts the names among the cells of a line.
-SplitLine makeNames(Cells cells, char delimiter)
+SplitLine countNames(Cells cells, char delimiter)
 {
     SplitLine names{std::move(cells), delimiter};
     for (const std::string_view cell : names.cells) {
@@ -129,48 +129,63 @@ Cells withUnitsJoined(const Cells &cells)
     return joined;
 }
 
-/// Splits a line at the delimiter that yields most known names. Names above rows that are separated by spaces, or
-/// after a comment mark, may have another delimiter than the numbers. Then there have to be as many as numbers, apart
-/// from a remark behind them; and if only the names are separated by spaces, one of them may be unknown.
+/// Returns the cells into which each delimiter splits a line, and the number of names among them.
+std::vector<SplitLine> waysToSplit(std::string_view line, const std::optional<SplitLine> &row)
+{
+    std::vector<SplitLine> ways;
+    for (const char delimiter : kDelimiters) {
+        const Cells cells = splitCells(line, delimiter);
+        const Cells joined = withUnitsJoined(cells);
+        ways.push_back(countNames(row && joined.size() == row->cells.size() ? joined : cells, delimiter));
+    }
+    for (const Cells &cells : {splitCells(line, ' '), splitAtBlanks(line, 2), splitAtBlanks(line, 1)}) {
+        ways.push_back(countNames(cells, ' '));
+    }
+    return ways;
+}
+
+/// Returns whether names may be the headings of the row. If they are as many as the numbers, they may have any
+/// delimiter; but if only the names are separated by spaces, at most one of them may be unknown. Otherwise a remark
+/// has to follow them if they stand after a comment mark, and neither they nor the numbers are separated by spaces.
+bool mayBeHeadings(const SplitLine &names, const std::optional<SplitLine> &row, bool isMarked)
+{
+    const bool areSpaced = names.delimiter == ' ';
+    if (!row) {
+        return !areSpaced;
+    }
+    const std::size_t numbers = row->cells.size();
+    if (names.cells.size() == numbers) {
+        return !areSpaced || row->delimiter == ' ' || (names.isComplete() && names.known() + 1 >= numbers);
+    }
+    const bool hasRemark = names.isComplete() && (withoutRemark(names.cells).size() == numbers ||
+                                                  (names.cells.size() > numbers && names.known() >= numbers));
+    return !areSpaced && row->delimiter != ' ' && (!isMarked || hasRemark);
+}
+
+/// Splits a line, without a comment mark if possible, so that most names are known, and among these as many as there
+/// are numbers in the row. A row of data, and a line that cannot be the headings, have no names.
 SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
 {
-    const bool bySpaces = row && row->delimiter == ' ';
+    const auto rankOf = [&row](const SplitLine &names) {
+        return std::tuple(names.known(), row && names.cells.size() == row->cells.size(), names.cells.size());
+    };
+    const bool isSpaced = row && row->delimiter == ' ';
     const std::string_view unmarked = withoutMark(line);
-    SplitLine best;
-    std::tuple<std::size_t, bool, std::size_t> bestRank; // number of known names, whether there are as many as numbers
     if (isData(unmarked)) {
-        return bySpaces ? SplitLine{splitCells(unmarked, ' '), ' '} : best;
+        return isSpaced ? SplitLine{splitCells(unmarked, ' '), ' '} : SplitLine();
     }
     for (const std::string_view text : {unmarked, line}) {
-        const auto consider = [&](const Cells &cells, char delimiter) {
-            const SplitLine names = makeNames(cells, delimiter);
-            const bool isKnown = names.isComplete() && names.known() + 1 >= cells.size();
-            const bool fits = row && cells.size() == row->cells.size();
-            const bool hasRemark = row && names.isComplete() &&
-                                   (withoutRemark(cells).size() == row->cells.size() ||
-                                    (cells.size() > row->cells.size() && names.known() >= row->cells.size()));
-            const bool isFree = !row || unmarked.size() == line.size() || hasRemark;
-            const bool isAllowed =
-                fits ? delimiter != ' ' || bySpaces || isKnown : isFree && delimiter != ' ' && !bySpaces;
-            const std::tuple rank(names.known(), fits, cells.size());
-            if (isAllowed && rank > bestRank) {
-                best = names;
-                bestRank = rank;
+        SplitLine best;
+        for (SplitLine &names : waysToSplit(text, row)) {
+            if (mayBeHeadings(names, row, unmarked.size() < line.size()) && rankOf(names) > rankOf(best)) {
+                best = std::move(names);
             }
-        };
-        for (const char delimiter : kDelimiters) {
-            const Cells cells = splitCells(text, delimiter);
-            const Cells joined = withUnitsJoined(cells);
-            consider(row && joined.size() == row->cells.size() ? joined : cells, delimiter);
-        }
-        for (const Cells &cells : {splitCells(text, ' '), splitAtBlanks(text, 2), splitAtBlanks(text, 1)}) {
-            consider(cells, ' ');
         }
         if (!best.cells.empty()) {
             return best;
         }
     }
-    return bySpaces ? makeNames(splitCells(unmarked, ' '), ' ') : best;
+    return isSpaced ? countNames(splitCells(unmarked, ' '), ' ') : SplitLine();
 }
 
 /// Returns the first line that names a time and a quantity; else the line above the numbers with most names of either;

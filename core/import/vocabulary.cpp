@@ -26,7 +26,7 @@ constexpr std::string_view kLetterSpellings =
     "\u0300=|\u0301=|\u0303=|a\u0308=a|o\u0308=o|u\u0308=u|A\u0308=A|O\u0308=O|U\u0308=U|" // decomposed accents
     "\u0307='|\u0308=''|ẋ=x'|ẍ=x''|Ẋ=x'|Ẍ=x''|ẏ=y'|ÿ=y''|ṡ=s'|ḋ=d'|ṙ=r'|v̇=v'|′='|’='|´='|″=''|"
     "θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|Φ=phi|ψ=psi|Ψ=psi|ω=omega|Ω=omega|α=alpha|β=beta|ε=epsilon|ϵ=epsilon|"
-    "ß=ss|ˍtt=''|ˍt='|²=2|³=3|⁴=4|₁=1|₂=2|₃=3|₄=4|n°=|nº=|°=|aTDC=atdc|der(=dot |\\var=|\\,=";
+    "ß=ss|ˍtt=''|ˍt='|²=2|³=3|⁴=4|ₓ=x|₁=1|₂=2|₃=3|₄=4|n°=|nº=|°=|aTDC=atdc|der(=dot |\\var=|\\,=";
 
 constexpr std::string_view kTimeWords =
     "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
@@ -37,7 +37,8 @@ constexpr std::string_view kTimeCompanions =
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 /// Words before a number that says nothing about the quantity.
-constexpr std::string_view kNumberedWords = "run set ch channel trial test series serie versuch messung ensayo essai";
+constexpr std::string_view kNumberedWords =
+    "run set dataset ch channel trial test series serie versuch messung ensayo essai";
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
 
@@ -54,7 +55,8 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{
             Word,
             "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ desloc "
-            "degistirme degistirmesi despl depl spost versch lvdt transducer transductor potentiometer wegaufnehmer "
+            "degistirme degistirmesi despl depl spost versch lvdt encoder transducer transductor potentiometer "
+            "wegaufnehmer "
             "yol yolu reading lectura lecture lettura leitura stellung "
             "ablesung "
             "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
@@ -81,12 +83,11 @@ std::span<const WordMeaning> vocabulary()
                     "acceleratia akselerasjon gyorsulas kiihtyvyys qacc zrychlenie 가속도 aceleraciones "
                     "beschleunigungen ускорение 加速度",
                     kOpen, Acceleration},
-        WordMeaning{
-            Word,
-            "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel "
-            "uhel unghi aci acisi "
-            "inclination inclinacion neigung encoder revolutions revolution szog kulma uhol 각도 угол 角度 转角",
-            Angle, Position},
+        WordMeaning{Word,
+                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel "
+                    "uhel unghi aci acisi "
+                    "inclination inclinacion neigung revolutions revolution szog kulma uhol 각도 угол 角度 转角",
+                    Angle, Position},
         WordMeaning{Word,
                     "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe katowy "
                     "uhlova uhlove "
@@ -144,6 +145,8 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
         WordMeaning{Symbol, "px", Length, Position, kOpen, 'x'},
         WordMeaning{Symbol, "py", Length, Position, kOpen, 'y'},
+        WordMeaning{Word, "bx b_x", Length, Position, Slider, 'x'},
+        WordMeaning{Word, "b_y", Length, Position, Slider, 'y'},
         // Variables of Modelica and Simscape.
         WordMeaning{Symbol, ".s .p", Length, Position},
         WordMeaning{Symbol, ".v", Length, Velocity},
