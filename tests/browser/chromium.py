@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Drives a headless Chromium by its debugging protocol: mouse, fingers, keys, dropped and downloaded files, screenshots, and how
-long the page stands still."""
+long the page stands still, in processor time: another load on the machine does not change it."""
 
 import base64
 import http.server
@@ -15,9 +15,9 @@ import urllib.request
 
 import websocket
 
-# Counts the frames in which the page is painted, and remembers the longest time in which it stands still.
+# Counts the frames in which the page is painted.
 MEASURE = """
-window.measured = {frames: 0, longest: 0, blocks: []};
+window.measured = {frames: 0};
 {
   let isPainted = false;
   for (const name of ["putImageData", "drawImage"]) {
@@ -30,12 +30,6 @@ window.measured = {frames: 0, longest: 0, blocks: []};
     requestAnimationFrame(next);
   };
   requestAnimationFrame(next);
-  new PerformanceObserver(list => {
-    for (const block of list.getEntries()) {
-      measured.blocks.push([Math.round(block.startTime), Math.round(block.duration)]);
-      measured.longest = Math.max(measured.longest, block.duration);
-    }
-  }).observe({type: "longtask", buffered: true});
 }
 """
 
@@ -58,7 +52,7 @@ def serve(folder):
 
 
 class Chromium:
-    def __init__(self, width, height, is_dark=False):
+    def __init__(self, width, height, is_dark=False, is_phone=False):
         self.size = (width, height)
         self.profile = pathlib.Path(tempfile.mkdtemp(prefix="slidercrank-browser-"))
         self.downloads = self.profile / "downloads"
@@ -73,11 +67,14 @@ class Chromium:
         self.console = []  # lines that the page has written, and its errors
         self.requests = []  # addresses that the page has asked for
         self.chooser = None
+        self.trace = None  # tasks, while they are recorded
+        self.longest_block = 0.0  # s
         for domain in ("Page", "Runtime", "Log", "Network", "DOM"):
             self.call(domain + ".enable")
-        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=is_phone)
         self.call("Emulation.setEmulatedMedia",
                   features=[{"name": "prefers-color-scheme", "value": "dark" if is_dark else "light"}])
+        self.call("Performance.enable", timeDomain="threadTicks")
         self.call("Browser.setDownloadBehavior", behavior="allow", downloadPath=str(self.downloads))
         self.call("Page.setInterceptFileChooserDialog", enabled=True)
         self.call("Page.addScriptToEvaluateOnNewDocument", source=MEASURE)
@@ -107,6 +104,10 @@ class Chromium:
             self.requests.append(about["request"]["url"][:200])
         elif method == "Page.fileChooserOpened":
             self.chooser = about
+        elif method == "Tracing.dataCollected":
+            self.trace += about["value"]
+        elif method == "Tracing.tracingComplete":
+            self._judge_trace()
         elif method == "Page.javascriptDialogOpening":  # "Leave the page?"
             self.sent += 1
             self.socket.send(json.dumps({"id": self.sent, "method": "Page.handleJavaScriptDialog", "params": {"accept": True}}))
@@ -146,8 +147,31 @@ class Chromium:
             raise RuntimeError(result["exceptionDetails"]["exception"].get("description"))
         return result["result"].get("value")
 
+    def busy(self):
+        """The seconds for which the page's main thread has run."""
+        metrics = self.call("Performance.getMetrics")["metrics"]
+        return next(metric["value"] for metric in metrics if metric["name"] == "TaskDuration")
+
+    def record(self):
+        """Records the tasks of the page, until it is opened again."""
+        self.trace = []
+        self.call("Tracing.start", traceConfig={"includedCategories": ["disabled-by-default-lighthouse"]})
+
+    def stop_record(self):
+        if self.trace is not None:
+            self.call("Tracing.end")
+            self.wait_for("the recorded tasks", lambda: self.trace is None)
+
+    def _judge_trace(self):
+        threads = {(event["pid"], event["tid"]): event["args"]["name"] for event in self.trace if event["name"] == "thread_name"}
+        for event in self.trace:
+            if threads.get((event["pid"], event.get("tid"))) == "CrRendererMain" and "tdur" in event:
+                self.longest_block = max(self.longest_block, event["tdur"] / 1e6)
+        self.trace = None
+
     def open(self, address):
         """Opens the page. Returns the seconds until the window is painted."""
+        self.stop_record()
         self.requests.clear()
         start = time.time()
         self.script("window.isOld = true")
@@ -156,12 +180,12 @@ class Chromium:
         if self.script("window.isOld") and self.script("location.href") == address:
             self.call("Page.reload")  # the same address again; for another link, the page does so itself
         self.wait_for("the window", lambda: not self.script("window.isOld") and self.is_started(), 120)
-        return time.time() - start
+        seconds = time.time() - start
+        self.record()
+        return seconds
 
     def reload(self):
-        self.call("Page.reload")
-        self.wait(0.5)
-        self.wait_for("the window", self.is_started, 120)
+        self.open(self.script("location.href"))
 
     def is_started(self):
         return self.script("document.getElementById('start')?.style.display === 'none' && measured.frames > 1")
