@@ -76,7 +76,9 @@ public:
          QT_TR_NOOP(
              "Times every method on the same time stamps and measures its error against the exact motion in 115 "
              "digits: the largest error of the six plotted channels, relative to the channel's peak, over the time "
-             "stamps that the method reports as solved. Times depend on the machine: compare them within one run."),
+             "stamps that the method reports as solved. Times depend on the machine: compare them within one run. With "
+             "several cases (--cases), a table of the methods over all cases comes first: largest error, median time, "
+             "and what became of all time steps. The tables of the cases follow, whose rows --format csv has, too."),
          studyCommand},
         {"render", "--output FILE [options]", QT_TR_NOOP("a picture, an animation or a report"),
          QT_TR_NOOP("Draws what the window shows into a file, or writes a report of it. Needs no display. A scene "
