@@ -84,7 +84,7 @@ public:
         return tr("not finite");
     }
 
-    /// "solved", or "190 solved, 11 singular".
+    /// "solved", "190 solved, 11 singular", or "201 solved, 12 reported as solved but wrong".
     static QString outcomeText(const MethodResult &row)
     {
         QStringList parts;
@@ -94,8 +94,9 @@ public:
                     QStringLiteral("%1 %2").arg(QString::number(row.counts[i]), statusText(static_cast<Status>(i)));
             }
         }
-        QString text = parts.size() == 1 ? statusText(row.status) : parts.join(", ");
-        if (row.silentFailures.value_or(0) > 0) {
+        const bool hasSilentFailures = row.silentFailures.value_or(0) > 0;
+        QString text = parts.size() == 1 && !hasSilentFailures ? statusText(row.status) : parts.join(", ");
+        if (hasSilentFailures) {
             text += tr(", %1 reported as solved but wrong").arg(QString::number(*row.silentFailures));
         }
         return text;

@@ -48,7 +48,7 @@ private slots:
         result.methods[0].silentFailures = 2;
         const Page page = studyPage(result);
         QCOMPARE(rowTexts(page.tables.at(0)),
-                 (QStringList{"Newton-Raphson, dense|36|–|3000|3.00·10⁻¹⁵|–|solved, 2 reported as solved but wrong",
+                 (QStringList{"Newton-Raphson, dense|36|–|3000|3.00·10⁻¹⁵|–|10 solved, 2 reported as solved but wrong",
                               "closed form, batch|6|–|5.00|0|–|solved", "closed form|36|–|50.0|5.00·10⁻¹⁶|–|solved",
                               "closed form|36|–|40.0|6.00·10⁻¹⁶|–|solved"}));
         QCOMPARE(page.tables[0].rows[0].cells[6].tone, Tone::Bad);
