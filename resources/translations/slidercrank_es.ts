@@ -1611,14 +1611,6 @@ difiere: lo demás</translation>
         <translation>Todavía se está escribiendo otro archivo: espere a que termine, o cancélelo abajo.</translation>
     </message>
     <message>
-        <source>The six channels, at equal steps of the crank angle (*.csv)</source>
-        <translation>Los seis canales, a pasos iguales del ángulo de la manivela (*.csv)</translation>
-    </message>
-    <message>
-        <source>Step of the crank angle, in degrees:</source>
-        <translation>Paso del ángulo de la manivela, en grados:</translation>
-    </message>
-    <message>
         <source>New folder of numbered frames (*)</source>
         <translation>Carpeta nueva de fotogramas numerados (*)</translation>
     </message>

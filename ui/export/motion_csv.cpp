@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/motion_csv.h"
 
-#include "core/mechanism/turn.h"
 #include "ui/document/whole_file.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <vector>
@@ -84,11 +82,7 @@ void appendNumber(QByteArray &text, double value)
 std::optional<QString> exportMotion(const QString &path, const Result &result, const MotionCsvOptions &options,
                                     std::stop_token stop, const std::function<void(double)> &progress)
 {
-    Sampling sampling = result.sampling;
-    if (options.crankStep > 0.0 && result.mechanism.omega2() != 0.0) {
-        sampling.steps = std::max(1, static_cast<int>(std::lround(360.0 / options.crankStep)));
-        sampling.duration = kTurn / std::abs(result.mechanism.omega2());
-    }
+    const Sampling &sampling = result.sampling;
     ChannelSet columns = options.channels;
     columns.set(indexOf({Coordinate::Theta2, Order::Position}));
     const std::vector<Channel> list = listed(columns);

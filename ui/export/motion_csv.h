@@ -23,8 +23,7 @@ void appendNumber(QByteArray &text, double value);
 
 struct MotionCsvOptions {
     ChannelSet channels;
-    double crankStep = 0.0; ///< °: equal steps of the crank angle over one revolution; 0 for the time steps
-    Units units = {};       ///< any other unit than those of files follows the name of its column
+    Units units = {}; ///< any other unit than those of files follows the name of its column
 };
 
 /// Writes time, crank angle and the channels to a file, with every digit. Returns nullopt on success, else a message;

@@ -16,7 +16,6 @@
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/ghost.h"
 
-#include <QInputDialog>
 #include <QProgressDialog>
 
 namespace slidercrank
@@ -128,35 +127,19 @@ void Exports::copy(const FigureSubject &subject)
 void Exports::chooseData()
 {
     const QString plotted = tr("The six channels of the plots (*.csv)");
-    const QString byAngle = tr("The six channels, at equal steps of the crank angle (*.csv)");
-    const auto write = [this, plotted, byAngle](const QString &path, const QString &filter) {
-        if (filter != byAngle) {
-            writeData(path, filter == plotted ? plottedChannels() : allChannels());
-            return;
-        }
-        auto *question = new QInputDialog(m_window);
-        question->setAttribute(Qt::WA_DeleteOnClose);
-        question->setWindowTitle(tr("Export data"));
-        question->setLabelText(tr("Step of the crank angle, in degrees:"));
-        question->setInputMode(QInputDialog::DoubleInput);
-        question->setDoubleDecimals(2);
-        question->setDoubleRange(0.01, 180.0);
-        question->setDoubleValue(5.0);
-        connect(question, &QInputDialog::doubleValueSelected, this,
-                [this, path](double step) { writeData(path, plottedChannels(), step); });
-        question->open();
+    const auto write = [this, plotted](const QString &path, const QString &filter) {
+        writeData(path, filter == plotted ? plottedChannels() : allChannels());
     };
-    chooseFileToSave(m_window,
-                     {tr("Export data"), {plotted, tr("All 36 channels (*.csv)"), byAngle}, tr("motion"), write});
+    chooseFileToSave(m_window, {tr("Export data"), {plotted, tr("All 36 channels (*.csv)")}, tr("motion"), write});
 }
 
-void Exports::writeData(const QString &path, const ChannelSet &channels, double crankStep)
+void Exports::writeData(const QString &path, const ChannelSet &channels)
 {
     if (isWriting()) {
         emit m_session->failed(tr("Another file is still being written: wait for it, or cancel it below."));
         return;
     }
-    const MotionCsvOptions options{channels, crankStep, notation().units};
+    const MotionCsvOptions options{channels, notation().units};
     const auto write = [path, options, result = m_session->result()](const std::stop_token &stop,
                                                                      const BackgroundTask::Progress &progress) {
         return exportMotion(path, *result, options, stop, progress);

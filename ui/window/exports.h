@@ -44,10 +44,9 @@ public:
     /// Writes a PNG, SVG or PDF file, according to the suffix.
     void write(const FigureSubject &subject, const FigureOptions &options, const QString &path);
 
-    /// Write the motion as CSV in the background. `crankStep` (°) is the step of the crank angle; 0 means the time
-    /// steps.
+    /// Write the motion at the time steps as CSV in the background.
     void chooseData();
-    void writeData(const QString &path, const ChannelSet &channels, double crankStep = 0.0);
+    void writeData(const QString &path, const ChannelSet &channels);
 
     /// Write the report as PDF. It is not written while the mechanism of the reference is being identified.
     void chooseReport();

@@ -252,23 +252,20 @@ private slots:
         const QList<QByteArray> steps = contentOf(path("steps.csv")).trimmed().split('\n');
         QCOMPARE(steps.size(), qsizetype(202));
         QVERIFY(steps.first().startsWith("time,theta2,") && steps.first().count(',') == 7);
-        QCOMPARE(exportMotion(path("angles.csv"), *session.result(), {plottedChannels(), 30.0}), std::nullopt);
-        const QList<QByteArray> rows = contentOf(path("angles.csv")).trimmed().split('\n');
-        QCOMPARE(rows.size(), qsizetype(14));
-        for (qsizetype i = 1; i < rows.size(); ++i) {
-            QVERIFY(std::abs(rows[i].split(',')[1].toDouble() - 30.0 * double(i - 1)) < 1e-9);
+        for (qsizetype i = 1; i < steps.size(); ++i) {
+            QVERIFY(std::abs(steps[i].split(',')[1].toDouble() - 1.8 * double(i - 1)) < 1e-9);
         }
-        const MotionCsvOptions inInches{plottedChannels(), 30.0, {LengthUnit::Inch, AngleUnit::Radian}};
+        const MotionCsvOptions inInches{plottedChannels(), {LengthUnit::Inch, AngleUnit::Radian}};
         QCOMPARE(exportMotion(path("inches.csv"), *session.result(), inInches), std::nullopt);
         const QList<QByteArray> inches = contentOf(path("inches.csv")).trimmed().split('\n');
         const QList<QByteArray> names = inches.first().split(',');
         QVERIFY2(names[1] == "theta2 [rad]" && names.contains("theta3_diff [rad/s]"), inches.first());
         const qsizetype speed = names.indexOf("R4_x_diff [in/s]");
-        const qsizetype inFile = rows.first().split(',').indexOf("R4_x_diff");
+        const qsizetype inFile = steps.first().split(',').indexOf("R4_x_diff");
         QVERIFY2(speed > 0 && speed == inFile, inches.first());
         for (qsizetype i = 1; i < inches.size(); ++i) {
-            QVERIFY(std::abs(inches[i].split(',')[1].toDouble() - std::numbers::pi / 6.0 * double(i - 1)) < 1e-12);
-            QVERIFY(std::abs(25.4 * inches[i].split(',')[speed].toDouble() - rows[i].split(',')[inFile].toDouble()) <
+            QVERIFY(std::abs(inches[i].split(',')[1].toDouble() - std::numbers::pi / 100.0 * double(i - 1)) < 1e-12);
+            QVERIFY(std::abs(25.4 * inches[i].split(',')[speed].toDouble() - steps[i].split(',')[inFile].toDouble()) <
                     1e-9);
         }
         QVERIFY(exportMotion(path("gone/x.csv"), *session.result(), {plottedChannels()})->contains("gone"));

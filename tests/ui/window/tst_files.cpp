@@ -20,7 +20,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
-#include <QInputDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -108,19 +107,16 @@ private slots:
         QVERIFY2(said().contains("“d”"), qPrintable(said()));
     }
 
-    void asksForTheStepOfATable()
+    /// A table over the crank angle is exported in the tab Table.
+    void dataAreTheMotionAtTheTimeSteps()
     {
         m_window->exports().chooseData();
         auto *dialog = m_window->findChild<QFileDialog *>();
-        QVERIFY(dialog);
+        QVERIFY(dialog && dialog->nameFilters().size() == 2);
         dialog->selectNameFilter(dialog->nameFilters().last());
-        emit dialog->fileSelected(path("steps.csv"));
-        auto *question = m_window->findChild<QInputDialog *>();
-        QVERIFY(question && question->isVisible());
-        question->setDoubleValue(90.0);
-        question->accept();
-        AWAIT(QFile::exists(path("steps.csv")));
-        QCOMPARE(contentOf(path("steps.csv")).count('\n'), 6); // the heading, and 0°, 90° … 360°
+        emit dialog->fileSelected(path("all.csv"));
+        AWAIT(QFile::exists(path("all.csv")));
+        QCOMPARE(contentOf(path("all.csv")).count('\n'), 202);
     }
 
     void knowsWhatIsModified()
