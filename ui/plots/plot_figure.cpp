@@ -53,10 +53,13 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, const Q
     curve.points = withoutNeedlessPoints(curve.points, kInvisible * detail * pixel);
 }
 
-/// Returns the number of plots side by side: as in the grid if rows are complete, otherwise at most three.
-std::size_t columnsFor(std::size_t plots)
+/// Returns the number of plots side by side: as in the grid if rows are complete, otherwise at most three. Six plots
+/// without errors are three rows of the grid.
+std::size_t columnsFor(const std::vector<std::size_t> &plots)
 {
-    return plots == 4 ? 2 : std::min(plots, kPlotColumns);
+    const std::size_t count = plots.size();
+    const bool isGridWithoutErrors = count == 2 * kPlotRows && std::ranges::none_of(plots, &isErrorPlot);
+    return count == 4 || isGridWithoutErrors ? 2 : std::min(count, kPlotColumns);
 }
 
 } // namespace
@@ -81,9 +84,7 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_drawing->plotLayout()->clear();
     m_plots = {};
     const std::size_t count = style.plots.size();
-    const bool isWithoutErrors = std::ranges::none_of(style.plots, &isErrorPlot);
-    // Six plots without errors are three rows of the grid.
-    const std::size_t columns = count == 2 * kPlotRows && isWithoutErrors ? kErrorColumn : columnsFor(count);
+    const std::size_t columns = columnsFor(style.plots);
     for (std::size_t place = 0; place < count; ++place) {
         const std::size_t index = style.plots[place];
         Plot &plot = m_plots[index];
@@ -363,12 +364,14 @@ void PlotFigure::paint(QPainter &painter, const std::optional<double> &cursorTim
     }
 }
 
-int PlotFigure::heightFor(std::size_t plotCount, int width, const QFont &font)
+int PlotFigure::heightFor(const std::vector<std::size_t> &plots, int width, const QFont &font)
 {
     constexpr std::array kRowHeight{0.0, 0.55, 0.66, 0.76}; // in widths of a plot, by the number of plots in a row
-    const std::size_t columns = columnsFor(plotCount);
-    const std::size_t rows = (plotCount + columns - 1) / columns;
-    const double row = kRowHeight[columns] * width / static_cast<double>(columns);
+    constexpr int kFewestLines = 8;                         // of text, of which the title and the numbers take half
+    const std::size_t columns = columnsFor(plots);
+    const std::size_t rows = (plots.size() + columns - 1) / columns;
+    const double row =
+        std::max<double>(kRowHeight[columns] * width / static_cast<double>(columns), kFewestLines * lineHeight(font));
     return static_cast<int>(std::lround(static_cast<double>(rows) * row)) + 3 * lineHeight(font); // with the legend
 }
 

@@ -145,7 +145,7 @@ public:
     void paint(QPainter &painter, const std::optional<double> &cursorTime);
 
     /// Returns the height (px) at which that many plots have good proportions in a figure of that width.
-    static int heightFor(std::size_t plotCount, int width, const QFont &font);
+    static int heightFor(const std::vector<std::size_t> &plots, int width, const QFont &font);
 
     const std::vector<std::size_t> &plots() const { return m_style.plots; }
     const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }

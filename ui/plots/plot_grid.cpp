@@ -258,7 +258,7 @@ std::vector<std::pair<QString, QString>> PlotGrid::choosablePlots() const
 
 int PlotGrid::figureHeight(const FigureContent &content, int width, const QFont &font) const
 {
-    return heightFor(content.plots.empty() ? plotsToShow({}).size() : content.plots.size(), width, font);
+    return heightFor(content.plots.empty() ? plotsToShow({}) : content.plots, width, font);
 }
 
 } // namespace slidercrank

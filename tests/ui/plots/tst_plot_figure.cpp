@@ -323,6 +323,34 @@ private slots:
         QVERIFY(zero >= 0 && isNear(axis.tickVector()[zero], 0.25, 1e-9));
     }
 
+    /// A former defect: six plots, which are drawn in three rows, had the height of two.
+    void figuresAreHighEnoughForTheirRows()
+    {
+        struct Row {
+            std::vector<std::size_t> plots;
+            double smallest; // height of the axes in widths of the axes
+        };
+        for (const auto &[plots, smallest] : {Row{{0, 1, 3, 4, 6, 7}, 0.4}, Row{{0, 1, 2, 3, 4, 5, 6, 7, 8}, 0.4},
+                                              Row{{0}, 0.3}, Row{{0, 1, 3, 4}, 0.4}}) {
+            for (const int width : {321, 605, 1400}) { // 85 mm, 160 mm
+                QFont font;
+                font.setPixelSize(12);
+                PlotFigure &figure = figureOf({.pinned = {withCoupler(65.0)}});
+                const int height = PlotFigure::heightFor(plots, width, font);
+                figure.compose({plots, font, QPalette()}, {width, height});
+                for (const std::size_t plot : plots) {
+                    const QRect axes = figure.shownPlot(plot).axes->rect();
+                    QVERIFY2(axes.height() >= smallest * axes.width() && axes.height() > 40,
+                             qPrintable(QString("%1 plots, %2 px: %3×%4")
+                                            .arg(plots.size())
+                                            .arg(width)
+                                            .arg(axes.width())
+                                            .arg(axes.height())));
+                }
+            }
+        }
+    }
+
     void theCrankAngleAndErrorsAreInTheChosenUnits()
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
