@@ -4185,8 +4185,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Copia las gráficas como imagen</translation>
     </message>
     <message>
-        <source>Export…</source>
-        <translation>Exportar…</translation>
+        <source>Export</source>
+        <translation>Exportar</translation>
     </message>
     <message>
         <source>Writes the charts to an image file, or the numbers of the curves to a CSV file</source>
@@ -4195,6 +4195,14 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>%1 [%2]</source>
         <translation>%1 [%2]</translation>
+    </message>
+    <message>
+        <source>Figure…</source>
+        <translation>Figura…</translation>
+    </message>
+    <message>
+        <source>Table…</source>
+        <translation>Tabla…</translation>
     </message>
     <message>
         <source>Drag a dot to change %1.</source>

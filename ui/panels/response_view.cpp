@@ -17,6 +17,7 @@
 
 #include <QComboBox>
 #include <QGridLayout>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolButton>
@@ -30,7 +31,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr QSize kFigureSize(1500, 330);  // px, of the exported charts
 constexpr QSize kSmallestChart(100, 90); // px; below this the page scrolls
 
 /// Returns a name with its unit, unless that is the unit of files.
@@ -72,6 +72,12 @@ QString chartName(LimitKind kind)
     }
 }
 
+/// Returns the title without line breaks within a unit.
+QString unbroken(QString title)
+{
+    return title.replace(u'/', "/\u2060");
+}
+
 /// Returns the range of the finite values of a limit, without the steep rise of a peak towards infinity.
 Interval valueRange(const Response &response, std::size_t limit)
 {
@@ -89,6 +95,29 @@ Interval valueRange(const Response &response, std::size_t limit)
     const double steep = std::max(kSteep * values[values.size() / 2], values.front());
     return {values.front(), peakChannel(kResponseLimits[limit]) ? std::min(values.back(), steep) : values.back()};
 }
+
+/// How the charts are arranged in a figure of that width (px).
+struct ChartRows {
+    int columns = 1;
+    int rows = 1;
+    int title = 0; ///< height of a title of two lines, px
+    int chart = 0; ///< height of a chart, px
+
+    ChartRows(int width, const QFont &font)
+    {
+        constexpr int kNarrowest = 13; // heights of a line, for the words of a title
+        constexpr int kLowest = 8;
+        constexpr double kHeight = 0.75; // widths of a chart
+        constexpr int kCharts = static_cast<int>(kResponseLimits.size());
+        const int line = QFontMetrics(font).height();
+        columns = std::clamp(width / (kNarrowest * line), 1, kCharts);
+        rows = (kCharts + columns - 1) / columns;
+        title = 2 * line;
+        chart = std::max(kLowest * line, static_cast<int>(kHeight * width / columns));
+    }
+
+    int height() const { return rows * (title + chart); }
+};
 
 /// Returns a dot for each of the mechanisms that has the limit.
 ChartSeries dotsOf(const std::vector<Parameters> &mechanisms, Parameter parameter, std::size_t limit)
@@ -127,12 +156,11 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
     head->addWidget(m_sentence, 1);
     connect(addButton(head, "responseCopy", tr("Copy"), tr("Copies the charts as an image")), &QToolButton::clicked,
             this, &ResponseView::copy);
-    connect(addButton(head, "responseExport", tr("Export…"),
-                      tr("Writes the charts to an image file, or the numbers of the curves to a CSV file")),
-            &QToolButton::clicked, this, [this] {
-                chooseExport(m_session, this, figureFilters() + QStringList(tr("Tables (*.csv)")), tr("response"),
-                             [this](const QString &path) { return exportTo(path); });
-            });
+    QToolButton *exports =
+        makeMenuButton("responseExport", tr("Export"),
+                       tr("Writes the charts to an image file, or the numbers of the curves to a CSV file"));
+    fillExportMenu(exports->menu());
+    head->addWidget(exports, 0, Qt::AlignTop);
     auto *grid = new QGridLayout;
     grid->setSpacing(2);
     grid->setRowStretch(1, 1);
@@ -199,7 +227,7 @@ void ResponseView::showResponse()
                         tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter)));
     for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
         const QString title = tr("%1: %2").arg(chartName(kResponseLimits[i]), shortNumber(present[i]));
-        m_titles[i]->setText(QString(title).replace(u'/', "/\u2060")); // no line break within a unit
+        m_titles[i]->setText(unbroken(title));
         m_charts[i]->setAccessibleName(title);
         m_charts[i]->setContent(chartOf(i));
     }
@@ -271,38 +299,62 @@ bool ResponseView::eventFilter(QObject *watched, QEvent *event)
     return false;
 }
 
-FigureDrawing ResponseView::drawing() const
+/// Draws the charts with their titles, as many in a row as the letters permit.
+void ResponseView::draw(QPainter &painter, const QSize &size) const
 {
-    return [this](QPainter &painter, const QSize &size) {
-        const QPalette light = paletteFor(Theme::Light);
-        const int line = 2 * QFontMetrics(font()).height();
-        const QSize part(size.width() / static_cast<int>(kResponseLimits.size()), size.height() - line);
-        painter.fillRect(QRect(QPoint(), size), light.base());
-        int left = 0;
-        for (Chart *chart : m_charts) {
-            painter.save();
-            painter.translate(left, 0);
-            painter.drawText(QRect(0, 0, part.width(), line), Qt::AlignCenter, chart->accessibleName());
-            painter.translate(0, line);
-            chart->paint(painter, part, light);
-            painter.restore();
-            left += part.width();
-        }
-    };
+    const QPalette light = paletteFor(Theme::Light);
+    const ChartRows rows(size.width(), painter.font());
+    const QSize part(size.width() / rows.columns, size.height() / rows.rows);
+    painter.fillRect(QRect(QPoint(), size), light.base());
+    painter.setPen(light.color(QPalette::Text));
+    for (std::size_t i = 0; i < m_charts.size(); ++i) {
+        const int place = static_cast<int>(i);
+        painter.save();
+        painter.translate(place % rows.columns * part.width(), place / rows.columns * part.height());
+        painter.drawText(QRect(0, 0, part.width(), rows.title), Qt::AlignCenter | Qt::TextWordWrap,
+                         unbroken(m_charts[i]->accessibleName()));
+        painter.translate(0, rows.title);
+        m_charts[i]->paint(painter, part - QSize(0, rows.title), light);
+        painter.restore();
+    }
+}
+
+FigureSubject ResponseView::figure() const
+{
+    const Mechanism mechanism(m_response.parameters);
+    const FigureDrawing drawing = [this](QPainter &painter, const QSize &size) { draw(painter, size); };
+    const FigureHeight height = [](int width, const QFont &font) { return ChartRows(width, font).height(); };
+    FigureSubject subject;
+    subject.name = tr("response");
+    subject.height = [=](const FigureOptions &) { return withParameters(height, mechanism); };
+    subject.draw = [=](const FigureOptions &) { return withParameters(drawing, mechanism, paletteFor(Theme::Light)); };
+    return subject;
+}
+
+void ResponseView::fillExportMenu(QMenu *menu)
+{
+    menu->addAction(tr("Figure…"), this, [this] {
+        chooseFigure(this, figure(), [this](const FigureOptions &options, const QString &path) {
+            m_session->reportWritten(path, exportFigure(path, figure(), options));
+        });
+    });
+    menu->addAction(tr("Table…"), this, [this] {
+        chooseExport(m_session, this, QStringList(tr("Tables (*.csv)")), tr("response"),
+                     [this](const QString &path) { return exportTo(path); });
+    });
 }
 
 std::optional<QString> ResponseView::exportTo(const QString &path) const
 {
-    if (path.endsWith(".csv", Qt::CaseInsensitive)) {
-        return writeWhole(path, csvText(recordsOf(m_response)));
-    }
-    return exportFigure(path, {kFigureSize, 2.0}, accessibleName(),
-                        withParameters(drawing(), Mechanism(m_response.parameters), paletteFor(Theme::Light)));
+    return writeWhole(path, csvText(recordsOf(m_response)));
 }
 
 void ResponseView::copy()
 {
-    if (const std::optional<QString> problem = copyFigureToClipboard({kFigureSize, 2.0}, drawing())) {
+    const FigureOptions options = storedFigureOptions();
+    const FigureSubject subject = figure();
+    const FigureSize size = figureSize(options, subject.height(options));
+    if (const std::optional<QString> problem = copyFigureToClipboard(size, subject.draw(options))) {
         emit m_session->failed(*problem);
     } else {
         emit m_session->confirmed(tr("The charts are in the clipboard."));

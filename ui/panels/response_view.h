@@ -6,12 +6,13 @@
 // The curves are computed in the background, one value per pixel.
 
 #include "ui/document/background_task.h"
-#include "ui/export/figure_export.h"
+#include "ui/export/figure_form.h"
 #include "ui/panels/response.h"
 #include "ui/plots/chart.h"
 
 class QComboBox;
 class QLabel;
+class QMenu;
 
 namespace slidercrank
 {
@@ -34,8 +35,10 @@ public:
     /// The series of each chart.
     enum Series : std::size_t { Curve, Pinned, Present };
 
-    /// Writes the charts (.png, .svg, .pdf) or the numbers of the curves (.csv), depending on the suffix. Returns an
-    /// error message if the file cannot be written.
+    /// Returns the charts as a figure with the parameters.
+    FigureSubject figure() const;
+
+    /// Writes the numbers of the curves as CSV. Returns an error message if the file cannot be written.
     std::optional<QString> exportTo(const QString &path) const;
 
 protected:
@@ -48,7 +51,8 @@ private:
     void showResponse();
     ChartContent chartOf(std::size_t limit) const;
     void requestAt(Chart &chart, double pixel);
-    FigureDrawing drawing() const;
+    void fillExportMenu(QMenu *menu);
+    void draw(QPainter &painter, const QSize &size) const;
     void copy();
 
     Session *m_session;

@@ -92,11 +92,11 @@ void Chart::setContent(const ChartContent &content)
     update();
 }
 
-void Chart::fill(const QSize &size, const QPalette &palette)
+void Chart::fill(const QSize &size, const QFont &font, const QPalette &palette)
 {
     const SeriesColours colours = seriesColours(palette);
     m_drawing = std::make_unique<PlotDrawing>();
-    const PlotFonts fonts(font());
+    const PlotFonts fonts(font);
     m_drawing->setStyle(fonts, colours);
     m_drawing->layOut(size);
     setAxis(*m_drawing->xAxis, m_content.x, m_drawing->axisRect()->width(), 44);
@@ -127,20 +127,20 @@ void Chart::fill(const QSize &size, const QPalette &palette)
 
 void Chart::paintEvent(QPaintEvent *)
 {
-    fill(size(), palette());
+    fill(size(), font(), palette());
     m_drawing->drawInto(*this); // faster than paint(), which records the drawing first
 }
 
 void Chart::paint(QPainter &painter, const QSize &size, const QPalette &palette)
 {
-    fill(size, palette);
+    fill(size, painter.font(), palette);
     m_drawing->paint(painter, size);
 }
 
 QPointF Chart::positionOf(const Place &place)
 {
     if (!m_drawing || m_drawing->viewport().size() != size()) {
-        fill(size(), palette());
+        fill(size(), font(), palette());
     }
     const QPointF &point = m_content.series[place.series].points[place.point];
     return {m_drawing->xAxis->coordToPixel(coordinate(point.x(), m_content.x)),

@@ -13,6 +13,7 @@
 #include "ui/widgets/number_slider.h"
 #include "ui/window/main_window.h"
 
+#include "tests/support/files.h"
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
@@ -302,9 +303,8 @@ private slots:
         const ShownResponse shown(Parameter::C);
         const Response &response = shown.view.response();
         const QTemporaryDir folder;
-        QVERIFY(!shown.view.exportTo(folder.filePath("r.pdf")) && !shown.view.exportTo(folder.filePath("r.csv")));
-        QVERIFY(shown.view.exportTo("/no/such/folder/r.png"));
-        QVERIFY(QFile(folder.filePath("r.pdf")).size() > 1000);
+        QVERIFY(!shown.view.exportTo(folder.filePath("r.csv")));
+        QVERIFY(shown.view.exportTo("/no/such/folder/r.csv"));
         QFile file(folder.filePath("r.csv"));
         QVERIFY(file.open(QFile::ReadOnly));
         const QList<QByteArray> lines = file.readAll().trimmed().split('\n');
@@ -317,6 +317,18 @@ private slots:
         QCOMPARE(cells[0].toDouble(), response.values[middle]);
         QCOMPARE(cells[5].toDouble(), response.limits[middle][kAcceleration]);
         QVERIFY(lines[1].endsWith(",,0,,")); // in the locked mechanism only the stroke and this angle exist
+        const FigureSubject figure = shown.view.figure();
+        for (const double width : {85.0, 160.0, 350.0}) {
+            FigureOptions options;
+            options.width = width;
+            const QString path = folder.filePath("r.svg");
+            QCOMPARE(exportFigure(path, figure, options), std::nullopt);
+            const QByteArray svg = contentOf(path);
+            QVERIFY2(svg.contains(QByteArray("width=\"") + QByteArray::number(width) + "mm\""), svg.left(400));
+            QVERIFY(svg.contains("b = 65 mm") && svg.contains("c [mm]"));
+            const int height = figure.height(options)(1000, QFont());
+            QVERIFY(height > 100 && height < 3000);
+        }
         child<QToolButton>(shown.view, "responseCopy")->click();
         QVERIFY(!QApplication::clipboard()->image().isNull());
     }
