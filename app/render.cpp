@@ -236,6 +236,9 @@ RenderRequest readRequest(const OptionReader &options)
     readSubject(options, request);
     readTarget(options, request);
     request.scene = options.scene();
+    if (!options.has("scene")) { // as the window at its first start
+        request.scene.mechanism = {.names = true, .dimensions = true, .angles = true};
+    }
     request.scene.parameters = readMechanism(options).parameters();
     request.scene.sampling = readSampling(options);
     request.scene.solver = readSolver(options);

@@ -195,7 +195,7 @@ void setText(QTextDocument &document, const QFont &font, const QString &html)
 
 /// Where the mechanism is drawn, and how large.
 struct DrawingLayout {
-    DrawingPlace place = DrawingPlace::Beside;
+    DrawingPlace place = DrawingPlace::BesideParameters;
     QSize size; ///< px
 };
 
@@ -204,14 +204,14 @@ DrawingLayout layOutDrawing(const ReportContent &content, const QFont &font, dou
     constexpr double kApart = 48.0; // px
     constexpr double kSmallest = 240.0;
     constexpr double kLargest = 380.0;
-    constexpr double kBelow = 320.0;
+    constexpr double kBesideValues = 270.0;
     constexpr double kHeight = 0.6; // widths
     QTextDocument table;
     setText(table, font, parameterTable(content));
     const double beside = textWidth - table.idealWidth() - kApart;
     const bool hasSpace = beside >= kSmallest;
-    const double width = hasSpace ? std::min(beside, kLargest) : kBelow;
-    return {hasSpace ? DrawingPlace::Beside : DrawingPlace::Below,
+    const double width = hasSpace ? std::min(beside, kLargest) : kBesideValues;
+    return {hasSpace ? DrawingPlace::BesideParameters : DrawingPlace::BesideValues,
             {static_cast<int>(width), static_cast<int>(kHeight * width)}};
 }
 

@@ -41,11 +41,11 @@ bool hasFoundMechanism(const ReportContent &content);
 /// Returns the table of the parameters of the model and of the mechanism found for the file, as HTML.
 QString parameterTable(const ReportContent &content);
 
-/// Where the mechanism is drawn: beside the table of the parameters, or below it where the table is wide.
-enum class DrawingPlace { Beside, Below };
+/// Where the mechanism is drawn: beside the table of the parameters or, where that is wide, beside the values.
+enum class DrawingPlace { BesideParameters, BesideValues };
 
 /// Returns the report as HTML. Each section begins with a heading.
-QString reportHtml(const ReportContent &content, DrawingPlace place = DrawingPlace::Beside);
+QString reportHtml(const ReportContent &content, DrawingPlace place = DrawingPlace::BesideParameters);
 
 /// Writes the report with these drawings, on white. Returns nullopt on success, else a message; an older file of that
 /// name is then unchanged.

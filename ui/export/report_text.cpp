@@ -80,29 +80,36 @@ QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn
     return html + "</table>";
 }
 
-/// Returns the values of coupler and slider at the chosen position.
-QString valueTable(const ReportContent &content)
+/// Returns the value of a quantity at the chosen position, such as "μ = 60°".
+QString equation(const ReportContent &content, const OutputChannel &channel)
 {
     const Mechanism &mechanism = content.result->mechanism;
     const OutputState state = outputStateAt(mechanism, content.time, content.alpha2);
-    const auto equation = [&](const OutputChannel &channel) {
-        const double exact = withoutNoise(state.valueOf(channel), channel, mechanism, content.alpha2);
-        const double value = shownChannel(channel, mechanism.branch(), exact);
-        return QStringLiteral("%1 = %2").arg(symbolOf(channel),
-                                             withUnit(shortNumber(value, kDigits), shownUnit(channel)));
-    };
+    const double exact = withoutNoise(state.valueOf(channel), channel, mechanism, content.alpha2);
+    const double value = shownChannel(channel, mechanism.branch(), exact);
+    return QStringLiteral("%1 = %2").arg(symbolOf(channel), withUnit(shortNumber(value, kDigits), shownUnit(channel)));
+}
+
+/// Returns the values of coupler and slider at the chosen position.
+QString valueTable(const ReportContent &content)
+{
     std::vector<QStringList> rows{{QString(), Report::tr("coupler"), Report::tr("slider"), QString()},
                                   {Report::tr("position")},
                                   {Report::tr("velocity")},
                                   {Report::tr("acceleration")}};
     for (const Channel channel : kPlottedChannels) {
-        rows[static_cast<std::size_t>(channel.order) + 1] << equation(channel);
+        rows[static_cast<std::size_t>(channel.order) + 1] << equation(content, channel);
     }
+    return table(rows);
+}
+
+QString derivedValues(const ReportContent &content)
+{
     const DerivedChannel mu{DerivedQuantity::TransmissionAngle, Order::Position};
     const DerivedChannel displacement{DerivedQuantity::Displacement, Order::Position};
-    return table(rows) +
-           paragraph(QStringLiteral("%1: %2; %3: %4.")
-                         .arg(nameText(mu), equation(mu), nameText(displacement), equation(displacement)));
+    return paragraph(
+        QStringLiteral("%1: %2; %3: %4.")
+            .arg(nameText(mu), equation(content, mu), nameText(displacement), equation(content, displacement)));
 }
 
 QString crankText(const ReportContent &content)
@@ -252,8 +259,12 @@ QString parameterTable(const ReportContent &content)
 QString reportHtml(const ReportContent &content, DrawingPlace place)
 {
     const Result &result = *content.result;
-    const QString beside = "<table width=100%><tr><td>%1</td><td align=right>%2</td></tr></table>";
-    const QString below = "%1<p>%2</p>";
+    const auto beside = [](const QString &left, const QString &right) {
+        return QStringLiteral("<table width=100%><tr><td>%1</td><td align=right>%2</td></tr></table>").arg(left, right);
+    };
+    const QString parameters = parameterTable(content);
+    const QString values = valueTable(content);
+    const QString position = heading(Report::tr("At %1").arg(crankText(content)));
     QString caption = Report::tr("The mechanism at %1.").arg(crankText(content));
     if (result.isCompared()) {
         caption += u' ' + (result.reference ? Report::tr("Thin lines: the motion in the file.")
@@ -266,9 +277,11 @@ QString reportHtml(const ReportContent &content, DrawingPlace place)
            note(Report::tr("%1, by %2 %3")
                     .arg(QLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
-           (place == DrawingPlace::Beside ? beside : below).arg(parameterTable(content), kMechanismPlace) +
-           note(caption) + heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) +
-           heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
+           (place == DrawingPlace::BesideParameters
+                ? beside(parameters, kMechanismPlace) + note(caption) + position + values
+                : parameters + position + beside(values, kMechanismPlace) + note(caption)) +
+           derivedValues(content) + heading(Report::tr("Motion limits")) +
+           paragraph(mobilitySentence(result.mechanism, result.limits)) +
            table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling, notation()))) +
            heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +
            QStringLiteral("<p>%1</p>").arg(kFigurePlace) + heading(Report::tr("Method")) +
