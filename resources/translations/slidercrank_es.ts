@@ -2659,6 +2659,10 @@ PA = %4, PB = %5</translation>
         <translation>&amp;Radianes</translation>
     </message>
     <message>
+        <source>Degrees, with rad/&amp;s and rad/s²</source>
+        <translation>Grados, con rad/&amp;s y rad/s²</translation>
+    </message>
+    <message>
         <source>&amp;mm</source>
         <translation>&amp;mm</translation>
     </message>

@@ -118,6 +118,13 @@ private slots:
         QCOMPARE(some.rows[1][0], QByteArray("0.33333333333333331"));
         const long double degrees = textbookMotion({}, 1.0L / 3.0L)[0];
         QVERIFY(std::abs(some.at(1, "theta3 [rad]") - static_cast<double>(degrees) / kDegreesPerRadian) < 1e-15);
+
+        const QString line = "solve --steps 3 --channels theta3,theta3_diff,theta3_diff2 --angle-unit ";
+        const CsvTable mixed(run(line + "deg-rad/s").output);
+        const CsvTable inRadians(run(line + "rad").output);
+        QCOMPARE(mixed.header, (QByteArrayList{"time", "theta3", "theta3_diff [rad/s]", "theta3_diff2 [rad/s^2]"}));
+        QVERIFY(std::abs(mixed.at(1, "theta3") - static_cast<double>(degrees)) < 1e-13);
+        QCOMPARE(mixed.rows[1].mid(2), inRadians.rows[1].mid(2));
     }
 
     void writesJson()
@@ -128,6 +135,8 @@ private slots:
         QCOMPARE(json["mechanism"].toObject()["branch"].toString(), QStringLiteral("open"));
         QCOMPARE(json["method"].toString(), QStringLiteral("closed-form"));
         QCOMPARE(json["units"].toObject()["angle"].toString(), QStringLiteral("rad"));
+        QCOMPARE(run("solve --format json --angle-unit deg-rad/s").json()["units"].toObject()["angle"].toString(),
+                 QStringLiteral("deg-rad/s"));
         QCOMPARE(json["time"].toArray().size(), 9);
         QCOMPARE(json["channels"].toObject().keys(), (QStringList{"R4_x", "theta3"}));
         QVERIFY(json["channels"].toObject()["theta3"].toArray()[6].isNull()); // 270°: cannot be assembled

@@ -236,7 +236,9 @@ void ParameterPanel::refreshNotation()
     if (m_angleUnit != notation().units.angle) { // otherwise a unit that was chosen for this angle alone stays
         m_angleUnit = notation().units.angle;
         m_rows[indexOf(Parameter::Theta20)].showUnit(
-            [this](const ShownUnit &unit) { return unit.angleUnit == m_angleUnit; });
+            [isRadian = m_angleUnit == AngleUnit::Radian](const ShownUnit &unit) {
+                return (unit.angleUnit == AngleUnit::Radian) == isRadian;
+            });
     }
     m_rows[indexOf(Parameter::Omega2)].showUnit(
         [](const ShownUnit &unit) { return unit.speedUnit == notation().crankSpeed; });

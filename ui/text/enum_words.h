@@ -73,8 +73,9 @@ struct EnumWords<LengthUnit> {
 
 template <>
 struct EnumWords<AngleUnit> {
-    static constexpr EnumWord<AngleUnit> rows[] = {{AngleUnit::Degree, "deg"}, {AngleUnit::Radian, "rad"}};
-    static_assert(isCompleteTable(rows, AngleUnit::Radian));
+    static constexpr EnumWord<AngleUnit> rows[] = {
+        {AngleUnit::Degree, "deg"}, {AngleUnit::Radian, "rad"}, {AngleUnit::DegreeAndRadianPerSecond, "deg-rad/s"}};
+    static_assert(isCompleteTable(rows, AngleUnit::DegreeAndRadianPerSecond));
 };
 
 /// Returns the word of an enumerator.

@@ -68,7 +68,8 @@ TypedValue inLikelyUnit(const TypedValue &typed, const CrankPosition &position, 
         return typed;
     }
     Units otherUnits = units;
-    otherUnits.angle = units.angle == AngleUnit::Degree ? AngleUnit::Radian : AngleUnit::Degree;
+    const bool isInRadians = shownValue(measureOf(typed.channel), 1.0, units) == 1.0;
+    otherUnits.angle = isInRadians ? AngleUnit::Degree : AngleUnit::Radian;
     const TypedValue inOther = readTypedValue(typed.text, typed.channel, otherUnits);
     const auto isRight = [&position](const TypedValue &value) {
         const GivenValue given = value.given();

@@ -9,37 +9,45 @@ namespace slidercrank
 namespace
 {
 
-template <typename Unit>
 struct UnitDescription {
-    Unit key;
     const char *text;
     double perDefault; ///< how many of it are a mm or a degree
 };
 
-constexpr UnitDescription<LengthUnit> kLengthUnits[] = {{LengthUnit::Millimetre, "mm", 1.0},
-                                                        {LengthUnit::Centimetre, "cm", 1.0 / 10.0},
-                                                        {LengthUnit::Metre, "m", 1.0 / 1000.0},
-                                                        {LengthUnit::Inch, "in", 1.0 / 25.4}};
+struct LengthUnitRow {
+    LengthUnit key;
+    UnitDescription unit;
+};
+
+constexpr LengthUnitRow kLengthUnits[] = {{LengthUnit::Millimetre, {"mm", 1.0}},
+                                          {LengthUnit::Centimetre, {"cm", 1.0 / 10.0}},
+                                          {LengthUnit::Metre, {"m", 1.0 / 1000.0}},
+                                          {LengthUnit::Inch, {"in", 1.0 / 25.4}}};
 static_assert(isCompleteTable(kLengthUnits, LengthUnit::Inch));
 
-constexpr UnitDescription<AngleUnit> kAngleUnits[] = {{AngleUnit::Degree, "°", 1.0},
-                                                      {AngleUnit::Radian, "rad", 1.0 / kDegreesPerRadian}};
-static_assert(isCompleteTable(kAngleUnits, AngleUnit::Radian));
+constexpr UnitDescription kDegreeUnit{"°", 1.0};
+constexpr UnitDescription kRadianUnit{"rad", 1.0 / kDegreesPerRadian};
 
-const UnitDescription<LengthUnit> &lengthUnit(const Units &units)
+const UnitDescription &lengthUnit(const Units &units)
 {
-    return rowOf(kLengthUnits, units.length);
+    return rowOf(kLengthUnits, units.length).unit;
 }
 
-const UnitDescription<AngleUnit> &angleUnit(const Units &units)
+/// Returns the unit of an angle, or that of its derivatives without the time.
+const UnitDescription &angleUnit(Measure measure, const Units &units)
 {
-    return rowOf(kAngleUnits, units.angle);
+    switch (units.angle) {
+    case AngleUnit::Degree: return kDegreeUnit;
+    case AngleUnit::Radian: return kRadianUnit;
+    case AngleUnit::DegreeAndRadianPerSecond: break;
+    }
+    return measure == Measure::Angle ? kDegreeUnit : kRadianUnit;
 }
 
 /// Returns the unit of a length or of an angle, without the time.
 QString baseUnit(Measure measure, const Units &units)
 {
-    return QString::fromUtf8(isAngular(measure) ? angleUnit(units).text : lengthUnit(units).text);
+    return QString::fromUtf8(isAngular(measure) ? angleUnit(measure, units).text : lengthUnit(units).text);
 }
 
 } // namespace
@@ -47,14 +55,14 @@ QString baseUnit(Measure measure, const Units &units)
 double shownValue(Measure measure, double value, const Units &units)
 {
     if (isAngular(measure)) {
-        return units.angle == AngleUnit::Radian ? value : value * kDegreesPerRadian;
+        return &angleUnit(measure, units) == &kRadianUnit ? value : value * kDegreesPerRadian;
     }
     return isLinear(measure) ? value * lengthUnit(units).perDefault : value;
 }
 
 double fromFileUnit(Measure measure, double value, const Units &units)
 {
-    return isAngular(measure)  ? value * angleUnit(units).perDefault
+    return isAngular(measure)  ? value * angleUnit(measure, units).perDefault
            : isLinear(measure) ? value * lengthUnit(units).perDefault
                                : value;
 }

@@ -12,7 +12,11 @@ namespace slidercrank
 {
 
 enum class LengthUnit { Millimetre, Centimetre, Metre, Inch };
-enum class AngleUnit { Degree, Radian };
+enum class AngleUnit {
+    Degree,
+    Radian,
+    DegreeAndRadianPerSecond ///< angles in °, their derivatives in rad/s and rad/s², as in most textbooks
+};
 
 /// The units of lengths and angles; derivatives are per s and s². The defaults are those of files.
 struct Units {

@@ -209,7 +209,7 @@ void Menus::addNotation(QMenu *menu)
     addGroup.operator()<Symbols>({tr("&Absolute coordinates (θ³ measured at A)"), tr("&Textbook (θ₃ measured at B)")},
                                  [](Notation &shown) -> Symbols & { return shown.symbols; });
     menu->addSeparator();
-    addGroup.operator()<AngleUnit>({tr("&Degrees"), tr("&Radians")},
+    addGroup.operator()<AngleUnit>({tr("&Degrees"), tr("&Radians"), tr("Degrees, with rad/&s and rad/s²")},
                                    [](Notation &shown) -> AngleUnit & { return shown.units.angle; });
     menu->addSeparator();
     addGroup.operator()<LengthUnit>({tr("&mm"), tr("&cm"), tr("m"), tr("&in")},

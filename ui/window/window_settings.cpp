@@ -120,7 +120,8 @@ Notation chosenNotation()
 {
     const QSettings settings;
     return {stored(settings, kSymbols, Symbols::Textbook),
-            {stored(settings, kLengthUnit, LengthUnit::Inch), stored(settings, kAngleUnit, AngleUnit::Radian)},
+            {stored(settings, kLengthUnit, LengthUnit::Inch),
+             stored(settings, kAngleUnit, AngleUnit::DegreeAndRadianPerSecond)},
             stored(settings, kCrankSpeedUnit, CrankSpeedUnit::TurnPerMinute)};
 }
 

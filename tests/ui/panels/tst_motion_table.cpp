@@ -81,31 +81,8 @@ private slots:
     /// Row g of Norton's tables, in the textbook's notation and in its units, against 115 digits.
     void showsTheTextbooksValuesInItsNotation()
     {
-        const NotationForTest chosen({Symbols::Textbook, {LengthUnit::Inch, AngleUnit::Radian}});
-        constexpr double kInch = 25.4;
-        constexpr double kAlpha2 = 18.0;
-        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
-            const Parameters p{7.0 * kInch, 25.0 * kInch, 10.0 * kInch, 100.0, 330.0 / kDegreesPerRadian, branch};
-            MotionTableSettings settings;
-            settings.columns = usualTableChannels();
-            settings.alpha2 = kAlpha2;
-            const TableRow row = motionTableRow(settings, Mechanism(p), {p.theta20, 0.0});
-            const ExactOutputs exact = exactMotion(p, kAlpha2);
-            for (std::size_t i = 0; i < settings.columns.size(); ++i) {
-                const OutputChannel &channel = settings.columns[i];
-                const bool isAngle = isAngular(measureOf(channel));
-                double expected = static_cast<double>(exact.at(nameOf(channel))) / (isAngle ? 1.0 : kInch);
-                if (channel == OutputChannel(Channel{Theta3, Order::Position})) { // measured at B
-                    expected += branch == Branch::Open ? std::numbers::pi : -std::numbers::pi;
-                }
-                const double size = (isAngle ? 1.0 : 42.0) * std::pow(100.0, static_cast<int>(orderOf(channel)));
-                QVERIFY2(std::abs(*row.cells[i + 2].number - expected) <= 1e-12 * size,
-                         std::string(nameOf(channel)).c_str());
-            }
-            const std::vector<TableColumn> columns = motionTableColumns(settings);
-            QCOMPARE(columns[2].title, QStringLiteral("θ₃ [rad]"));
-            QCOMPARE(columns[5].title, QStringLiteral("x_B [in]"));
-            QCOMPARE(columns[7].csvName, QStringLiteral("R4_x_diff2 [in/s^2]"));
+        for (const AngleUnit unit : {AngleUnit::Degree, AngleUnit::Radian, AngleUnit::DegreeAndRadianPerSecond}) {
+            showsTheTextbooksValuesIn(unit);
         }
     }
 
@@ -256,6 +233,43 @@ private slots:
         QVERIFY(std::abs(shown.session.pose().R4xDot + 8000.0) < 1e-6);
         QVERIFY(std::abs(std::remainder(shown.session.pose().theta2 - std::numbers::pi / 3.0, 2.0 * std::numbers::pi)) <
                 1e-9);
+    }
+
+private:
+    void showsTheTextbooksValuesIn(AngleUnit unit)
+    {
+        const NotationForTest chosen({Symbols::Textbook, {LengthUnit::Inch, unit}});
+        constexpr double kInch = 25.4;
+        constexpr double kAlpha2 = 18.0;
+        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+            const Parameters p{7.0 * kInch, 25.0 * kInch, 10.0 * kInch, 100.0, 330.0 / kDegreesPerRadian, branch};
+            MotionTableSettings settings;
+            settings.columns = usualTableChannels();
+            settings.alpha2 = kAlpha2;
+            const TableRow row = motionTableRow(settings, Mechanism(p), {p.theta20, 0.0});
+            const ExactOutputs exact = exactMotion(p, kAlpha2);
+            for (std::size_t i = 0; i < settings.columns.size(); ++i) {
+                const OutputChannel &channel = settings.columns[i];
+                const bool isAngle = isAngular(measureOf(channel));
+                double expected = static_cast<double>(exact.at(nameOf(channel))) / (isAngle ? 1.0 : kInch);
+                if (channel == OutputChannel(Channel{Theta3, Order::Position})) { // measured at B
+                    expected += branch == Branch::Open ? std::numbers::pi : -std::numbers::pi;
+                }
+                double size = (isAngle ? 1.0 : 42.0) * std::pow(100.0, static_cast<int>(orderOf(channel)));
+                const bool isRate = orderOf(channel) != Order::Position;
+                if (isAngle && unit != AngleUnit::Radian && !(isRate && unit != AngleUnit::Degree)) {
+                    expected *= kDegreesPerRadian;
+                    size *= kDegreesPerRadian;
+                }
+                QVERIFY2(std::abs(*row.cells[i + 2].number - expected) <= 1e-12 * size,
+                         std::string(nameOf(channel)).c_str());
+            }
+            const std::vector<TableColumn> columns = motionTableColumns(settings);
+            QCOMPARE(columns[2].title, QString(unit == AngleUnit::Radian ? "θ₃ [rad]" : "θ₃ [°]"));
+            QCOMPARE(columns[3].title, QString(unit == AngleUnit::Degree ? "ω₃ [°/s]" : "ω₃ [rad/s]"));
+            QCOMPARE(columns[5].title, QStringLiteral("x_B [in]"));
+            QCOMPARE(columns[7].csvName, QStringLiteral("R4_x_diff2 [in/s^2]"));
+        }
     }
 };
 
