@@ -181,6 +181,20 @@ bool keepLayout(int, const EmscriptenVisibilityChangeEvent *change, void *window
     return false;
 }
 
+/// Shows the window in the whole page, and replaces it whenever another language is chosen in it.
+void fillPage(MainWindow *window)
+{
+    new BrowserPage(window);
+    window->setWindowFlag(Qt::FramelessWindowHint);
+    window->showMaximized();
+    emscripten_set_visibilitychange_callback(window, false, keepLayout);
+    const auto remake = [window] {
+        fillPage(window->remade().release());
+        window->deleteLater();
+    };
+    QObject::connect(window, &MainWindow::languageChosen, qApp, remake, Qt::QueuedConnection); // after the menu
+}
+
 } // namespace
 
 int main(int argc, char *argv[])
@@ -202,10 +216,7 @@ int main(int argc, char *argv[])
         setPageAddress(address.section(u'#', 0, 0));
     }
     auto *window = new MainWindow;
-    new BrowserPage(window);
-    window->setWindowFlag(Qt::FramelessWindowHint);
-    window->showMaximized(); // fills the page
-    emscripten_set_visibilitychange_callback(window, false, keepLayout);
+    fillPage(window);
     if (isSceneLink(address)) {
         window->openFiles({address});
     }

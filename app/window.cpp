@@ -16,6 +16,7 @@
 #include <QSettings>
 
 #include <algorithm>
+#include <memory>
 
 namespace slidercrank
 {
@@ -35,6 +36,18 @@ ExitStatus resetSettings(const Streams &streams)
     return writeOutput(
         streams, {},
         CommandLine::tr("Removed: layout, recent files, language, theme, meanings of columns.").toUtf8() + '\n');
+}
+
+/// Replaces the window whenever another language is chosen in it.
+void followLanguage(std::unique_ptr<MainWindow> &window)
+{
+    const auto remake = [&window] {
+        std::unique_ptr<MainWindow> next = window->remade();
+        next->show();
+        window = std::move(next);
+        followLanguage(window);
+    };
+    QObject::connect(window.get(), &MainWindow::languageChosen, qApp, remake, Qt::QueuedConnection); // after the menu
 }
 
 /// Throws unless the file exists, or the argument is a link with a scene. An argument without a dot may be a misspelt
@@ -77,10 +90,11 @@ ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
                                          "solve, which needs none.")};
     }
     leaveConsole();
-    MainWindow window;
-    window.showWithinScreen();
+    auto window = std::make_unique<MainWindow>();
+    followLanguage(window);
+    window->showWithinScreen();
     if (!files.isEmpty()) {
-        window.openFiles(files);
+        window->openFiles(files);
     }
     return static_cast<ExitStatus>(QApplication::exec());
 }

@@ -2626,10 +2626,6 @@ PA = %4, PB = %5</translation>
         <translation>Modo p&amp;resentación</translation>
     </message>
     <message>
-        <source>The language changes when you start the program again.</source>
-        <translation>El idioma cambiará cuando vuelva a iniciar el programa.</translation>
-    </message>
-    <message>
         <source>qrc:/help/english.html</source>
         <comment>a resource of the program</comment>
         <translation>qrc:/help/spanish.html</translation>

@@ -20,6 +20,7 @@
 #include "ui/panels/table_panel.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/text/language.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/named.h"
@@ -315,6 +316,20 @@ void MainWindow::showWithinScreen()
         setWindowState(Qt::WindowMaximized);
     }
     show();
+}
+
+std::unique_ptr<MainWindow> MainWindow::remade()
+{
+    m_scene->enterTypedNumber();
+    m_presentation->setOn(false); // so that the layout is that of the window
+    saveLayout(*this);
+    setLanguage(chosenLanguage());
+    auto window = std::make_unique<MainWindow>();
+    window->m_scene->takeOver(*m_scene);
+    window->m_views.table->setSettings(m_views.table->settings());
+    window->m_views.tabs->setCurrentIndex(m_views.tabs->currentIndex());
+    window->m_views.tabs->setFolded(m_views.tabs->isFolded());
+    return window;
 }
 
 void MainWindow::openFiles(const QStringList &paths)

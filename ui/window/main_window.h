@@ -12,6 +12,7 @@
 #include <QMainWindow>
 
 #include <functional>
+#include <memory>
 
 namespace slidercrank
 {
@@ -36,6 +37,14 @@ public:
 
     /// Shows the window; maximized if the screen is too small for it.
     void showWithinScreen();
+
+    /// Returns a window, not yet visible, in the language that was chosen last. It takes over what this window shows,
+    /// except for the steps that could be undone. This window is then to be deleted.
+    std::unique_ptr<MainWindow> remade();
+
+signals:
+    /// The widgets have the language in which they were made: remade() makes a window in this one.
+    void languageChosen();
 
 public slots:
     /// Opens a scene, or a reference. Several files are joined to one reference.

@@ -185,7 +185,7 @@ void Menus::addView()
                       [this](Theme theme) { m_window.setTheme(theme); });
     const auto setLanguage = [this](Language language) {
         rememberLanguage(language);
-        emit m_window.session().confirmed(tr("The language changes when you start the program again."));
+        emit m_window.languageChosen();
     };
     addChoices<Language>(menu->addMenu(tr("Lan&guage")), {tr("&System"), "&English", "Es&pañol"}, chosenLanguage(),
                          setLanguage);

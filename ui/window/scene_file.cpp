@@ -125,13 +125,23 @@ void SceneFile::restore(const Scene &scene, const std::function<void()> &proceed
     });
 }
 
-void SceneFile::show(const Scene &scene, const QString &path)
+void SceneFile::takeOver(const SceneFile &other)
 {
-    m_session->open({scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned}, scene.time,
-                    scene.reference);
+    show(other.scene(), other.m_path, other.m_session->reference());
+    m_version = other.m_version;
+    if (other.m_session->isModified()) {
+        m_session->undoStack().resetClean();
+        emit changed();
+    }
+}
+
+void SceneFile::show(const Scene &scene, const QString &path, const std::shared_ptr<const Reference> &loaded)
+{
+    const std::optional<ReferenceSource> missing = loaded ? std::nullopt : scene.reference;
+    m_session->open({scene.parameters, scene.sampling, scene.solver, loaded, scene.pinned}, scene.time, missing);
     m_path = path;
     m_version = versionOf(path);
-    m_missing = scene.reference;
+    m_missing = missing;
     m_views.plots->setSettings(scene.plots);
     m_views.plots->setZoom(scene.zoom);
     m_views.mechanism->setSettings(scene.mechanism);

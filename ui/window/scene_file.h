@@ -12,6 +12,7 @@
 #include <QString>
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -42,6 +43,9 @@ public:
     /// Calls proceed(), after the user has saved or discarded unsaved changes.
     void askThen(const std::function<void()> &proceed);
 
+    /// Shows the scene of another window, with its path and its unsaved changes.
+    void takeOver(const SceneFile &other);
+
     /// Asks about unsaved changes, then shows a scene that was never saved, and calls proceed().
     void restore(const Scene &scene, const std::function<void()> &proceed);
 
@@ -64,8 +68,8 @@ signals:
     void changed(); ///< the path, or whether the scene is modified
 
 private:
-    /// Shows the scene of that file, or of none if the path is empty.
-    void show(const Scene &scene, const QString &path);
+    /// Shows the scene of that file, or of none if the path is empty. Reads its reference unless it is `loaded`.
+    void show(const Scene &scene, const QString &path, const std::shared_ptr<const Reference> &loaded = nullptr);
 
     Session *m_session;
     const Views &m_views;

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/suite.h"
+#include "tests/ui/window/window_fixture.h"
+#include "ui/panels/motion_table_panel.h"
+#include "ui/text/language.h"
+#include "ui/widgets/folding_tabs.h"
+#include "ui/window/scene_file.h"
+
+#include <QMenuBar>
+
+using namespace slidercrank;
+
+namespace tst_language
+{
+
+class TestLanguage : public WindowFixture
+{
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        resetSettings();
+        setLanguage(Language::English);
+        openWindow();
+    }
+    void cleanup()
+    {
+        m_window.reset();
+        setLanguage(Language::English);
+        QLocale::setDefault(QLocale::c());
+    }
+
+    void theMenuAsksForAWindowInTheChosenLanguage()
+    {
+        const QSignalSpy chosen(m_window.get(), &MainWindow::languageChosen);
+        action("Español")->trigger();
+        QCOMPARE(chosen.count(), 1);
+        QCOMPARE(chosenLanguage(), Language::Spanish);
+    }
+
+    void theNewWindowSpeaksTheLanguageAndShowsTheSame()
+    {
+        const QString scene = m_settings.filePath("rig.json");
+        QVERIFY(m_window->scene().saveTo(scene));
+        openSample();
+        session().pinMotion();
+        setB(61.25);
+        session().setTime(0.3);
+        auto *table = view<MotionTablePanel>();
+        MotionTableSettings settings = table->settings();
+        settings.alpha2 = 12.5;
+        table->setSettings(settings);
+        showTab(ReferenceTab);
+        const Choices before = session().result()->choices;
+        QVERIFY(m_window->isWindowModified());
+
+        action("Español")->trigger();
+        m_window = m_window->remade();
+        m_window->show();
+        settle(*m_window);
+        QCOMPARE(m_window->menuBar()->actions().front()->text(), QString("&Archivo"));
+        QCOMPARE(part<QTabBar>("tabBar")->tabText(TableTab), QString("Tabla"));
+        QVERIFY(session().result()->choices == before); // with the same reference, which is not read again
+        QCOMPARE(session().time(), 0.3);
+        QCOMPARE(view<MotionTablePanel>()->settings().alpha2, 12.5);
+        QCOMPARE(shownTab(), static_cast<int>(ReferenceTab));
+        QCOMPARE(m_window->scene().path(), scene);
+        QVERIFY(m_window->isWindowModified() && session().isModified());
+
+        action("English")->trigger();
+        m_window = m_window->remade();
+        QCOMPARE(m_window->menuBar()->actions().front()->text(), QString("&File"));
+        QVERIFY(session().result()->choices == before);
+    }
+
+    void anUnchangedSceneStaysUnchanged()
+    {
+        view<FoldingTabs>()->setFolded(true);
+        rememberLanguage(Language::Spanish);
+        m_window = m_window->remade();
+        QVERIFY(!m_window->isWindowModified() && view<FoldingTabs>()->isFolded());
+    }
+};
+
+const Suite<TestLanguage> suite("tst_language");
+
+} // namespace tst_language
+
+#include "tst_language.moc"
