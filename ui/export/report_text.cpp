@@ -118,7 +118,7 @@ QString crankText(const ReportContent &content)
     const double theta2 = mechanism.theta20() + mechanism.omega2() * content.time;
     const Units &units = notation().units;
     const double step = units.angle == AngleUnit::Radian ? 1e-4 : 1e-2;
-    const double shown = std::round(shownValue(Measure::Angle, theta2, units) / step) * step;
+    const double shown = std::round(shownCrankAngle(theta2) / step) * step;
     QString text = QStringLiteral("θ₂ = %1, t = %2 s")
                        .arg(withUnit(numberText(shown), shownUnit(Measure::Angle)), numberText(content.time));
     if (content.alpha2 != 0.0) {

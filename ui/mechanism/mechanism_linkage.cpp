@@ -3,6 +3,7 @@
 
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
@@ -63,7 +64,7 @@ void MechanismSketch::addLinkage()
             addLengths();
         }
         if (settings.angles) {
-            addAngle("θ₂", {m_O2, m_A}, m_scene->pose.theta2, 30.0);
+            addAngle("θ₂", {m_O2, m_A}, degreesFromZero(m_scene->pose.theta2) / kDegreesPerRadian, 30.0);
             addCouplerAngle();
         }
     }

@@ -141,10 +141,7 @@ QString lengthText(const Mechanism &mechanism, Parameter length)
 
 QString timelineAngle(const MechanismScene &scene)
 {
-    const Units &units = notation().units;
-    const int decimals = units.angle == AngleUnit::Radian ? 4 : 2;
-    return withUnit(fixedText(shownValue(Measure::Angle, scene.pose.theta2, units), decimals),
-                    shownUnit(Measure::Angle));
+    return crankAngleWithUnit(scene.pose.theta2);
 }
 
 QString arrowScaleText(const ArrowScale &scale)

@@ -124,7 +124,9 @@ TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &me
     row.time = place.time;
     row.cells.push_back(place.time ? tableNumber(*place.time) : TableCell{.text = dash()});
     row.cells.back().tone = place.time ? Tone::Link : Tone::Normal;
-    row.cells.push_back(tableNumber(shownValue(Measure::Angle, place.theta2, notation().units)));
+    const bool isInFirstTurn = place.theta2 >= 0.0 && place.theta2 <= kTurn * (1.0 + 1e-12); // its end is not 0
+    row.cells.push_back(tableNumber(isInFirstTurn ? shownValue(Measure::Angle, place.theta2, notation().units)
+                                                  : shownCrankAngle(place.theta2)));
     for (const OutputChannel &channel : settings.columns) {
         const double value = withoutNoise(state.valueOf(channel), channel, mechanism, settings.alpha2);
         row.cells.push_back(tableNumber(shownChannel(channel, mechanism.branch(), value)));

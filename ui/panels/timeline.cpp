@@ -4,6 +4,7 @@
 #include "core/mechanism/turn.h"
 #include "core/sampling/crank_time.h"
 #include "ui/document/session.h"
+#include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
@@ -388,8 +389,14 @@ void Timeline::refreshNotation()
 
 void Timeline::goToAngle(double angle)
 {
+    constexpr double kStepping = 12.0 / kDegreesPerRadian; // ten steps, as of a page
     const Parameters &parameters = m_session->parameters();
-    const double theta2 = coreValue(Measure::Angle, angle, notation().units);
+    const double present = m_session->pose().theta2;
+    const double shown = degreesFromZero(present) / kDegreesPerRadian;
+    double theta2 = coreValue(Measure::Angle, angle, notation().units);
+    if (std::abs(theta2 - shown) < kStepping) { // a step of the box stays in the present revolution
+        theta2 += present - shown;
+    }
     if (parameters.omega2 == 0.0) { // at rest: the box turns the crank
         m_session->setParameter(Parameter::Theta20, theta2);
         showTime();
@@ -406,7 +413,7 @@ void Timeline::showTime()
 {
     const Pose pose = m_session->pose();
     m_timeBox->setValue(pose.time);
-    m_angleBox->setValue(shownValue(Measure::Angle, pose.theta2, notation().units));
+    m_angleBox->setValue(shownCrankAngle(pose.theta2));
     m_slider->setNumber(pose.time);
 }
 

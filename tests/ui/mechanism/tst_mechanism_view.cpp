@@ -449,7 +449,8 @@ private slots:
         QCOMPARE(Drawn({.a = 3.0, .b = 90.0}, 0.0, settings).label("outer dead"), QRectF()); // too close together
     }
 
-    /// A former defect: the drawing showed −173° for a coupler angle of 187° in the plots, and 120° for −6000°.
+    /// A former defect: the drawing showed −173° for a coupler angle of 187° in the plots, and an angle of the crank
+    /// other than the timeline's.
     void anglesAreTheNumbersOfThePlotsAndTheTimeline()
     {
         const MechanismSettings settings{.angles = true};
@@ -460,8 +461,25 @@ private slots:
         QVERIFY(!crossed.label("θ³ = " + QString::number(theta3, 'f', 1)).isNull());
 
         const Drawn fast({.omega2 = -200.0 * std::numbers::pi}, 1.0 / 6.0, settings); // −6000 rpm
-        QVERIFY(!fast.label("θ₂ = −6000.0°").isNull());
-        QVERIFY(partText(fast.scene, DrawnPart::Crank).contains("θ₂ = −6000.00°"));
+        QVERIFY(!fast.label("θ₂ = 120.0°").isNull()); // as in the timeline, the table and the limits: 0° … 360°
+        QVERIFY(partText(fast.scene, DrawnPart::Crank).contains("θ₂ = 120.00°"));
+    }
+
+    /// A former defect: in inches and at 1024×700 the lengths ran below the button of the assembly.
+    void theLengthsLeaveSpaceForTheButton()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        setNotation({.units = {LengthUnit::Inch, AngleUnit::Degree}});
+        const MechanismSettings settings{.dimensions = true};
+        const Drawn wide({}, 0.0, settings);
+        QVERIFY(wide.label("a = 0.787402 in").contains({60.0, wide.label("a = ").center().y()}));
+        QVERIFY(wide.label("b = ").isNull()); // in the same line
+        const Drawn narrow({}, 0.0, settings, {320.0, 400.0});
+        for (const char *length : {"a = 0.787402 in", "b = 2.55906 in", "c = 0.984252 in"}) {
+            const QRectF box = narrow.label(length);
+            QVERIFY2(!box.isNull() && box.right() < 0.55 * 320.0, length);
+        }
+        QVERIFY(narrow.label("b = ").top() >= narrow.label("a = ").bottom() - 1.0);
     }
 
     /// A former defect: in pictures the lengths were written twice.

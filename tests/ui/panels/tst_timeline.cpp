@@ -167,6 +167,24 @@ private slots:
         }
     }
 
+    /// The table, the limits and the search also show angles from 0° to 360°.
+    void showsTheCrankAngleWithinARevolution()
+    {
+        const double turn = 2.0 * std::numbers::pi; // rad/s
+        Bench clockwise({.omega2 = -turn}, {0.0, 1.0, 200});
+        typeNumber(clockwise.box("angleBox"), "60");
+        QVERIFY(std::abs(clockwise.box("angleBox")->value() - 60.0) < 1e-9);
+        QVERIFY(clockwise.shows(5.0 / 6.0));
+
+        Bench twice({.omega2 = turn}, {0.0, 2.0, 200});
+        twice.session.setTime(1.25);
+        NumberBox *box = twice.box("angleBox");
+        QVERIFY(std::abs(box->value() - 90.0) < 1e-9);
+        box->stepUp(); // stays in the second revolution
+        QVERIFY(std::abs(twice.session.time() - (1.25 + 1.0 / 360.0)) < 1e-9);
+        QVERIFY(std::abs(box->value() - 91.0) < 1e-9);
+    }
+
     void changesOnlyTheSettingOfEachBox()
     {
         Bench bench({}, {0.5, 2.5, 400});
