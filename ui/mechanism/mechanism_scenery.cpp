@@ -216,14 +216,11 @@ void MechanismSketch::addDimensionsAndScales()
         addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, 3.0, "c", m_ink);
     }
     if (m_legend == Legend::InCorner) {
-        if (settings.dimensions) {
-            QStringList lengths;
-            for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
-                lengths << lengthText(mechanism(), length);
-            }
-            addCornerLabel(0, 0.0, lengths.join("   "));
+        const QStringList lengths = lengthLines();
+        for (qsizetype line = 0; line < lengths.size(); ++line) {
+            addCornerLabel(static_cast<int>(line), 0.0, lengths[line]);
         }
-        addScales(int(settings.dimensions));
+        addScales(static_cast<int>(lengths.size()));
     }
 }
 
@@ -260,10 +257,26 @@ QLineF MechanismSketch::offsetDimension() const
     return {x, m_O2.y(), x, toPixels({0.0, mechanism().c()}).y()};
 }
 
+/// Returns the lengths as they are written in the upper left corner: in one line if the button for the assembly leaves
+/// space for it, otherwise below each other.
+QStringList MechanismSketch::lengthLines() const
+{
+    constexpr double kButton = 0.45; // of the width, at most
+    if (!m_scene->settings.dimensions) {
+        return {};
+    }
+    QStringList lengths;
+    for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
+        lengths << lengthText(mechanism(), length);
+    }
+    const QString line = lengths.join("   ");
+    return textSize(line, true).width() < (1.0 - kButton) * size.width() ? QStringList(line) : lengths;
+}
+
 /// Returns the number of text lines in the upper left corner.
 int MechanismSketch::cornerLineCount() const
 {
-    return m_legend == Legend::InCorner ? int(m_scene->settings.dimensions) + scaleCount() : 0;
+    return m_legend == Legend::InCorner ? static_cast<int>(lengthLines().size()) + scaleCount() : 0;
 }
 
 } // namespace slidercrank

@@ -56,6 +56,7 @@ private:
     void addDimensionsAndScales();
     QLineF offsetDimension() const;
     int cornerLineCount() const;
+    QStringList lengthLines() const;
     void addScales(int line);
     int scaleCount() const;
     std::vector<std::pair<QString, QRectF>> deadCentreCaptions() const;

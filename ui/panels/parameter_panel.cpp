@@ -193,6 +193,7 @@ void ParameterPanel::addRow(Parameter parameter, const QString &explanation, con
     } else {
         row.unit = named("unit_" + key, new QComboBox, tr("Unit of %1").arg(symbol));
         row.unit->setToolTip(tr("Unit"));
+        row.unit->setSizeAdjustPolicy(QComboBox::AdjustToContents); // also when the letters grow
         for (const ShownUnit &unit : units) {
             row.unit->addItem(unit.name);
         }

@@ -7,11 +7,13 @@
 #include "ui/document/session.h"
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/mechanism/mechanism_view.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 
 #include <QImage>
 #include <QLabel>
 #include <QPainter>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
