@@ -339,6 +339,10 @@
         <translation>Columnas separadas por «%1»</translation>
     </message>
     <message>
+        <source>%1, measured at A</source>
+        <translation>%1, medido en A</translation>
+    </message>
+    <message>
         <source>column %1</source>
         <translation>columna %1</translation>
     </message>
@@ -4193,16 +4197,16 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Escribe las gráficas en un archivo de imagen, o los números de las curvas en un archivo CSV</translation>
     </message>
     <message>
-        <source>%1 [%2]</source>
-        <translation>%1 [%2]</translation>
-    </message>
-    <message>
         <source>Figure…</source>
         <translation>Figura…</translation>
     </message>
     <message>
         <source>Table…</source>
         <translation>Tabla…</translation>
+    </message>
+    <message>
+        <source>%1 [%2]</source>
+        <translation>%1 [%2]</translation>
     </message>
     <message>
         <source>Drag a dot to change %1.</source>

@@ -4,6 +4,7 @@
 #include "ui/document/session.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/figure_export.h"
+#include "ui/text/subscripts.h"
 #include "ui/text/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
@@ -30,6 +31,14 @@ namespace
 
 constexpr int kChartWidth = 360;      // px, beside tables
 constexpr QSize kChartSize(900, 600); // px, of an exported chart
+
+/// Shows a sentence with the symbols of textbooks in it.
+void showSentence(QLabel &label, const QString &sentence)
+{
+    const QString text = symbolHtml(withUnbrokenUnits(sentence));
+    label.setTextFormat(text.contains("<sub>") ? Qt::RichText : Qt::PlainText);
+    label.setText(text);
+}
 
 } // namespace
 
@@ -111,9 +120,9 @@ void TablePanel::fill()
     m_stale = false;
     m_pause.start();
     const Page page = m_makePage();
-    m_sentence->setText(withUnbrokenUnits(page.sentence));
+    showSentence(*m_sentence, page.sentence);
     setInk(*m_sentence, toneColour(page.tone, palette()));
-    m_note->setText(withUnbrokenUnits(page.note));
+    showSentence(*m_note, page.note);
     m_note->setVisible(!page.note.isEmpty());
     m_chart->setVisible(page.chart.has_value());
     if (page.chart) {
@@ -141,7 +150,9 @@ void TablePanel::fillFindings(const Page &page)
     m_findings->setVisible(!m_shownFindings.empty());
     int row = 0;
     for (const Finding &finding : m_shownFindings) {
-        grid->addWidget(named("findingLabel", plainText(finding.sentence)), row, 0);
+        QLabel *label = named("findingLabel", plainText());
+        showSentence(*label, finding.sentence);
+        grid->addWidget(label, row, 0);
         if (finding.remedy != Remedy::None) {
             auto *button = named("remedyButton", new QPushButton(finding.remedyText),
                                  tr("%1: %2").arg(finding.remedyText, finding.sentence));
@@ -196,6 +207,7 @@ void TablePanel::fillTables(const Page &page)
 void TablePanel::arrange()
 {
     constexpr int kScrollBar = 20; // px
+    constexpr int kFewestRows = 5; // of a single table, with its headings: less could not be read
     const bool together = m_shownTables.size() > 1;
     const int available = std::max(1, contentsRect().width() - (m_chart->isHidden() ? 0 : kChartWidth));
     int sum = 0;
@@ -205,7 +217,8 @@ void TablePanel::arrange()
         sum += content.width() + m_beside->spacing();
         widest = std::max(widest, content.width());
         table->setVerticalScrollBarPolicy(together ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
-        table->setMinimumSize(1, together ? content.height() : 1);
+        const int fewest = kFewestRows * table->verticalHeader()->defaultSectionSize();
+        table->setMinimumSize(1, together ? content.height() : std::min(content.height(), fewest));
     }
     const bool isBeside = sum <= available || !together;
     m_beside->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);

@@ -3,6 +3,7 @@
 
 #include "ui/text/enum_table.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/notation.h"
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 
@@ -59,6 +60,13 @@ QString differenceText(Difference difference)
     case Difference::Central: break;
     }
     return ColumnText::tr("central differences");
+}
+
+/// Returns the symbol in the chosen notation. The θ₃ of textbooks is measured at B, that of a file at A.
+QString channelMeaning(Channel channel)
+{
+    const bool isAtA = channel == Channel{Theta3, Order::Position} && notation().symbols == Symbols::Textbook;
+    return isAtA ? ColumnText::tr("%1, measured at A").arg(symbolText(channel)) : symbolText(channel);
 }
 
 } // namespace
@@ -159,7 +167,7 @@ QString meaningText(const FileColumn &column)
     case ColumnRole::Ignored: return dash();
     case ColumnRole::Time: return ColumnText::tr("time");
     case ColumnRole::CrankAngle: return ColumnText::tr("crank angle");
-    case ColumnRole::Channel: return absoluteSymbolText(column.channel);
+    case ColumnRole::Channel: return channelMeaning(column.channel);
     }
     return {};
 }

@@ -14,6 +14,14 @@ QString subscriptHtml(const QString &text)
     return text.toHtmlEscaped().replace(kSubscript, "<sub>\\1</sub>");
 }
 
+QString symbolHtml(const QString &sentence)
+{
+    static const QRegularExpression kSymbol("(?<![A-Za-z0-9_])([xvaAGR])_(B|[AG]?[xy])(?![A-Za-z0-9_])");
+    return sentence.contains(kSymbol)
+               ? sentence.toHtmlEscaped().replace(kSymbol, "\\1<sub>\\2</sub>").replace(u'\n', QStringLiteral("<br>"))
+               : sentence;
+}
+
 QStaticText withSubscripts(const QString &line, const QFont &font)
 {
     QStaticText text;

@@ -8,7 +8,7 @@ namespace slidercrank
 
 QString withUnbrokenUnits(QString text)
 {
-    text.replace("θ₂₀ = ", "θ₂₀\u00a0=\u00a0");
+    text.replace("θ₂₀ = ", "θ₂₀\u00a0=\u00a0").replace(" ± ", "\u00a0±\u00a0");
     static const QRegularExpression kBeforeUnit("(?<=\\d) (?=%|°|mm|rad|s\\b)");
     return text.replace(kBeforeUnit, "\u00a0");
 }
@@ -21,7 +21,7 @@ QLabel *plainText(const QString &text)
     policy.setHeightForWidth(true);
     paragraph->setSizePolicy(policy);
     paragraph->setTextFormat(Qt::PlainText);
-    paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse); // by keyboard, a click would leave a caret
     return paragraph;
 }
 

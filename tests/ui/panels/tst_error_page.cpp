@@ -248,6 +248,16 @@ private slots:
         QVERIFY(rows[0].startsWith("12 (b.csv)|3|a<b|") && rows[1].startsWith("15 (a.csv)|1||"));
     }
 
+    /// The textbook's θ₃ is measured at B; the column of a file holds the angle at A.
+    void describesColumnsWithTheChosenSymbols()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        setNotation({.symbols = Symbols::Textbook});
+        const QStringList rows = rowTexts(readPage("time,theta3,R4_x_diff\n0,22.6,52.4\n0.1,21.5,31.0\n").tables[0]);
+        QVERIFY2(rows[1].contains("θ₃, measured at A"), qPrintable(rows[1]));
+        QVERIFY2(rows[2].contains("v_B"), qPrintable(rows[2]));
+    }
+
     void comparesWithThePinnedMotion()
     {
         Result result;

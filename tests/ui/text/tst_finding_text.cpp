@@ -41,6 +41,16 @@ private slots:
         QCOMPARE(subscriptHtml("a < b & c"), QString("a &lt; b &amp; c"));
     }
 
+    void sentencesShowTheSymbolsOfTextbooksWithSubscripts()
+    {
+        QCOMPARE(symbolHtml("Left out: v_B and v_Ax (a < b)."),
+                 QString("Left out: v<sub>B</sub> and v<sub>Ax</sub> (a &lt; b)."));
+        QCOMPARE(symbolHtml("R_y⁴\nx_B"), QString("R<sub>y</sub>⁴<br>x<sub>B</sub>"));
+        for (const char *plain : {"R4_x: with the opposite sign.", "slider_speed, max_Bx", "a < b\nand a_1"}) {
+            QCOMPARE(symbolHtml(plain), QString(plain));
+        }
+    }
+
     void namesEachChannelInWordsAndBySymbol()
     {
         struct Row {
