@@ -3,6 +3,7 @@
 
 #include "ui/text/enum_table.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -70,7 +71,9 @@ QString checkedValueText(const CheckedValue &checked, int digits, double deviati
         return CheckText::tr("off by %1").arg(shortNumber(deviation, 3) + unit);
     }
     const QString right = digits > 0 ? CheckText::tr("right to its %1 digits").arg(digits) : CheckText::tr("right");
-    return checked.isMeasuredAtB ? CheckText::tr("%1, measured at B (θ₃ = θ³ + 180°)").arg(right) : right;
+    const bool isOfTextbook = notation().symbols == Symbols::Textbook; // whose θ₃ is the one at B
+    return checked.isMeasuredAtB && !isOfTextbook ? CheckText::tr("%1, measured at B (θ₃ = θ³ + 180°)").arg(right)
+                                                  : right;
 }
 
 QString slipText(Slip slip, const QStringList &wrongNames)
