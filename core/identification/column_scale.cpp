@@ -3,7 +3,9 @@
 
 #include "core/identification/rounding_test.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -11,7 +13,7 @@ namespace slidercrank
 double largestFurtherResidual(bool othersAreExact)
 {
     constexpr double kNextToNothing = 1e-3;
-    return othersAreExact ? kNextToNothing : kLargestResidual;
+    return othersAreExact ? kNextToNothing : kLargestNoise;
 }
 
 std::span<const double> unitFactors(Channel channel)
@@ -43,6 +45,23 @@ ColumnScale scaleOf(const Observations &observations, const Fit &fit, const Mode
     const bool isExact = alone.isFinite() && isWithinRounding(observations, alone, 0);
     const bool isSmall = alone.isFinite() && alone.rms[0] < largestFurtherResidual(othersAreExact) * column.range;
     return {factor * signOfCoordinate(observations, fit, column.channel.coordinate), isExact, isExact || isSmall};
+}
+
+double usualFactor(const Observations &observations, const Fit &fit, Index k)
+{
+    const ObservedColumn &column = observations.columns[k];
+    const Coordinate coordinate = column.channel.coordinate;
+    const double sign = signOfCoordinate(observations, fit, coordinate);
+    if (column.channel == kSliderLine) {
+        return 1.0; // another sign is another c
+    }
+    if (column.range == 0.0 && coordinate != Theta2) {
+        return sign; // zeros have neither sign nor scale
+    }
+    const double wanted = scaleOf(observations, fit, fit.model, k, false).factor;
+    const auto mismatch = [&](double unit) { return std::abs(std::log(std::abs(wanted) / unit)); };
+    const double unit = coordinate == Theta2 ? 1.0 : std::ranges::min(unitFactors(column.channel), {}, mismatch);
+    return sign * std::copysign(unit, wanted);
 }
 
 } // namespace slidercrank

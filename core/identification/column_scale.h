@@ -30,4 +30,7 @@ struct ColumnScale {
 ColumnScale scaleOf(const Observations &observations, const Fit &fit, const Model &model, Index column,
                     bool othersAreExact);
 
+/// The usual factor, ±1 or a unit conversion, that is nearest to the one with which the prediction fits a column.
+double usualFactor(const Observations &observations, const Fit &fit, Index column);
+
 } // namespace slidercrank

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Step 5: how the crank turns, if the file contains its angle.
+// How the crank turns, if the file contains its angle.
 
 #include "core/identification/fit.h"
 

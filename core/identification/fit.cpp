@@ -136,6 +136,12 @@ double &valueOf(Model &model, Unknown unknown)
     return model.readings[unknown.column].origin;
 }
 
+double valueOf(const Model &model, Unknown unknown)
+{
+    Model copy = model;
+    return valueOf(copy, unknown);
+}
+
 bool Fit::uses(Index column) const
 {
     return std::ranges::find(columns, column) != columns.end();
@@ -194,15 +200,7 @@ double dependence(const Fit &fit)
 {
     double largest = 1.0;
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        double runs = 1.0; // of residuals with the same sign
-        double last = 0.0;
-        for (const double residual : fit.residuals.col(k)) {
-            if (std::isfinite(residual)) {
-                runs += residual * last < 0.0 ? 1.0 : 0.0;
-                last = residual;
-            }
-        }
-        largest = std::max(largest, 0.5 * fit.counts[k] / runs);
+        largest = std::max(largest, dependence(fit.residuals.col(k)));
     }
     return largest;
 }

@@ -33,6 +33,7 @@ struct Unknown {
 using Unknowns = std::vector<Unknown>;
 
 double &valueOf(Model &model, Unknown unknown);
+double valueOf(const Model &model, Unknown unknown);
 
 /// Numbers by indexOf(Parameter), in mm, rad and s.
 using ParameterErrors = std::array<double, kParameterCount>;
@@ -75,8 +76,7 @@ Fit evaluated(const Observations &observations, Model model, Indices columns);
 /// Minimizes the misfit from a start.
 Fit refined(const Observations &observations, Model start, Indices columns, Unknowns unknowns, int iterationLimit = 50);
 
-/// How many times fewer independent residuals there are than residuals: 1 for noise, whose sign changes in every second
-/// row; more for systematic residuals, which keep their sign for some rows. The largest of all columns counts.
+/// The largest dependence of the residuals of a column (noise.h).
 double dependence(const Fit &fit);
 
 /// Whether the residuals of every column change their sign like independent errors.

@@ -16,7 +16,7 @@ namespace
 {
 
 /// The usual value that is nearest to the value of an unknown.
-double usualValue(const Observations &observations, Model model, Unknown unknown)
+double usualValue(const Observations &observations, const Model &model, Unknown unknown)
 {
     double halfTurn = std::numbers::pi;
     if (unknown.kind == Unknown::Kind::Origin) {
@@ -66,19 +66,19 @@ bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown u
     return isSmall;
 }
 
-/// Whether the residuals without a freedom are small compared with the ranges of the columns.
+/// Whether the residuals are small compared with the ranges of the columns.
 bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 {
-    constexpr double kMaxFraction = 0.5 * kLargestResidual;
+    constexpr double kMaxFraction = 0.01;
     bool isSmall = fit.isFinite();
     for (Index k = 0; isSmall && k < fit.residuals.cols(); ++k) {
-        isSmall = fit.rms[k] < kMaxFraction * observations.columns[fit.columns[k]].range;
+        isSmall = fit.rms[k] < kMaxFraction * sizeOf(observations, fit, k);
     }
     return isSmall;
 }
 
 /// Whether an origin is so near to its usual value that a filter may have shifted the curve that much.
-bool isSmallOrigin(const Observations &observations, Model model, Unknown unknown, double usual)
+bool isSmallOrigin(const Observations &observations, const Model &model, Unknown unknown, double usual)
 {
     constexpr double kMaxOriginFraction = 0.02; // of the range of the column
     constexpr double kMaxAngle = std::numbers::pi / 180.0;
@@ -136,49 +136,62 @@ Fit withUsualSign(const Observations &observations, Fit fit)
     return isExact(observations, next) ? next : fit;
 }
 
-/// Whether the file does not prove that a freedom exists, of which `value` is the usual value.
-bool isUnproven(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double value,
-                bool isInterpolated)
+/// Whether the file does not need a freedom, of which `usual` is the usual value: compares the fits with it and
+/// without.
+bool isUnneeded(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double usual)
 {
-    if (!without.isFinite()) {
-        return false;
+    if (!without.isFinite() || isExact(observations, without)) {
+        return without.isFinite();
     }
-    const bool isSystematic = isInterpolated || (!isNoise(with) && !isExact(observations, with));
-    const bool isSmall = isSystematic || isSmallOrigin(observations, with.model, unknown, value);
+    const bool mayBeFilter =
+        isSystematic(observations, with) || isSmallOrigin(observations, with.model, unknown, usual);
     return without.misfit - with.misfit < kSameMisfit * dependence(with) ||
-           isBelowRounding(observations, with, unknown, value) || (isSmall && hasSmallResiduals(observations, without));
+           isBelowRounding(observations, with, unknown, usual) ||
+           (mayBeFilter && hasSmallResiduals(observations, without));
+}
+
+/// Adds the changes of the parameters from one fit to another to `shifts`.
+void addShifts(ParameterErrors &shifts, const Fit &with, const Fit &without)
+{
+    for (const Unknown unknown : without.unknowns) {
+        if (unknown.isParameter()) {
+            double &shift = shifts[parameterIndex(unknown)];
+            shift = std::hypot(shift, valueOf(without.model, unknown) - valueOf(with.model, unknown));
+        }
+    }
 }
 
 } // namespace
 
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, bool isInterpolated,
-                               const ParameterErrors &shifts)
+Fit withUsualReadings(const Observations &observations, Fit fit)
+{
+    fit = withUsualSign(observations, withUsualUnits(observations, std::move(fit)));
+    if (fit.model.followsAngle) {
+        fit.model.mechanism.theta20 = wrapToPi(fit.model.mechanism.theta20);
+    }
+    return fit;
+}
+
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &shifts)
 {
     constexpr double kMinEvidence = 4.0; // growth of the misfit for an origin two standard errors away
-    ConstrainedFit result{.fit = withUsualSign(observations, withUsualUnits(observations, std::move(fit))),
-                          .shifts = shifts};
+    ConstrainedFit result{.fit = std::move(fit), .shifts = shifts};
     Unknowns freedoms;
-    if (result.fit.model.followsAngle) {
-        result.fit.model.mechanism.theta20 = wrapToPi(result.fit.model.mechanism.theta20);
-        freedoms.push_back({Unknown::Kind::CrankAngle});
-    }
-    std::ranges::copy_if(result.fit.unknowns, std::back_inserter(freedoms),
-                         [](Unknown unknown) { return !unknown.isParameter(); });
+    std::ranges::copy_if(result.fit.unknowns, std::back_inserter(freedoms), [&](Unknown unknown) {
+        const bool isOriginOfCrank = result.fit.model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
+        return isOriginOfCrank || !unknown.isParameter();
+    });
     for (const Unknown freedom : freedoms) {
-        const double value = usualValue(observations, result.fit.model, freedom);
-        Fit next = withFixed(observations, result.fit, freedom, value);
-        const bool isExplained = isExact(observations, next);
-        if (!isExplained && !isUnproven(observations, result.fit, next, freedom, value, isInterpolated)) {
+        const double usual = usualValue(observations, result.fit.model, freedom);
+        Fit without = withFixed(observations, result.fit, freedom, usual);
+        if (!isUnneeded(observations, result.fit, without, freedom, usual)) {
             continue;
         }
-        const bool isDoubtful = !isExplained && next.misfit - result.fit.misfit > kMinEvidence;
-        for (const Unknown unknown : next.unknowns) {
-            if (unknown.isParameter() && isDoubtful) {
-                double &shift = result.shifts[parameterIndex(unknown)];
-                shift = std::hypot(shift, valueOf(next.model, unknown) - valueOf(result.fit.model, unknown));
-            }
+        if (without.misfit - result.fit.misfit > kMinEvidence ||
+            isBelowRounding(observations, result.fit, freedom, usual)) {
+            addShifts(result.shifts, result.fit, without);
         }
-        result.fit = std::move(next);
+        result.fit = std::move(without);
     }
     return result;
 }

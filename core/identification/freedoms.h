@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Step 4: takes the freedoms of the geometry back unless the file needs them. What remains are the findings.
+// Takes the freedoms of a fit back unless the file needs them. What remains are the findings.
 
 #include "core/identification/fit.h"
 
@@ -11,20 +11,22 @@ namespace slidercrank
 /// A fit, and how uncertain its parameters are because a freedom that was taken back may nevertheless exist.
 struct ConstrainedFit {
     Fit fit;
-    ParameterErrors shifts{}; ///< what taking freedoms back has changed
+    ParameterErrors shifts{}; ///< how far the parameters have moved when such freedoms were taken back
 };
 
-/// Reads θ3 in its usual unit and R4_x with its usual sign if a very long coupler hides the difference. Then sets each
-/// origin to its nearest usual value, one after the other, and fits the other unknowns again: the angle of the crank
-/// and θ3 to a multiple of half a turn, lengths to 0. An origin stays free if the file proves it:
-///   1. rounding does not explain the residuals without it;
-///   2. the misfit without it is higher by more than 20 times the dependence of the residuals (see fit.h);
+/// Reads θ3 in its usual unit and R4_x with its usual sign if a very long coupler hides the difference.
+Fit withUsualReadings(const Observations &observations, Fit fit);
+
+/// Sets each origin to its nearest usual value, one after the other, and fits the other unknowns again: the angle of
+/// the crank and θ3 to a multiple of half a turn, lengths to 0. An origin stays free only if the file needs it:
+///   1. without it, rounding does not explain the residuals;
+///   2. the misfit grows without it, by more than 20 times the dependence of the residuals (see noise.h);
 ///   3. it changes a column by more than one rounding step;
-///   4. the residuals are noise, or they would be larger than 1 % of the range of a column without the origin: a filter
-///      or an interpolation bends the curve, too. `isInterpolated`: the file proves an interpolation.
-///   5. it is not small (2 % of the range of the column, 1° of the crank): filters shift a curve that much.
-/// `shifts`: of freedoms that were taken back before.
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, bool isInterpolated,
-                               const ParameterErrors &shifts = {});
+///   4. without it, the residuals of a column are larger than 1 % of its range. This is required if the residuals are
+///      systematic or the origin is small (2 % of the range of its column, 1° of the crank), because a filter or an
+///      interpolation bends the curve that much, too.
+/// `shifts`: of freedoms that were taken back before. An origin may exist nevertheless if it is no larger than the
+/// rounding steps (an encoder truncates) or the misfit speaks for it (by two standard errors).
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &shifts = {});
 
 } // namespace slidercrank

@@ -18,24 +18,6 @@ namespace
 
 using Reason = LeftOutColumn::Reason;
 
-/// The usual factor, ±1 or a unit conversion, that is nearest to the one with which the prediction fits a column.
-double usualFactor(const Observations &observations, const Fit &fit, Index k, bool areExact)
-{
-    const ObservedColumn &column = observations.columns[k];
-    const Coordinate coordinate = column.channel.coordinate;
-    const double sign = signOfCoordinate(observations, fit, coordinate);
-    if (column.channel == kSliderLine) {
-        return 1.0; // another sign is another c
-    }
-    if (column.range == 0.0 && coordinate != Theta2) {
-        return sign; // zeros have neither sign nor scale
-    }
-    const double wanted = scaleOf(observations, fit, fit.model, k, areExact).factor;
-    const auto mismatch = [&](double unit) { return std::abs(std::log(std::abs(wanted) / unit)); };
-    const double unit = coordinate == Theta2 ? 1.0 : std::ranges::min(unitFactors(column.channel), {}, mismatch);
-    return sign * std::copysign(unit, wanted);
-}
-
 /// The origin with which the prediction fits a column of positions best: 0 if the column is one of derivatives.
 double bestOrigin(const Observations &observations, const Fit &fit, Index k, double factor)
 {
@@ -55,11 +37,12 @@ Fit withColumn(const Observations &observations, const Fit &fit, const Model &mo
         return next;
     }
     const Fit others = evaluated(observations, next.model, fit.columns);
-    const bool isExplained =
-        isWithinRounding(observations, next, std::ssize(columns) - 1) ||
-        next.rms.back() < largestFurtherResidual(areExact) * sizeOf(observations, next, std::ssize(columns) - 1);
+    const Index last = std::ssize(columns) - 1;
+    const bool isUsable = isWithinRounding(observations, next, last) ||
+                          (isExplained(observations, next, last) &&
+                           next.rms.back() < largestFurtherResidual(areExact) * sizeOf(observations, next, last));
     const bool spoilsOthers = others.misfit - fit.misfit > kSameMisfit && !(areExact && isExact(observations, others));
-    next.misfit = isExplained && !spoilsOthers ? next.misfit : kInfinity;
+    next.misfit = isUsable && !spoilsOthers ? next.misfit : kInfinity;
     return next;
 }
 
@@ -92,7 +75,7 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
 /// Adds a column in the simplest reading with which it is explained; not finite if there is none.
 Fit withUsualReading(const Observations &observations, const Fit &fit, Index k, bool areExact)
 {
-    const double factor = usualFactor(observations, fit, k, areExact);
+    const double factor = usualFactor(observations, fit, k);
     Model model = fit.model;
     for (const ColumnReading &reading : simpleReadings(observations, fit, k, factor)) {
         model.readings[k] = reading;
@@ -170,8 +153,7 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
             result.fit = std::move(next);
             return;
         }
-        column.percentOfPeak =
-            percentOfPeak(observations, result.fit, k, usualFactor(observations, result.fit, k, areExact));
+        column.percentOfPeak = percentOfPeak(observations, result.fit, k, usualFactor(observations, result.fit, k));
         if (!isDifference && channel != kSliderLine && isMotionOfOtherLengths(observations, result.fit, k)) {
             column.reason = Reason::OtherMotion;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Step 6: the columns that the geometry does not use, most of them derivatives. Each is used, or left out with a
+// The columns that the geometry does not use, most of them derivatives. Each is used, or left out with a
 // reason.
 
 #include "core/identification/drive.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/geometry.h"
 
+#include "core/identification/column_scale.h"
 #include "core/identification/rounding_test.h"
 
 #include "core/mechanism/turn.h"
@@ -320,13 +321,22 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
 
 double misfitOf(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
-    Unknowns origins;
+    if (!geometry.isFinite()) {
+        return kInfinity;
+    }
+    Model start = geometry.model;
+    Unknowns unknowns = geometry.unknowns;
     for (const Index k : columns) {
-        if (!observations.columns[k].isDerivative()) {
-            origins.push_back({Unknown::Kind::Origin, k});
+        const ObservedColumn &column = observations.columns[k];
+        const Unknown origin{Unknown::Kind::Origin, k};
+        if (!geometry.uses(k)) {
+            start.readings[k].factor = usualFactor(observations, geometry, k);
+        }
+        if (!column.isDerivative() && !geometry.changes(origin)) {
+            unknowns.push_back(origin);
         }
     }
-    return geometry.isFinite() ? refined(observations, geometry.model, columns, origins, 5).misfit : kInfinity;
+    return refined(observations, std::move(start), columns, unknowns).misfit;
 }
 
 } // namespace slidercrank

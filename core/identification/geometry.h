@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Step 3: the mechanism, with everything free that a file may do to a column.
+// The mechanism, with everything free that a file may do to a column.
 
 #include "core/identification/fit.h"
 
@@ -28,7 +28,7 @@ bool determineLengths(const Observations &observations, const Indices &columns);
 Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,
                  const Parameters &given);
 
-/// The misfit of a geometry in `columns`, if only the origins of positions may be changed.
+/// The misfit of a geometry after it has been fitted to `columns`, whose positions may have any origin.
 double misfitOf(const Observations &observations, const Fit &geometry, const Indices &columns);
 
 } // namespace slidercrank

@@ -52,19 +52,30 @@ Fit ofOneMechanism(const Observations &searched, const Fit &fit)
     return alone; // of the last column: shapeColumns() lists R4_x after θ3
 }
 
+/// The geometry of some columns, without the freedoms that they do not need.
+ConstrainedFit geometryOf(const Observations &wholeFile, const Observations &searched, const Indices &columns,
+                          const Parameters &given)
+{
+    Fit fit = ofOneMechanism(searched, findGeometry(searched, columns, speedsOf(wholeFile, columns), given));
+    return fit.isFinite() ? withoutFreedoms(searched, withUsualReadings(searched, std::move(fit))) : ConstrainedFit{};
+}
+
 /// The geometry of the lowest derivatives, or that of the next ones if it explains all of these columns better: a
-/// filter or a sensor may have changed the positions.
-Fit bestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
+/// filter or a sensor may have changed the positions. That cannot be if a mechanism explains the positions to the last
+/// digit without another origin.
+ConstrainedFit bestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
     Indices columns = shapeColumns(searched);
-    Fit fit = ofOneMechanism(searched, findGeometry(searched, columns, speedsOf(wholeFile, columns), given));
+    ConstrainedFit lowest = geometryOf(wholeFile, searched, columns, given);
     const Indices next = shapeColumns(searched, 1);
-    if (next.empty() || isExact(searched, fit)) {
-        return fit;
+    const bool hasUsualOrigins = std::ranges::all_of(lowest.fit.unknowns, &Unknown::isParameter);
+    if (next.empty() || (hasUsualOrigins && isExact(searched, lowest.fit))) {
+        return lowest;
     }
-    Fit other = findGeometry(searched, next, speedsOf(wholeFile, next), given);
+    ConstrainedFit other = geometryOf(wholeFile, searched, next, given);
     columns.insert(columns.end(), next.begin(), next.end());
-    return misfitOf(searched, other, columns) < misfitOf(searched, fit, columns) ? other : fit;
+    const double misfit = misfitOf(searched, lowest.fit, columns);
+    return misfitOf(searched, other.fit, columns) + kSameMisfit < misfit ? other : lowest;
 }
 
 /// Uses the time stamps as they were printed if these explain the columns better than evenly spaced ones: a program may
@@ -107,15 +118,12 @@ void useAngleAsColumn(Observations &observations, Fit &fit, const Drive &drive)
     model.mechanism.omega2 = drive.omega2;
     model.mechanism.theta20 = drive.theta20;
     fit.columns.push_back(column);
-    const auto angle = std::ranges::find(fit.unknowns, Unknown{Unknown::Kind::CrankAngle});
-    if (angle == fit.unknowns.end()) {
-        fit.unknowns.push_back({Unknown::Kind::CrankAngle});
-    } else { // it was the origin of the angles in the file
-        fit.unknowns.push_back({Unknown::Kind::Origin, column});
+    for (const Unknown unknown : {Unknown{Unknown::Kind::CrankAngle}, {Unknown::Kind::Omega2}}) {
+        if (!fit.changes(unknown)) {
+            fit.unknowns.push_back(unknown);
+        }
     }
-    if (!fit.changes({Unknown::Kind::Omega2})) {
-        fit.unknowns.push_back({Unknown::Kind::Omega2});
-    }
+    fit.unknowns.push_back({Unknown::Kind::Origin, column});
 }
 
 /// Reads the lengths in the unit of most columns. (Until here, it is that of the column that the geometry used.)
@@ -191,24 +199,19 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     }
     const Observations clean = withoutSpikes(wholeFile);
     Observations searched = thinned(clean, kSearchedRows);
-    Fit fit = bestGeometry(clean, searched, given);
+    ConstrainedFit constrained = bestGeometry(clean, searched, given);
     Findings findings;
-    if (!fit.isFinite()) {
+    if (!constrained.fit.isFinite()) {
         return judge(data, findings, given);
     }
+    Fit fit = std::move(constrained.fit);
     chooseTimeStamps(wholeFile, searched, fit);
-    findings.isInterpolated =
-        std::ranges::any_of(fit.columns, [&](Index k) { return wholeFile.columns[k].isInterpolated; });
-    ConstrainedFit constrained = withoutFreedoms(searched, std::move(fit), findings.isInterpolated);
-    fit = simplestImage(searched, std::move(constrained.fit), given);
-
+    fit = simplestImage(searched, std::move(fit), given);
     findings.drive = findDrive(wholeFile, fit.model);
     if (findings.drive.kind == Drive::Kind::Constant) {
         useAngleAsColumn(wholeFile, fit, findings.drive);
         searched = thinned(withoutSpikes(wholeFile), kSearchedRows);
         fit = refined(searched, fit.model, fit.columns, fit.unknowns);
-        constrained = withoutFreedoms(searched, std::move(fit), findings.isInterpolated, constrained.shifts);
-        fit = std::move(constrained.fit);
     } else if (findings.drive.kind == Drive::Kind::RunUp) {
         fit.model.mechanism.omega2 = findings.drive.omega2;
         fit.model.alpha2 = findings.drive.alpha2;
@@ -219,7 +222,8 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
         findings.leftOut.push_back({kCrankAngle, LeftOutColumn::Reason::OpenSpeed});
     }
     findings.speeds = std::move(further.speeds);
-    findings.lastFit = fitAllRows(std::move(wholeFile), further.fit, constrained.shifts, findings.drive);
+    constrained = withoutFreedoms(searched, std::move(further.fit), constrained.shifts);
+    findings.lastFit = fitAllRows(std::move(wholeFile), constrained.fit, constrained.shifts, findings.drive);
     chooseLengthUnit(findings);
     chooseImage(findings, given);
     relateLengths(findings, searched, given);

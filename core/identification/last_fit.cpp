@@ -26,10 +26,15 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         const ObservedColumn &column = observations.columns[fit.columns[k]];
-        const Values errors = fit.residuals.col(k).abs();
-        const double deviation = std::max(kNormal * median(errors), std::sqrt(column.variance));
+        const Values residuals = fit.residuals.col(k);
+        const Values errors = residuals.abs();
+        const double limit = kDeviations * std::max(kNormal * median(errors), std::sqrt(column.variance));
         const Values bounds = (kRoundings * roundingBounds(observations, fit, k)).max(kHarmlessFraction * column.range);
-        isFarOff = isFarOff || (errors > kDeviations * deviation && errors > bounds);
+        // Outliers jump. Systematic residuals are far off, too, where they rise and fall slowly.
+        const Index pairs = residuals.size() - 1;
+        if ((finite(residuals.tail(pairs) - residuals.head(pairs)).abs() > limit).any()) {
+            isFarOff = isFarOff || (errors > limit && errors > bounds);
+        }
     }
     Indices rows;
     for (Index row = 0; row < isFarOff.size(); ++row) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Step 7: one fit of all used columns and all rows, with standard errors.
+// One fit of all used columns and all rows, with standard errors.
 
 #include "core/identification/drive.h"
 #include "core/identification/fit.h"

@@ -1,14 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Tells independent errors from systematic ones by the signs of the residuals.
+// Tells independent errors from systematic ones by the signs of the residuals of a column.
 
 #include "core/identification/observations.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slidercrank
 {
+
+/// How many times fewer independent residuals there are than residuals: 1 for noise, whose sign changes in every second
+/// row; more for systematic residuals, which keep their sign for some rows.
+inline double dependence(const Values &residuals)
+{
+    double runs = 1.0; // of residuals with the same sign
+    double count = 0.0;
+    double last = 0.0;
+    for (const double residual : residuals) {
+        if (std::isfinite(residual)) {
+            runs += residual * last < 0.0 ? 1.0 : 0.0;
+            count += 1.0;
+            last = residual;
+        }
+    }
+    return std::max(1.0, 0.5 * count / runs);
+}
 
 /// Whether residuals change their sign as often as independent errors do, within three standard deviations: from row to
 /// row in half of the pairs of rows.

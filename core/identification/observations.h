@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Step 1: the columns of a file in mm, rad and s, with the rounding of each value, over the time and, if the file has
+// The columns of a file in mm, rad and s, with the rounding of each value, over the time and, if the file has
 // it, over the angle of the crank.
 
 #include "core/import/reference_data.h"

@@ -99,21 +99,6 @@ Lack lackOfValues(const LastFit &lastFit)
                                                                                                 : Lack::Nothing;
 }
 
-/// Systematic residuals have to be smaller than noise: a curve of another kind, such as that of a four-bar linkage,
-/// comes near, too.
-bool hasLargeResiduals(const Observations &observations, const Fit &fit)
-{
-    constexpr double kSystematicFraction = 0.35; // four-bar linkages leave 0.8 % of the range and more
-    for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        const bool isNoise = changeSignLikeNoise(fit.residuals.col(k));
-        const double largest = isNoise ? kLargestResidual : kSystematicFraction * kLargestResidual;
-        if (fit.rms[k] > largest * sizeOf(observations, fit, k) && !isWithinRounding(observations, fit, k)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// The ratio of the best and the worst determined combination of the unknowns.
 double conditionNumber(const Fit &fit)
 {
@@ -263,18 +248,20 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
         result.misfit = Identification::Misfit::CannotBeAssembled;
         return result;
     }
+    bool hasLargeResiduals = false;
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         result.residuals.push_back(residualOf(observations, fit, k));
+        hasLargeResiduals = hasLargeResiduals || !isExplained(observations, fit, k);
     }
     result.iterations = fit.iterations;
     result.conditionNumber = conditionNumber(fit);
     const bool hasSlantedLine =
         std::ranges::find(findings.leftOut, kSliderLine, &LeftOutColumn::channel) != findings.leftOut.end();
-    const bool isSystematic = !lastFit.isExact && (findings.isInterpolated || !isNoise(fit));
-    const ParameterErrors errors = largestErrors(lastFit, isSystematic);
-    const auto open = openParameters(lastFit, errors, isSystematic);
+    result.hasSystematicResiduals = isSystematic(observations, fit);
+    const ParameterErrors errors = largestErrors(lastFit, result.hasSystematicResiduals);
+    const auto open = openParameters(lastFit, errors, result.hasSystematicResiduals);
     result.lack = lackOfValues(lastFit);
-    if (result.lack == Lack::Nothing && (hasSlantedLine || hasLargeResiduals(observations, fit))) {
+    if (result.lack == Lack::Nothing && (hasSlantedLine || hasLargeResiduals)) {
         result.misfit = hasSlantedLine ? Identification::Misfit::SliderLine : Identification::Misfit::LargeResiduals;
         return result;
     }
@@ -290,7 +277,6 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
         return result;
     }
     result.outcome = lastFit.isExact ? Outcome::Identified : Outcome::Approximate;
-    result.hasSystematicResiduals = isSystematic;
     result.leftOut = findings.leftOut;
     for (const Index row : lastFit.excludedRows) {
         result.excludedRows.push_back(data.lineOfRow(static_cast<std::size_t>(observations.rows[row])));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Step 10: what can be said about the file.
+// What can be said about the file.
 
 #include "core/identification/further_columns.h"
 #include "core/identification/identification.h"
@@ -21,7 +21,6 @@ struct Findings {
     std::vector<double> speeds;         ///< that a table over the crank angle allows
     std::vector<Model> otherImages;     ///< other mechanisms that need the same reading of the file
     std::optional<LengthChange> change; ///< of the given mechanism
-    bool isInterpolated = false;        ///< the file proves that its columns were interpolated or held
 };
 
 /// The outcome without conventions and comparisons: first whether the file determines the mechanism, then whether the

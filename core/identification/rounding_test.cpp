@@ -2,7 +2,9 @@
 #include "core/identification/rounding_test.h"
 
 #include "core/comparison/comparison.h"
+#include "core/identification/noise.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace slidercrank
@@ -46,6 +48,12 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index k)
            (errors - bound).maxCoeff() <= kExcessOfAgreement * 0.5 * column.range;
 }
 
+bool isExplained(const Observations &observations, const Fit &fit, Index k)
+{
+    const double largest = changeSignLikeNoise(fit.residuals.col(k)) ? kLargestNoise : kLargestSystematicResidual;
+    return fit.rms[k] < largest * sizeOf(observations, fit, k) || isWithinRounding(observations, fit, k);
+}
+
 bool isExact(const Observations &observations, const Fit &fit)
 {
     bool isExact = fit.isFinite();
@@ -53,6 +61,12 @@ bool isExact(const Observations &observations, const Fit &fit)
         isExact = isWithinRounding(observations, fit, k);
     }
     return isExact;
+}
+
+bool isSystematic(const Observations &observations, const Fit &fit)
+{
+    const auto isInterpolated = [&](Index k) { return observations.columns[k].isInterpolated; };
+    return !isExact(observations, fit) && (!isNoise(fit) || std::ranges::any_of(fit.columns, isInterpolated));
 }
 
 } // namespace slidercrank

@@ -8,8 +8,11 @@
 namespace slidercrank
 {
 
-/// The largest residual (rms, of the range of the column) with which a mechanism explains a column approximately.
-inline constexpr double kLargestResidual = 0.02;
+/// The largest residuals (rms, of the range of a column) with which a mechanism explains the column approximately:
+/// noise, and systematic residuals, which a curve of another kind leaves, too: that of a four-bar linkage 0.8 % and
+/// more.
+inline constexpr double kLargestNoise = 0.02;
+inline constexpr double kLargestSystematicResidual = 0.007;
 
 /// How far the values of fit.columns[k] may be off by their rounding: half a rounding step of the value, plus the
 /// motion during half a rounding step of the abscissa.
@@ -23,7 +26,14 @@ double sizeOf(const Observations &observations, const Fit &fit, Index k);
 /// itself (see FittedMechanism).
 bool isWithinRounding(const Observations &observations, const Fit &fit, Index k);
 
-/// Whether that is so for all columns of the fit.
+/// Whether rounding explains the residuals of fit.columns[k], or they are noise or systematic and small.
+bool isExplained(const Observations &observations, const Fit &fit, Index k);
+
+/// Whether rounding explains the residuals of all columns of the fit.
 bool isExact(const Observations &observations, const Fit &fit);
+
+/// Whether the file proves that the residuals of the fit are systematic, not rounding or noise: they keep their sign
+/// for some rows, or a column was interpolated.
+bool isSystematic(const Observations &observations, const Fit &fit);
 
 } // namespace slidercrank

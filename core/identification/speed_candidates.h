@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Step 2, only for a file without the angle of the crank: candidates for its speed.
+// Candidates for the speed of the crank, in a file without its angle.
 
 #include "core/identification/observations.h"
 

@@ -70,17 +70,19 @@ private slots:
     void takesOriginsBackThatTheFileDoesNotNeed()
     {
         const Observations observations = changedObservations(unchanged, unchanged);
-        const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations), false);
+        const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations));
         QVERIFY(!result.fit.changes(kAngleOrigin) && !result.fit.changes(kSliderOrigin));
         QVERIFY(result.fit.model.readings[0].origin == 0.0 && result.fit.model.readings[1].origin == 0.0);
-        QVERIFY(result.shifts == ParameterErrors{});
+        for (const double shift : result.shifts) { // only what origins below the rounding steps can change
+            QVERIFY(shift < 1e-3);
+        }
     }
 
     void keepsOriginsThatTheFileNeeds()
     {
         const Observations observations = changedObservations([](double value, std::size_t) { return value - 180.0; },
                                                               [](double value, std::size_t) { return value - 40.0; });
-        const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations), false);
+        const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations));
         QVERIFY(!result.fit.changes(kAngleOrigin) && result.fit.changes(kSliderOrigin));
         QCOMPARE(result.fit.model.readings[0].origin, -0.5 * kTurn);
         QVERIFY(std::abs(result.fit.model.readings[1].origin + 40.0) < 1e-3);
@@ -92,7 +94,7 @@ private slots:
         const auto noise = [&](double value, std::size_t) { return value + random.uniform(-0.2, 0.2); };
         const Observations observations =
             changedObservations([](double value, std::size_t) { return value + 20.0; }, noise);
-        const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations), false);
+        const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations));
         QVERIFY(result.fit.changes(kAngleOrigin) && !result.fit.changes(kSliderOrigin));
         QVERIFY(std::abs(result.fit.model.readings[0].origin * kDegreesPerRadian - 20.0) < 1.0);
     }
@@ -112,7 +114,7 @@ private slots:
             data.series[1].values[i] = sum / 11.0;
         }
         const Observations observations = observe(data, {});
-        const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations), false);
+        const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations));
         QVERIFY(!result.fit.changes(kSliderOrigin));
     }
 
