@@ -215,7 +215,7 @@ RawColumn &findColumn(RawTable &table, const std::string &name)
     return *best;
 }
 
-/// The last choice for a column applies.
+/// Gives the columns the meanings that a person chose. Of several choices for one column, the last one applies.
 void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
 {
     for (const ColumnChoice &choice : choices) {

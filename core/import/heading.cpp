@@ -75,14 +75,14 @@ void splitAtEnd(std::string_view text, Heading &heading)
     for (std::size_t at = 1; at < text.size(); ++at) {
         const bool isCapital = lowerCase(text[at]) != text[at] && lowerCase(text[at - 1]) == text[at - 1];
         const bool isSeparator = std::string_view("/, _-.:").find(text[at]) != std::string_view::npos;
-        if (!isSeparator && (!isCapital || isBlank(text[at - 1]))) {
+        if (!isSeparator && !isCapital) {
             continue;
         }
         const std::string_view end = trimmed(text.substr(at + (isSeparator ? 1 : 0)));
         const std::string_view unit = withoutPreposition(end);
         const std::string_view name = trimmed(text.substr(0, at));
         const bool isClear = text[at] == '/' || text[at] == ',' || unit.size() < end.size();
-        if (unit.empty() || unit[0] == '/' || (!isClear && isAmong(lowered(unit), kAlsoWords)) || !parseUnit(unit)) {
+        if (unit.empty() || (!isClear && isAmong(lowered(unit), kAlsoWords)) || !parseUnit(unit)) {
             continue;
         }
         if (const std::string unitText(unit); suits(meaningOf(name, unitText), unitText)) {
@@ -156,7 +156,7 @@ std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
     };
     const Heading *const position = findElement(row, isPosition);
     const std::optional<Unit> unit = position ? parseUnit(position->use.unit) : std::nullopt;
-    const bool differs = unit && unit->order == 0 && unit->factor != 1.0;
+    const bool differs = unit && unit->factor != 1.0;
     return differs && meaning.channel.order != Order::Position ? position->use.unit + perTime : std::string();
 }
 

@@ -45,7 +45,7 @@ std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> 
         order = name.derivatives; // "velocity ẋ"
     } else if (name.order && !isAlpha) {
         order = static_cast<int>(*name.order) + name.derivatives;
-    } else if (unit && (!name.derivatives || isAlpha)) {
+    } else if (unit && !name.derivatives) {
         order = unit->order;
     } else if (name.hasSymbol || name.derivatives || (name.body && name.body != Body::Coupler)) {
         order = name.derivatives;

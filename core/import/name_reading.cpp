@@ -104,17 +104,6 @@ bool includeIndex(NameReading &all, std::string_view word, const WordMeaning &in
     return isOfSlider || merge(all, index);
 }
 
-/// Includes the letter after a symbol that is a derivative or something else: the p of "x_p".
-bool includeLetterOfOne(NameReading &all, std::string_view letter)
-{
-    const bool isOfPiston = letter == "p" && all.order; // v_p and a_p, for which a derivative is unusual
-    if (isOfPiston) {
-        return merge(all.body, std::optional(Body::Slider));
-    }
-    all.doubt = letter == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
-    return true;
-}
-
 /// Includes a symbol. A word before it, such as "velocity", decides the order.
 bool includeSymbol(NameReading &all, std::string_view word, WordMeaning symbol)
 {
@@ -146,8 +135,9 @@ bool includeEntry(NameReading &all, std::string_view word, Entries entries)
     if (const WordMeaning *const index = indexNamed(all, word)) {
         return includeIndex(all, word, *index);
     }
-    if (all.hasSymbol && findWord(word, WordUse::LetterOfOne)) {
-        return includeLetterOfOne(all, word);
+    if (all.hasSymbol && findWord(word, WordUse::AmbiguousLetter)) {
+        all.doubt = word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
+        return true;
     }
     const WordMeaning *const symbol = entries == Entries::All ? findWord(word, WordUse::Symbol) : nullptr;
     if (symbol && (symbol->axis != ' ' || (!all.hasSymbol && isOfOrder(*symbol, all.order)))) {
@@ -201,8 +191,7 @@ bool includeCompound(NameReading &all, std::string_view word, Entries entries)
     for (std::size_t end = word.size() - 1; end > 0; --end) {
         const std::string_view first = word.substr(0, end);
         const std::string_view rest = word.substr(end);
-        const bool isDifferential =
-            first == "d" && !all.order && !all.hasSymbol && findWord(rest, WordUse::Symbol); // "dx"
+        const bool isDifferential = first == "d" && !all.order && findWord(rest, WordUse::Symbol); // "dx"
         NameReading before = all;
         if (!isDifferential && !includePart(before, first, entries)) {
             continue;

@@ -162,8 +162,9 @@ bool mayBeHeadings(const SplitLine &names, const std::optional<SplitLine> &row, 
     return !areSpaced && row->delimiter != ' ' && (!isMarked || hasRemark);
 }
 
-/// Splits a line, without a comment mark if possible, so that most names are known, and among these as many as there
-/// are numbers in the row. A row of data, and a line that cannot be the headings, have no names.
+/// Splits a line into cells that may be headings. The delimiter with most known names is chosen, and of several the one
+/// with as many cells as the row of numbers. A comment mark before the headings is removed, unless only the line with
+/// the mark can be split. Returns no known names for a row of data and for a line that cannot be the headings.
 SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
 {
     const auto rankOf = [&row](const SplitLine &names) {
@@ -199,7 +200,7 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
         SplitLine names = readNames(lines[i].text, row);
         names.line = i;
         const bool hasSize = row && names.cells.size() == row->cells.size();
-        if (names.isComplete() && (hasSize || !row || row->delimiter != ' ')) {
+        if (names.isComplete() && (hasSize || !row)) {
             return names;
         }
         if (row && i >= row->line) {

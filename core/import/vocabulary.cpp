@@ -172,7 +172,7 @@ std::span<const WordMeaning> vocabulary()
                     "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative nd_derivative "
                     "segunda_derivada zweite_ableitung dd pp",
                     kOpen, Acceleration},
-        WordMeaning{LetterOfOne, "d p point", kOpen, Velocity},
+        WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
         WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la "
                             "in con component componente comp latest run set data cm com body centre center field plot "
                             "channel out yout output result results simout instantaneous "
@@ -185,7 +185,7 @@ std::span<const WordMeaning> vocabulary()
     return kRows;
 }
 
-/// Also true for the bytes of other letters outside ASCII, which no known word contains.
+/// Returns whether a byte is a letter of ASCII or a part of a character outside ASCII, which counts as a letter.
 bool isLetter(char c)
 {
     return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || static_cast<unsigned char>(c) >= 0x80;

@@ -19,13 +19,13 @@ enum class Body { Crank, Coupler, Slider };
 
 /// Where an entry of the vocabulary may occur.
 enum class WordUse {
-    Word,        ///< anywhere: "velocity", "slider"
-    Symbol,      ///< once in a name: "v", "theta"
-    Index,       ///< after a symbol: the B of "x_B"
-    Derivative,  ///< anywhere: the dot of "x_dot"; `order` is the number of derivatives
-    LetterOfOne, ///< after a symbol, for a derivative or something else: the p of "x_p"
-    Filler,      ///< anywhere, says nothing: "of"
-    Label        ///< before a letter that names a joint: "joint B"
+    Word,            ///< anywhere: "velocity", "slider"
+    Symbol,          ///< once in a name: "v", "theta"
+    Index,           ///< after a symbol: the B of "x_B"
+    Derivative,      ///< anywhere: the dot of "x_dot"; `order` is the number of derivatives
+    AmbiguousLetter, ///< after a symbol, where it may stand for a derivative: the p of "x_p" may also be the piston
+    Filler,          ///< anywhere, says nothing: "of"
+    Label            ///< before a letter that names a joint: "joint B"
 };
 
 struct WordMeaning {
