@@ -10,7 +10,6 @@
 #include "ui/panels/solver_form.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/text/language.h"
 #include "ui/widgets/folding_tabs.h"
 #include "ui/widgets/number_box.h"
 #include "ui/window/exports.h"
@@ -509,19 +508,6 @@ private slots:
             }
         }
         QVERIFY(groups >= 3); // theme, language, error
-    }
-
-    void theLanguageChangesAtTheNextStart()
-    {
-        action("Español")->trigger();
-        QVERIFY(said().contains("start the program again"));
-        QCOMPARE(chosenLanguage(), Language::Spanish);
-        setLanguage(chosenLanguage());
-        openWindow();
-        QCOMPARE(m_window->menuBar()->actions().first()->text(), "&Archivo");
-        action("English")->trigger();
-        setLanguage(chosenLanguage());
-        QLocale::setDefault(QLocale::c());
     }
 };
 
