@@ -13,6 +13,7 @@
 #include <QAbstractSpinBox>
 #include <QAction>
 #include <QApplication>
+#include <QContextMenuEvent>
 #include <QDir>
 #include <QDropEvent>
 #include <QFile>
@@ -85,7 +86,9 @@ public:
     {
         switch (event->type()) {
         case QEvent::ContextMenu: // Qt's menus of these wait in an event loop of their own, which never ends in a page
-            return qobject_cast<QAbstractSpinBox *>(watched) || qobject_cast<QScrollBar *>(watched);
+            return qobject_cast<QAbstractSpinBox *>(watched) || qobject_cast<QScrollBar *>(watched) ||
+                   openMenuOfActions(qobject_cast<QWidget *>(watched),
+                                     static_cast<const QContextMenuEvent *>(event)->globalPos());
         case QEvent::MouseButtonPress:
         case QEvent::MouseButtonDblClick:
             forgetSelection(watched, *static_cast<const QMouseEvent *>(event));
@@ -116,6 +119,19 @@ private:
             return false;
         }
         button->menu()->popup(button->mapToGlobal(QPoint(0, button->height())));
+        return true;
+    }
+
+    /// Opens the context menu that a widget has of its actions, also without waiting.
+    static bool openMenuOfActions(QWidget *widget, QPoint position)
+    {
+        if (!widget || widget->contextMenuPolicy() != Qt::ActionsContextMenu || widget->actions().isEmpty()) {
+            return false;
+        }
+        auto *menu = new QMenu(widget);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->addActions(widget->actions());
+        menu->popup(position);
         return true;
     }
 
