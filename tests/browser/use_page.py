@@ -69,6 +69,7 @@ class Window:
 
     FILE, VIEW = (20, 10), (97, 10)
     COUPLER = (206, 750)  # the handle of the slider of b, at 65 mm
+    BACKGROUND = (200, 300)  # of the mechanism
     PIN, PIN_TURNED = (231, 339), (213, 292)  # A at θ₂ = 0, and about 30° further
     COUPLER_LINK = (280, 319)  # between A and G₃
     STUDY_TAB, RUN_STUDY = (1180, 599), (1366, 672)
@@ -166,6 +167,23 @@ def check_reference(window):
     window.shot("refused")
 
 
+def check_context_menus(window):
+    """A menu that waits for its answer would stop the page, and the browser would not answer any more."""
+    browser = window.browser
+    browser.open(window.address)
+    for what, place in (("mechanism", Window.BACKGROUND), ("plot", (800, 200)), ("number box", (450, 720)),
+                        ("slider", Window.COUPLER), ("table", (900, 800)), ("tab bar", (700, 600))):
+        for kind in ("mousePressed", "mouseReleased"):
+            browser.mouse(kind, *place, "right")
+        browser.wait(0.5)
+        window.shot("menu-" + what.replace(" ", "-"))
+        browser.key("Escape")
+        before = browser.script("measured.frames")
+        window.menu(Window.FILE)
+        check(f"a right click on the {what} does not stop the page", browser.script("measured.frames") > before)
+        browser.key("Escape")
+
+
 def check_editing(window):
     browser = window.browser
     browser.open(window.address)
@@ -239,7 +257,7 @@ def use(name, address, shots):
         check_frames(window)
         requests = [request for request in browser.requests if not request.startswith(("data:", "blob:"))]
         check("makes no request after it has loaded", not requests, requests)
-        for work in (check_exports, check_editing, check_reference, check_study, check_language):
+        for work in (check_context_menus, check_exports, check_editing, check_reference, check_study, check_language):
             try:
                 work(window)
             except (AssertionError, RuntimeError, OSError) as error:
