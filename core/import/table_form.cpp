@@ -298,20 +298,18 @@ void findDecimalSign(Lines lines, FileLayout &layout)
 /// %" a number with its unit.
 std::string_view withoutRemark(std::string_view line)
 {
-    constexpr std::string_view kMarks = "#/%!";
-    for (std::size_t at = line.find_first_of(kMarks, 1); at != line.npos; at = line.find_first_of(kMarks, at + 1)) {
-        const bool isSlash = line[at] == '/';
-        const bool isClear = isSlash || line[at] == '#'; // the others have further meanings
-        const std::string_view after = line.substr(std::min(at + (isSlash ? 2 : 1), line.size()));
-        const std::string_view text = trimmed(after);
-        if (isSlash && line.substr(at, 2) != "//") {
-            continue;
-        }
-        const bool isApart = isBlank(line[at - 1]) || (isClear && isDigit(line[at - 1]));
-        const bool isWord = !text.empty() && lowerCase(text[0]) >= 'a' && lowerCase(text[0]) <= 'z';
-        const bool isRemark = text.size() < after.size() ? isClear || isWord : isWord && text[0] >= 'a';
-        if (isApart && (isRemark || (isClear && text.empty()))) {
-            return line.substr(0, at);
+    for (const std::string_view mark : {"#", "//", "%", "!"}) {
+        const bool isClear = mark == "#" || mark == "//"; // the others have further meanings
+        for (std::size_t at = line.find(mark, 1); at != line.npos; at = line.find(mark, at + 1)) {
+            const std::string_view after = line.substr(at + mark.size());
+            const std::string_view text = trimmed(after);
+            const bool isApart = isBlank(line[at - 1]) || (isClear && isDigit(line[at - 1]));
+            const bool isWord = !text.empty() && lowerCase(text[0]) >= 'a' && lowerCase(text[0]) <= 'z';
+            const bool isRemark = text.size() < after.size() ? isClear || isWord : isWord && text[0] >= 'a';
+            if (isApart && (isRemark || (isClear && text.empty()))) {
+                line = line.substr(0, at);
+                break;
+            }
         }
     }
     return line;
