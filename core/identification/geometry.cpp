@@ -321,6 +321,19 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
 
 double misfitOf(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
+    constexpr int kIterations = 5; // of a nearly linear problem
+    Unknowns origins;
+    for (const Index k : columns) {
+        if (!observations.columns[k].isDerivative()) {
+            origins.push_back({Unknown::Kind::Origin, k});
+        }
+    }
+    return geometry.isFinite() ? refined(observations, geometry.model, columns, origins, kIterations).misfit
+                               : kInfinity;
+}
+
+double misfitAfterFit(const Observations &observations, const Fit &geometry, const Indices &columns)
+{
     if (!geometry.isFinite()) {
         return kInfinity;
     }

@@ -28,7 +28,10 @@ bool determineLengths(const Observations &observations, const Indices &columns);
 Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,
                  const Parameters &given);
 
-/// The misfit of a geometry after it has been fitted to `columns`, whose positions may have any origin.
+/// The misfit of a geometry in `columns`, if only the origins of positions may be changed.
 double misfitOf(const Observations &observations, const Fit &geometry, const Indices &columns);
+
+/// The misfit of a geometry after it has been fitted to `columns`, whose positions may have any origin.
+double misfitAfterFit(const Observations &observations, const Fit &geometry, const Indices &columns);
 
 } // namespace slidercrank

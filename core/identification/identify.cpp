@@ -62,20 +62,25 @@ ConstrainedFit geometryOf(const Observations &wholeFile, const Observations &sea
 
 /// The geometry of the lowest derivatives, or that of the next ones if it explains all of these columns better: a
 /// filter or a sensor may have changed the positions. That cannot be if a mechanism explains the positions to the last
-/// digit without another origin.
+/// digit without another origin. With another origin, it may be a wrong mechanism: both are fitted to all columns
+/// first.
 ConstrainedFit bestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
     Indices columns = shapeColumns(searched);
     ConstrainedFit lowest = geometryOf(wholeFile, searched, columns, given);
     const Indices next = shapeColumns(searched, 1);
+    const bool isLowestExact = isExact(searched, lowest.fit);
     const bool hasUsualOrigins = std::ranges::all_of(lowest.fit.unknowns, &Unknown::isParameter);
-    if (next.empty() || (hasUsualOrigins && isExact(searched, lowest.fit))) {
+    if (next.empty() || (isLowestExact && hasUsualOrigins)) {
         return lowest;
     }
     ConstrainedFit other = geometryOf(wholeFile, searched, next, given);
     columns.insert(columns.end(), next.begin(), next.end());
-    const double misfit = misfitOf(searched, lowest.fit, columns);
-    return misfitOf(searched, other.fit, columns) + kSameMisfit < misfit ? other : lowest;
+    if (isLowestExact) {
+        const double misfit = misfitAfterFit(searched, lowest.fit, columns);
+        return misfitAfterFit(searched, other.fit, columns) + kSameMisfit < misfit ? other : lowest;
+    }
+    return misfitOf(searched, other.fit, columns) < misfitOf(searched, lowest.fit, columns) ? other : lowest;
 }
 
 /// Uses the time stamps as they were printed if these explain the columns better than evenly spaced ones: a program may
