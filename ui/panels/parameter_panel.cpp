@@ -43,7 +43,7 @@ class ParameterSlider : public NumberSlider
 public:
     ParameterSlider()
     {
-        setMinimumWidth(80);
+        setMinimumWidth(50); // leaves space for large letters
         setPageStep(10);
     }
 
