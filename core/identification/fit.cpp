@@ -4,6 +4,8 @@
 #include "core/identification/minimizer.h"
 #include "core/identification/noise.h"
 
+#include "core/mechanism/turn.h"
+
 #include <Eigen/Dense>
 #include <unsupported/Eigen/AutoDiff>
 
@@ -194,6 +196,19 @@ Fit refined(const Observations &observations, Model start, Indices columns, Unkn
     fit.curvature = std::move(minimum->shape.curvature);
     fit.iterations = minimum->iterations;
     return fit;
+}
+
+bool isShortArc(const Observations &observations, const Model &model)
+{
+    constexpr double kShortestArc = 0.25 * kTurn;
+    double least = kInfinity;
+    double greatest = -kInfinity;
+    for (Index row = 0; row < observations.size(); ++row) {
+        const double angle = model.crankAngle(observations, row);
+        least = std::min(least, angle);
+        greatest = std::max(greatest, angle);
+    }
+    return greatest - least < kShortestArc;
 }
 
 double dependence(const Fit &fit)

@@ -76,6 +76,9 @@ Fit evaluated(const Observations &observations, Model model, Indices columns);
 /// Minimizes the misfit from a start.
 Fit refined(const Observations &observations, Model start, Indices columns, Unknowns unknowns, int iterationLimit = 50);
 
+/// Whether the crank turns so little that many mechanisms have nearly the same motion.
+bool isShortArc(const Observations &observations, const Model &model);
+
 /// The largest dependence of the residuals of a column (noise.h).
 double dependence(const Fit &fit);
 

@@ -45,7 +45,7 @@ Fit ofOneMechanism(const Observations &searched, const Fit &fit)
         Unknowns unknowns = fit.unknowns;
         std::erase_if(unknowns, [&](Unknown unknown) { return !unknown.isParameter() && unknown.column != column; });
         alone = refined(searched, fit.model, {column}, unknowns);
-        if (!isExact(searched, alone)) {
+        if (!isExact(searched, alone) || isShortArc(searched, alone.model)) {
             return fit;
         }
     }

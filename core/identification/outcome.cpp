@@ -64,7 +64,8 @@ double maxErrorOf(Unknown unknown, bool isSystematic)
 }
 
 /// Which unknown parameters the file leaves open. `errors`: the largest ones. The approximate motion of a coupler of
-/// more than a hundred cranks hardly shows its length, however small the errors are.
+/// more than a hundred cranks hardly shows its length, however small the errors are. A mechanism that explains a short
+/// arc only approximately need not be the one that moved.
 std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const ParameterErrors &errors,
                                                  bool isSystematic)
 {
@@ -72,12 +73,14 @@ std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const P
     const Parameters &m = lastFit.fit.model.mechanism;
     const std::array<double, kParameterCount> sizes{m.a, m.b, std::max(m.a, std::abs(m.c)), std::abs(m.omega2), 1.0};
     const bool isCouplerOpen = !lastFit.isExact && std::max(m.b, std::abs(m.c)) > kMaxRatio * m.a;
+    const bool isArbitrary = isSystematic && isShortArc(lastFit.observations, lastFit.fit.model);
     std::array<bool, kParameterCount> open{};
     for (const Unknown unknown : lastFit.fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = parameterIndex(unknown);
             const bool isOfCoupler = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
-            open[i] = (isCouplerOpen && isOfCoupler) || errors[i] > maxErrorOf(unknown, isSystematic) * sizes[i];
+            open[i] = isArbitrary || (isCouplerOpen && isOfCoupler) ||
+                      errors[i] > maxErrorOf(unknown, isSystematic) * sizes[i];
         }
     }
     return open;
