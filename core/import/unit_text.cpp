@@ -133,10 +133,14 @@ std::string lowered(std::string_view text)
 
 std::string respelled(std::string_view text, std::string_view table)
 {
+    std::string beginnings; // the first characters of what the table respells
+    for (std::string_view rest = table; !rest.empty();) {
+        beginnings += takeUntil('|', rest).substr(0, 1);
+    }
     std::string result;
     while (!text.empty()) {
-        // Also many characters at once, if none of them occurs in the table.
-        std::string_view from = text.substr(0, std::max<std::size_t>(text.find_first_of(table), 1));
+        // Also many characters at once, if nothing in the table begins with them.
+        std::string_view from = text.substr(0, std::max<std::size_t>(text.find_first_of(beginnings), 1));
         std::string_view to = from;
         for (std::string_view rest = table; !rest.empty();) {
             const std::string_view entry = takeUntil('|', rest);
