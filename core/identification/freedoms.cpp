@@ -140,8 +140,11 @@ Fit withUsualSign(const Observations &observations, Fit fit)
 /// without.
 bool isUnneeded(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double usual)
 {
-    if (!without.isFinite() || isExact(observations, without)) {
-        return without.isFinite();
+    if (!without.isFinite()) {
+        return false;
+    }
+    if (isExact(observations, without)) {
+        return true;
     }
     const bool mayBeFilter =
         isSystematic(observations, with) || isSmallOrigin(observations, with.model, unknown, usual);

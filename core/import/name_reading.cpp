@@ -55,9 +55,12 @@ bool includeNumber(NameReading &all, std::string_view digits)
     }
     all.isUnknownBody = !isAngle;
     all.isFrame = digits == "1";
-    const std::optional<Body> link = digits == "2"   ? std::optional(Body::Crank)
-                                     : digits == "3" ? std::optional(Body::Coupler)
-                                                     : std::nullopt;
+    std::optional<Body> link;
+    if (digits == "2") {
+        link = Body::Crank;
+    } else if (digits == "3") {
+        link = Body::Coupler;
+    }
     return isAmong(digits, "1 2 3") && (!isAngle || merge(all.body, link));
 }
 
@@ -232,6 +235,38 @@ bool includeUnknownIndex(NameReading &all, std::string_view word)
     return isIndex;
 }
 
+/// Removes the differentials of "dx/dt" and "d^2x/dt^2", whose words are "dxdt" and "d", "2", "xdt", "2". Returns the
+/// number of derivatives.
+int takeDifferentials(Words &words)
+{
+    if (words.empty() || !words[0].starts_with('d')) {
+        return 0;
+    }
+    const auto endsWithTime = [](const std::string &word) { return word.ends_with("dt"); };
+    const auto quotient = std::ranges::find_if(words, endsWithTime);
+    const bool isQuotient = quotient != words.end();
+    if (words.size() == 1 && words[0].size() <= 3) { // "dt" is no quotient
+        return 0;
+    }
+    const bool isSecond = words.size() > 2 && words[0] == "d" && words[1] == "2";
+    if (isQuotient) {
+        quotient->resize(quotient->size() - 2);
+        if (const auto power = quotient + 1; power != words.end() && *power == "2") {
+            words.erase(power);
+        }
+    }
+    if (isSecond) {
+        words.erase(words.begin(), words.begin() + 2);
+    } else if (isQuotient) {
+        words[0].erase(0, 1);
+    }
+    std::erase(words, std::string());
+    if (isSecond) {
+        return 2;
+    }
+    return isQuotient ? 1 : 0;
+}
+
 /// Returns the body that the words name; nullopt if it is none or several, as in "slider_crank".
 std::optional<Body> bodyAmong(const Words &words)
 {
@@ -251,7 +286,8 @@ NamePath splitPath(std::string_view name)
 {
     const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
     name.remove_prefix(isOfRecurDyn ? 2 : 0);
-    const std::string_view mark = isOfRecurDyn ? "-" : name.find('@') != name.npos ? "@" : " - ";
+    const std::string_view usualMark = name.find('@') != name.npos ? "@" : " - ";
+    const std::string_view mark = isOfRecurDyn ? "-" : usualMark;
     if (const std::size_t at = name.find(mark); at != name.npos && at > 0) {
         const std::string_view owner = name.substr(at + mark.size()); // "Slider@Model1"
         return {{owner.substr(0, owner.find('@')), name.substr(0, at)}, std::string(owner)};
@@ -301,27 +337,7 @@ int takeDerivatives(Words &words)
             ++i;
         }
     }
-    const bool isSecond = words.size() > 2 && words[0] == "d" && words[1] == "2";
-    if (words.empty() || !words[0].starts_with('d')) {
-        return count;
-    }
-    const auto denominator = std::ranges::find_if(words, [](const std::string &word) { return word.ends_with("dt"); });
-    if (words.size() > 1 || (denominator != words.end() && denominator->size() > 3)) {
-        if (denominator != words.end()) { // "dx/dt"
-            denominator->resize(denominator->size() - 2);
-            if (const auto power = denominator + 1; power != words.end() && *power == "2") {
-                words.erase(power);
-            }
-            count += isSecond ? 0 : 1;
-            words[0].erase(0, isSecond ? 0 : 1);
-        }
-        if (isSecond) {
-            count += 2;
-            words.erase(words.begin(), words.begin() + 2);
-        }
-    }
-    std::erase(words, std::string());
-    return count;
+    return count + takeDifferentials(words);
 }
 
 std::optional<NameReading> readName(const NamePath &path, int derivatives, const Words &lastWords)

@@ -294,19 +294,30 @@ void findDecimalSign(Lines lines, FileLayout &layout)
     layout.mayBeThousands = hasSign && !isClear;
 }
 
-/// Returns the line without the remark after it, such as "# start", "// start" or "% start". "#N/A" is a gap, and "12
-/// %" a number with its unit.
+/// Whether what follows a mark in a line is a remark: "0.5 # start" and "0.5 // start", but "0.5 #N/A" is a gap. % and
+/// ! have further meanings, as in "12 %", so that they must stand apart and a word must follow: "0.5 % start".
+bool isRemark(std::string_view before, std::string_view mark, std::string_view after)
+{
+    const bool isAmbiguous = mark == "%" || mark == "!";
+    const bool isApart = isBlank(before.back()) || (!isAmbiguous && isDigit(before.back()));
+    const std::string_view text = trimmed(after);
+    if (!isApart || text.empty()) {
+        return isApart && !isAmbiguous;
+    }
+    const bool isLower = text[0] >= 'a' && text[0] <= 'z';
+    if (!isBlank(after[0])) {
+        return isLower;
+    }
+    const bool isLetter = lowerCase(text[0]) >= 'a' && lowerCase(text[0]) <= 'z';
+    return isLetter || !isAmbiguous;
+}
+
+/// Returns the line without the remark after it.
 std::string_view withoutRemark(std::string_view line)
 {
     for (const std::string_view mark : {"#", "//", "%", "!"}) {
-        const bool isClear = mark == "#" || mark == "//"; // the others have further meanings
         for (std::size_t at = line.find(mark, 1); at != line.npos; at = line.find(mark, at + 1)) {
-            const std::string_view after = line.substr(at + mark.size());
-            const std::string_view text = trimmed(after);
-            const bool isApart = isBlank(line[at - 1]) || (isClear && isDigit(line[at - 1]));
-            const bool isWord = !text.empty() && lowerCase(text[0]) >= 'a' && lowerCase(text[0]) <= 'z';
-            const bool isRemark = text.size() < after.size() ? isClear || isWord : isWord && text[0] >= 'a';
-            if (isApart && (isRemark || (isClear && text.empty()))) {
+            if (isRemark(line.substr(0, at), mark, line.substr(at + mark.size()))) {
                 line = line.substr(0, at);
                 break;
             }

@@ -3808,8 +3808,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>las magnitudes están en filas: trasponga la tabla, de modo que cada magnitud sea una columna.</translation>
     </message>
     <message>
-        <source>another table begins here, with other headings: keep one of the tables.</source>
-        <translation>aquí empieza otra tabla, con otros encabezados: conserve una de las tablas.</translation>
+        <source>another table begins here, with other headings or units: keep one of the tables.</source>
+        <translation>aquí empieza otra tabla, con otros encabezados o unidades: conserve una de las tablas.</translation>
     </message>
     <message>
         <source>the time starts again: this file holds several motions; keep one of them.</source>

@@ -39,11 +39,6 @@
 namespace slidercrank
 {
 
-namespace
-{
-
-} // namespace
-
 MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     : QWidget(parent)
     , m_session(session)

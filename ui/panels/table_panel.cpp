@@ -207,7 +207,7 @@ void TablePanel::fillTables(const Page &page)
 void TablePanel::arrange()
 {
     constexpr int kScrollBar = 20; // px
-    constexpr int kFewestRows = 5; // of a single table, with its headings: less could not be read
+    constexpr int kMinRows = 5;    // of a single table, with its headings: less could not be read
     const bool together = m_shownTables.size() > 1;
     const int available = std::max(1, contentsRect().width() - (m_chart->isHidden() ? 0 : kChartWidth));
     int sum = 0;
@@ -217,8 +217,8 @@ void TablePanel::arrange()
         sum += content.width() + m_beside->spacing();
         widest = std::max(widest, content.width());
         table->setVerticalScrollBarPolicy(together ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
-        const int fewest = kFewestRows * table->verticalHeader()->defaultSectionSize();
-        table->setMinimumSize(1, together ? content.height() : std::min(content.height(), fewest));
+        const int lowest = kMinRows * table->verticalHeader()->defaultSectionSize();
+        table->setMinimumSize(1, together ? content.height() : std::min(content.height(), lowest));
     }
     const bool isBeside = sum <= available || !together;
     m_beside->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);

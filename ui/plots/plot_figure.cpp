@@ -367,11 +367,11 @@ void PlotFigure::paint(QPainter &painter, const std::optional<double> &cursorTim
 int PlotFigure::heightFor(const std::vector<std::size_t> &plots, int width, const QFont &font)
 {
     constexpr std::array kRowHeight{0.0, 0.55, 0.66, 0.76}; // in widths of a plot, by the number of plots in a row
-    constexpr int kFewestLines = 8;                         // of text, of which the title and the numbers take half
+    constexpr int kMinLines = 8;                            // of text, of which the title and the numbers take half
     const std::size_t columns = columnsFor(plots);
     const std::size_t rows = (plots.size() + columns - 1) / columns;
     const double row =
-        std::max<double>(kRowHeight[columns] * width / static_cast<double>(columns), kFewestLines * lineHeight(font));
+        std::max<double>(kRowHeight[columns] * width / static_cast<double>(columns), kMinLines * lineHeight(font));
     return static_cast<int>(std::lround(static_cast<double>(rows) * row)) + 3 * lineHeight(font); // with the legend
 }
 

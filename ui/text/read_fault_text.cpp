@@ -43,7 +43,7 @@ public:
         {FaultKind::Transposed,
          QT_TR_NOOP("the quantities are rows: transpose the table, so that each quantity is a column.")},
         {FaultKind::AnotherTable,
-         QT_TR_NOOP("another table begins here, with other headings: keep one of the tables.")},
+         QT_TR_NOOP("another table begins here, with other headings or units: keep one of the tables.")},
         {FaultKind::UnknownUnit,
          QT_TR_NOOP("unknown unit, or one of another quantity: write for example [%2], or none.")},
         {FaultKind::UnknownTimeUnit, QT_TR_NOOP("unknown unit of time: write [s] or [ms], or none for seconds.")},
