@@ -8,8 +8,9 @@
 #include "core/identification/identification.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/column_text.h"
+#include "ui/text/comparison_text.h"
 #include "ui/text/explanation.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/read_fault_text.h"
 
 #include <algorithm>

@@ -8,9 +8,11 @@
 #include "core/import/crank_angles.h"
 #include "ui/document/result.h"
 #include "ui/document/settings_fields.h"
+#include "ui/text/channel_text.h"
+#include "ui/text/comparison_text.h"
 #include "ui/text/convention_text.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
+#include "ui/text/parameter_text.h"
 
 #include <QLocale>
 

@@ -11,9 +11,10 @@
 #include "core/limits/tolerance.h"
 #include "core/mechanism/turn.h"
 #include "ui/document/settings_fields.h"
+#include "ui/text/channel_text.h"
 #include "ui/text/design_text.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/written_number.h"
 
 #include <QJsonArray>

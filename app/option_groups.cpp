@@ -7,7 +7,8 @@
 #include "core/mechanism/channel.h"
 #include "core/sampling/crank_time.h"
 #include "ui/document/settings_fields.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/channel_text.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"
 

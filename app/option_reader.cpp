@@ -2,8 +2,8 @@
 #include "app/option_reader.h"
 
 #include "core/import/quantity.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 #include "app/reference_files.h"
 
 #include "ui/document/settings_fields.h"
+#include "ui/text/channel_text.h"
 #include "ui/text/column_text.h"
 #include "ui/text/convention_text.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 

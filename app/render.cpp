@@ -13,8 +13,8 @@
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
+#include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
 #include "ui/window/ghost.h"
 

@@ -7,7 +7,7 @@
 #include "app/commands.h"
 #include "app/option_words.h"
 #include "ui/panels/study_page.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/study_text.h"
 #include "ui/text/written_number.h"
 

@@ -1750,35 +1750,7 @@ difiere: lo demás</translation>
     </message>
 </context>
 <context>
-    <name>slidercrank::FindingText</name>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 y %2</translation>
-    </message>
-    <message>
-        <source>differs: nothing to compare with</source>
-        <translation>difiere: nada con qué comparar</translation>
-    </message>
-    <message>
-        <source>differs</source>
-        <translation>difiere</translation>
-    </message>
-    <message>
-        <source>The file has no column that this program knows.</source>
-        <translation>El archivo no tiene ninguna columna que este programa conozca.</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>abierta</translation>
-    </message>
-    <message>
-        <source>crossed</source>
-        <translation>cruzada</translation>
-    </message>
-    <message>
-        <source>%1 assembly</source>
-        <translation>configuración %1</translation>
-    </message>
+    <name>slidercrank::ChannelText</name>
     <message>
         <source>ground</source>
         <translation>bancada</translation>
@@ -1843,9 +1815,20 @@ difiere: lo demás</translation>
         <source>%1 centre&apos;s acceleration in y</source>
         <translation>aceleración en y del centro de la %1</translation>
     </message>
+</context>
+<context>
+    <name>slidercrank::ComparisonText</name>
     <message>
-        <source>pinned</source>
-        <translation>fijado</translation>
+        <source>differs: nothing to compare with</source>
+        <translation>difiere: nada con qué comparar</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>difiere</translation>
+    </message>
+    <message>
+        <source>The file has no column that this program knows.</source>
+        <translation>El archivo no tiene ninguna columna que este programa conozca.</translation>
     </message>
     <message>
         <source>agrees within the rounding of the file</source>
@@ -1874,10 +1857,6 @@ difiere: lo demás</translation>
     <message>
         <source>No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.</source>
         <translation>No coincide: difieren %1 de %2 magnitudes; la mayor diferencia: %3, un %4 % de su máximo.</translation>
-    </message>
-    <message>
-        <source>%1 or %2</source>
-        <translation>%1 o %2</translation>
     </message>
     <message>
         <source>channel</source>
@@ -1916,6 +1895,37 @@ difiere: lo demás</translation>
         <translation>próximo: como máximo %1 veces el redondeo del archivo</translation>
     </message>
     <message>
+        <source>max. relative error [%]</source>
+        <translation>error relativo máx. [%]</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::ParameterText</name>
+    <message>
+        <source>open</source>
+        <translation>abierta</translation>
+    </message>
+    <message>
+        <source>crossed</source>
+        <translation>cruzada</translation>
+    </message>
+    <message>
+        <source>%1 assembly</source>
+        <translation>configuración %1</translation>
+    </message>
+    <message>
+        <source>crank</source>
+        <translation>manivela</translation>
+    </message>
+    <message>
+        <source>coupler</source>
+        <translation>biela</translation>
+    </message>
+    <message>
+        <source>pinned</source>
+        <translation>fijado</translation>
+    </message>
+    <message>
         <source>offset</source>
         <translation>excentricidad</translation>
     </message>
@@ -1927,9 +1937,16 @@ difiere: lo demás</translation>
         <source>initial angle</source>
         <translation>ángulo inicial</translation>
     </message>
+</context>
+<context>
+    <name>slidercrank::WordList</name>
     <message>
-        <source>max. relative error [%]</source>
-        <translation>error relativo máx. [%]</translation>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
     </message>
 </context>
 <context>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/edit_stack.h"
 
-#include "ui/text/finding_text.h"
+#include "ui/text/parameter_text.h"
 
 #include <algorithm>
 #include <bit>

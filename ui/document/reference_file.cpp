@@ -3,7 +3,7 @@
 
 #include "core/import/crank_angles.h"
 #include "ui/text/column_text.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/read_fault_text.h"
 
 #include <QCoreApplication>

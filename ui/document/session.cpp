@@ -4,8 +4,8 @@
 #include "ui/document/column_choices.h"
 #include "ui/document/whole_file.h"
 #include "ui/document/with.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
+#include "ui/text/parameter_text.h"
 
 #include <QFileInfo>
 #include <QLocale>

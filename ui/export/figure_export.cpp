@@ -3,7 +3,7 @@
 
 #include "ui/document/whole_file.h"
 #include "ui/text/enum_table.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/parameter_text.h"
 
 #include <QBuffer>
 #include <QClipboard>

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report.h"
 
+#include "ui/text/channel_text.h"
 #include "ui/text/column_text.h"
+#include "ui/text/comparison_text.h"
 #include "ui/text/explanation.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/subscripts.h"
 #include "ui/text/written_number.h"
 

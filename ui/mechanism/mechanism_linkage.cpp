@@ -2,7 +2,7 @@
 #include "ui/mechanism/mechanism_sketch.h"
 
 #include "ui/mechanism/mechanism_text.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/channel_text.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
 #include "ui/text/written_number.h"

@@ -2,9 +2,10 @@
 #include "ui/mechanism/mechanism_text.h"
 
 #include "core/mechanism/turn.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/channel_text.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>

@@ -3,8 +3,8 @@
 
 #include "ui/document/column_choices.h"
 #include "ui/document/reference_file.h"
+#include "ui/text/channel_text.h"
 #include "ui/text/column_text.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"

@@ -2,12 +2,14 @@
 #include "ui/panels/error_page.h"
 
 #include "ui/text/axis_scale.h"
+#include "ui/text/channel_text.h"
 #include "ui/text/column_text.h"
+#include "ui/text/comparison_text.h"
 #include "ui/text/convention_text.h"
 #include "ui/text/explanation.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
 #include "ui/text/notation.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 

@@ -5,8 +5,8 @@
 #include "core/newton/newton.h"
 #include "core/sampling/time_step_equations.h"
 #include "ui/text/axis_scale.h"
+#include "ui/text/channel_text.h"
 #include "ui/text/enum_table.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include "ui/document/session.h"
 #include "ui/panels/response.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/notation.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"

@@ -3,7 +3,6 @@
 
 #include "ui/panels/error_page.h"
 #include "ui/text/column_text.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"

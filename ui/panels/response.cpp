@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/response.h"
 
-#include "ui/text/finding_text.h"
 #include "ui/text/notation.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>

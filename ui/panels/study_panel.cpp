@@ -3,7 +3,7 @@
 
 #include "ui/document/session.h"
 #include "ui/panels/study_page.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/study_text.h"
 #include "ui/text/written_number.h"
 

@@ -6,8 +6,8 @@
 
 #include "ui/plots/plot_drawing.h"
 #include "ui/text/axis_scale.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/motion_facts.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/written_number.h"
 
 #include <algorithm>

@@ -5,7 +5,8 @@
 #include "ui/plots/plot_figure.h"
 
 #include "ui/plots/plot_drawing.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/channel_text.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/subscripts.h"
 
 #include <QFontMetricsF>

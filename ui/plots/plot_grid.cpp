@@ -3,7 +3,7 @@
 
 #include "ui/document/setting_action.h"
 #include "ui/plots/plot_drawing.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/channel_text.h"
 #include "ui/text/written_number.h"
 
 #include <QActionGroup>

@@ -2,8 +2,8 @@
 #include "ui/text/check_text.h"
 
 #include "ui/text/enum_table.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/notation.h"
+#include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>

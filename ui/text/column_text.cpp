@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/column_text.h"
 
+#include "ui/text/channel_text.h"
 #include "ui/text/enum_table.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/notation.h"
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/convention_text.h"
 
+#include "ui/text/channel_text.h"
+#include "ui/text/comparison_text.h"
 #include "ui/text/enum_table.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>

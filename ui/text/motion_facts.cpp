@@ -3,7 +3,8 @@
 
 #include "core/closed_form/closed_form.h"
 #include "core/sampling/crank_time.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/channel_text.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/notation.h"
 
-#include "ui/text/finding_text.h"
+#include "ui/text/channel_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/study_text.h"
 
-#include "ui/text/finding_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>

@@ -35,6 +35,11 @@ QString formatted(double value, char format, int digits, Write write)
     return e < 0 ? text : write(text.first(e), QLocale().toInt(text.mid(e + 1)));
 }
 
+int exponentOf(double magnitude)
+{
+    return static_cast<int>(std::floor(std::log10(magnitude)));
+}
+
 QString withMinusSign(QString text)
 {
     return text.replace(QLocale().negativeSign(), "−");
@@ -73,7 +78,7 @@ QString shortNumber(std::optional<double> value, int digits)
     if (*value == 0.0) {
         return QLocale().toString(0);
     }
-    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(*value))));
+    const int exponent = exponentOf(std::abs(*value));
     const bool isPlain = exponent >= -6 && exponent < 6;
     return withMinusSign(formatted(*value, isPlain ? 'f' : 'e',
                                    isPlain ? std::max(0, digits - 1 - exponent) : digits - 1,
@@ -110,6 +115,22 @@ double nextRoundNumber(double value)
         }
     }
     return 10.0 * decade;
+}
+
+QString measuredText(double value, double standardError, double scale)
+{
+    constexpr double kArithmetic = 1e-13; // relative to the scale: smaller errors are rounding errors
+    if (!(standardError > kArithmetic * scale) || std::isinf(standardError)) {
+        constexpr int kDigitsAlone = 9;
+        return numberText(std::abs(value) > kArithmetic * scale ? value : 0.0, kDigitsAlone);
+    }
+    // Power of ten of the error, rounded to one digit: 0 for 0.96, which is rounded to 1.
+    const int place = exponentOf(standardError / 0.95);
+    const double unit = std::pow(10.0, place);
+    const double rounded = std::round(value / unit) * unit + 0.0; // never -0
+    const double roundedError = std::round(standardError / unit) * unit;
+    const int digits = rounded == 0.0 ? 1 : std::max(1, exponentOf(std::abs(rounded)) - place + 1);
+    return QStringLiteral("%1 ± %2").arg(shortNumber(rounded, digits), shortNumber(roundedError, 1));
 }
 
 } // namespace slidercrank

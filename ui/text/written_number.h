@@ -31,6 +31,10 @@ int digitsToTellApart(double x, double y);
 /// Formats a value at full precision, as it can be entered: "-1.5e-8".
 QString typedNumberText(double value);
 
+/// Returns a value rounded to the first digit of its standard error: "20.000001 ± 0.000003". Omits the standard error
+/// if it is NaN, infinite, or no larger than the rounding error of numbers of size `scale`.
+QString measuredText(double value, double standardError, double scale);
+
 /// Returns a power of ten: "10⁻⁷".
 QString powerOfTenText(int exponent);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/session.h"
 #include "ui/panels/parameter_panel.h"
-#include "ui/text/finding_text.h"
+#include "ui/text/parameter_text.h"
 #include "ui/text/theme.h"
 #include "ui/widgets/number_box.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/channels.h"
 #include "tests/support/suite.h"
-#include "ui/text/finding_text.h"
 #include "ui/text/identification_text.h"
+#include "ui/text/written_number.h"
 
 #include <QLocale>
 #include <QTest>

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/channels.h"
+#include "tests/support/suite.h"
+#include "ui/text/comparison_text.h"
+
+#include <QLocale>
+#include <QTest>
+
+#include <utility>
+#include <vector>
+
+using namespace slidercrank;
+
+namespace tst_comparison_text
+{
+
+ChannelComparison compared(Verdict verdict, double worstOver)
+{
+    ChannelComparison channel;
+    channel.channel = kTheta3;
+    channel.count = 201;
+    channel.worstOver = worstOver;
+    channel.percentOfPeak = 9.83;
+    channel.verdict = verdict;
+    return channel;
+}
+
+class TestComparisonText : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void writesVerdictsWithTheirNumbers()
+    {
+        QCOMPARE(verdictText(compared(Verdict::Agrees, 5.4)), QString("agrees within the rounding of the file"));
+        QCOMPARE(verdictText(compared(Verdict::Close, 3.214)),
+                 QString("close: at most 3.21 times the rounding of the file"));
+        QCOMPARE(verdictText(compared(Verdict::Differs, 4e5)), QString("differs"));
+        ChannelComparison rounded = compared(Verdict::Close, 0.8);
+        rounded.clockIsRounded = true;
+        QCOMPARE(verdictText(rounded), QString("close, if the time stamps of the file are rounded"));
+
+        ChannelComparison missing = compared(Verdict::Differs, 1.0);
+        missing.count = 0;
+        QCOMPARE(verdictText(missing), QString("differs: nothing to compare with"));
+    }
+
+    void judgesAWholeFile()
+    {
+        const ChannelComparison agrees = compared(Verdict::Agrees, 1.0);
+        const ChannelComparison close = compared(Verdict::Close, 20.0);
+        const ChannelComparison differs = compared(Verdict::Differs, 1e4);
+        ChannelComparison coarse = agrees; // whole millimetres: far off, and yet within its rounding
+        coarse.channel = {R4x, Order::Position};
+        coarse.percentOfPeak = 50.0;
+        ChannelComparison unknown = differs; // the file contains only zeros
+        unknown.percentOfPeak.reset();
+        ChannelComparison missing;
+        missing.channel = differs.channel;
+        missing.missingModel = 201;
+        const QString most = ", most of all the coupler angle, by 9.83 % of its peak.";
+        const std::pair<std::vector<ChannelComparison>, QString> rows[] = {
+            {{agrees, agrees}, "Match. Quantities that agree within the rounding of the file: 2 of 2."},
+            {{agrees, close},
+             "Close match. Quantities that agree within the rounding of the file: 1 of 2, the others nearly."},
+            {{agrees, close, differs}, "No match: 1 of 3 quantities differ" + most},
+            {{coarse, differs}, "No match: 1 of 2 quantities differ" + most},
+            {{agrees, unknown}, "No match: 1 of 2 quantities differ."},
+            {{missing, missing}, "No match: the mechanism cannot be assembled at any time step of the file."},
+            {{}, "The file has no column that this program knows."},
+        };
+        for (const auto &[channels, text] : rows) {
+            QCOMPARE(summaryText(channels), text);
+        }
+    }
+};
+
+const Suite<TestComparisonText> suite("tst_comparison_text");
+
+} // namespace tst_comparison_text
+
+#include "tst_comparison_text.moc"

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/comparison_text.h"
+
+#include "core/import/reference_data.h"
+#include "ui/text/channel_text.h"
+#include "ui/text/notation.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct ComparisonText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ComparisonText)
+};
+
+} // namespace
+
+QString errorText(std::optional<double> value)
+{
+    constexpr int kDigits = 3;
+    return shortNumber(value, kDigits);
+}
+
+QString verdictText(const ChannelComparison &channel)
+{
+    if (channel.verdict == Verdict::Agrees) {
+        return ComparisonText::tr("agrees within the rounding of the file");
+    }
+    if (channel.verdict == Verdict::Close) {
+        return channel.clockIsRounded ? ComparisonText::tr("close, if the time stamps of the file are rounded")
+                                      : ComparisonText::tr("close: at most %1 times the rounding of the file")
+                                            .arg(errorText(channel.worstOver));
+    }
+    return channel.count == 0 ? ComparisonText::tr("differs: nothing to compare with") : ComparisonText::tr("differs");
+}
+
+QString placeText(const ChannelComparison &channel, const ReferenceData &file)
+{
+    const double time = channel.timeOfMaxAbs;
+    return !channel.maxAbs ? dash()
+           : file.crank    ? numberText(shownValue(Measure::Angle, file.crank->omega2 * time + file.crank->theta20,
+                                                   notation().units))
+                           : numberText(time);
+}
+
+std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file)
+{
+    std::vector<QStringList> rows{
+        {ComparisonText::tr("channel"), ComparisonText::tr("largest error"),
+         file.crank ? ComparisonText::tr("at θ₂ [%1]").arg(shownUnit(Measure::Angle)) : ComparisonText::tr("at t [s]"),
+         ComparisonText::tr("rms"), ComparisonText::tr("% of peak"), ComparisonText::tr("max. relative error [%]"),
+         ComparisonText::tr("rounding step"), ComparisonText::tr("verdict")}};
+    for (const ChannelComparison &channel : channels) {
+        const auto shown = [&channel](std::optional<double> error) { return shownDifference(channel.channel, error); };
+        rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), shownUnit(channel.channel)),
+                        errorText(shown(channel.maxAbs)), placeText(channel, file), errorText(shown(channel.rms)),
+                        errorText(channel.percentOfPeak), errorText(channel.maxPercent),
+                        numberText(shown(channel.roundingStep), 3), verdictText(channel)});
+    }
+    return rows;
+}
+
+QString summaryText(std::span<const ChannelComparison> channels)
+{
+    if (channels.empty()) {
+        return ComparisonText::tr("The file has no column that this program knows.");
+    }
+    const auto count = [&](Verdict verdict) {
+        return QString::number(std::ranges::count(channels, verdict, &ChannelComparison::verdict));
+    };
+    const QString all = QString::number(channels.size());
+    if (count(Verdict::Agrees) == all) {
+        return ComparisonText::tr("Match. Quantities that agree within the rounding of the file: %1 of %2.")
+            .arg(all, all);
+    }
+    const auto worst = std::ranges::max_element(channels, {}, [](const ChannelComparison &channel) {
+        return channel.verdict == Verdict::Differs ? channel.percentOfPeak.value_or(0.0) : -1.0;
+    });
+    if (worst->verdict != Verdict::Differs) {
+        return ComparisonText::tr(
+                   "Close match. Quantities that agree within the rounding of the file: %1 of %2, the others nearly.")
+            .arg(count(Verdict::Agrees), all);
+    }
+    if (!worst->percentOfPeak) {
+        return worst->count == 0 && worst->missingModel > 0
+                   ? ComparisonText::tr("No match: the mechanism cannot be assembled at any time step of the file.")
+                   : ComparisonText::tr("No match: %1 of %2 quantities differ.").arg(count(Verdict::Differs), all);
+    }
+    return ComparisonText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
+        .arg(count(Verdict::Differs), all, quantityName(worst->channel), errorText(worst->percentOfPeak));
+}
+
+} // namespace slidercrank

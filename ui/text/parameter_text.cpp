@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/text/parameter_text.h"
+
+#include "ui/text/enum_table.h"
+#include "ui/text/notation.h"
+#include "ui/text/written_number.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+struct ParameterText {
+    Q_DECLARE_TR_FUNCTIONS(slidercrank::ParameterText)
+
+public:
+    struct ParameterWords {
+        Parameter key;
+        const char *name;   ///< untranslated
+        const char *symbol; ///< in equations
+        const char *option; ///< on the command line and in JSON
+    };
+    static constexpr ParameterWords kParameters[] = {
+        {Parameter::A, QT_TR_NOOP("crank"), "a", "a"},
+        {Parameter::B, QT_TR_NOOP("coupler"), "b", "b"},
+        {Parameter::C, QT_TR_NOOP("offset"), "c", "c"},
+        {Parameter::Omega2, QT_TR_NOOP("crank speed"), "ω₂", "omega2"},
+        {Parameter::Theta20, QT_TR_NOOP("initial angle"), "θ₂₀", "theta20"}};
+    static_assert(isCompleteTable(kParameters, Parameter::Theta20));
+};
+
+/// Returns an equation for each parameter, and the assembly.
+QStringList equationTexts(const Parameters &parameters, int digits = 6)
+{
+    QStringList parts;
+    for (const Parameter parameter : kAllParameters) {
+        parts << equationText(parameter, valueOf(parameters, parameter), digits);
+    }
+    return parts << withNoun(parameters.branch);
+}
+
+} // namespace
+
+QString parameterName(Parameter parameter)
+{
+    return ParameterText::tr(rowOf(ParameterText::kParameters, parameter).name);
+}
+
+QString symbolText(Parameter parameter)
+{
+    return rowOf(ParameterText::kParameters, parameter).symbol;
+}
+
+const char *optionName(Parameter parameter)
+{
+    return rowOf(ParameterText::kParameters, parameter).option;
+}
+
+QString assemblyText(Branch branch)
+{
+    return branch == Branch::Open ? ParameterText::tr("open") : ParameterText::tr("crossed");
+}
+
+QString withNoun(Branch branch)
+{
+    return ParameterText::tr("%1 assembly").arg(assemblyText(branch));
+}
+
+double shownFactor(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return shownValue(Measure::Length, 1.0, notation().units);
+    case Parameter::Omega2: return crankSpeedFactor(notation().crankSpeed);
+    case Parameter::Theta20: break;
+    }
+    return shownValue(Measure::Angle, 1.0, notation().units);
+}
+
+QString unitBehind(Parameter parameter)
+{
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return u' ' + shownUnit(Measure::Length);
+    case Parameter::Omega2: return u' ' + crankSpeedUnitText(notation().crankSpeed);
+    case Parameter::Theta20: break;
+    }
+    const QString unit = shownUnit(Measure::Angle);
+    return unit == u"°" ? unit : u' ' + unit;
+}
+
+QString parameterText(Parameter parameter, double value, int digits)
+{
+    return numberText(shownFactor(parameter) * value, digits) + unitBehind(parameter);
+}
+
+QString equationText(Parameter parameter, double value, int digits)
+{
+    return QStringLiteral("%1 = %2").arg(symbolText(parameter), parameterText(parameter, value, digits));
+}
+
+QString mechanismText(const Mechanism &mechanism, int digits)
+{
+    return equationTexts(mechanism.parameters(), digits).join(", ");
+}
+
+QString pinnedText(const Parameters &pinned, const Parameters &present)
+{
+    QStringList parts = equationTexts(pinned);
+    for (const QString &part : equationTexts(present)) {
+        parts.removeOne(part);
+    }
+    return parts.isEmpty() ? ParameterText::tr("pinned") : parts.join(", ");
+}
+
+} // namespace slidercrank
