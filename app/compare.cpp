@@ -67,9 +67,9 @@ Answer compareOne(const ReferenceQuestion &question, const SolverSettings &solve
     const QString text = headline(reference) + CommandLine::tr("Model: %1").arg(mechanismText(question.mechanism, 9)) +
                          "\n\n" + alignedTable(comparisonTable(comparison, data)) + '\n' + summaryText(comparison);
     answer.text = (QStringList(text) + explanation).join('\n') + '\n';
-    answer.status = moreSevere(
-        reportTimeSteps(streams, model.summary, question.mechanism, solver.newton, displayName(reference.paths) + ": "),
-        verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
+    answer.status = moreSevere(reportTimeSteps(streams, model.summary, question.mechanism, solver.newton,
+                                               displayName(reference.source.paths) + ": "),
+                               verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
     return answer;
 }
 

@@ -161,7 +161,7 @@ Answer identifyOne(const ReferenceQuestion &question, const Reference &reference
         answer.text = identificationText(reference, found);
     } else {
         answer.status = ExitStatus::NotSolved;
-        streams.report(displayName(reference.paths) + ": " + summaryText(found));
+        streams.report(displayName(reference.source.paths) + ": " + summaryText(found));
     }
     return answer;
 }

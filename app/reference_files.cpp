@@ -98,7 +98,7 @@ std::shared_ptr<const Reference> readTimedReference(const Streams &streams, cons
     }
     const auto reference = std::get<std::shared_ptr<const Reference>>(outcome);
     for (const QString &doubt : doubtTexts(reference->data) + optionHints(reference->data)) {
-        streams.report(displayName(reference->paths) + ": " + doubt);
+        streams.report(displayName(reference->source.paths) + ": " + doubt);
     }
     return reference;
 }
@@ -107,7 +107,7 @@ QString headline(const Reference &reference)
 {
     const ReferenceData &data = reference.data;
     return CommandLine::tr("%1: %2, %3 rows")
-               .arg(displayName(reference.paths), abscissaText(data), QString::number(data.time.size())) +
+               .arg(displayName(reference.source.paths), abscissaText(data), QString::number(data.time.size())) +
            '\n';
 }
 

@@ -27,7 +27,7 @@ struct EditName {
 
 bool haveSameFile(const Choices &first, const Choices &second)
 {
-    return first.reference && second.reference ? first.reference->paths == second.reference->paths
+    return first.reference && second.reference ? first.reference->source.paths == second.reference->source.paths
                                                : first.reference == second.reference;
 }
 

@@ -169,10 +169,10 @@ ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions option
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
         return refusal(*error);
     }
-    reference->paths = source.paths;
+    reference->source.paths = source.paths;
     reference->name = shortName(source.paths);
     reference->data = std::move(std::get<ReferenceData>(outcome));
-    reference->columns = source.columns;
+    reference->source.columns = source.columns;
     std::shared_ptr<const Reference> result = std::move(reference);
     for (const Convention &convention : source.conventions) {
         result = applied(convention, result);
@@ -189,7 +189,7 @@ ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const
     if (!data) {
         return ReferenceFileText::tr("%1 lists crank angles in an order that a crank with ω₂ = %2 cannot reach: "
                                      "choose a different ω₂.")
-            .arg(displayName(reference->paths), parameterText(Parameter::Omega2, mechanism.omega2()));
+            .arg(displayName(reference->source.paths), parameterText(Parameter::Omega2, mechanism.omega2()));
     }
     auto timed = std::make_shared<Reference>(*reference);
     timed->data = *std::move(data);
@@ -200,7 +200,7 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
 {
     auto reference = std::make_shared<Reference>(*to);
     reference->data = applied(convention, std::move(reference->data));
-    reference->conventions.push_back(convention);
+    reference->source.conventions.push_back(convention);
     if (!reference->asPrinted) {
         reference->asPrinted = to;
     }
@@ -210,7 +210,7 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
 std::optional<ReferenceSource> overCrankAngle(const Reference &reference)
 {
     const FileLayout &layout = reference.data.layout;
-    ReferenceSource source = reference;
+    ReferenceSource source = reference.source;
     bool hasTime = false;
     bool hasCrankAngle = false;
     const auto choose = [&source](std::size_t column, ColumnRole role) {

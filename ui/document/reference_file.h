@@ -30,7 +30,8 @@ struct ReferenceSource {
 };
 
 /// Reference data that have been read.
-struct Reference : ReferenceSource {
+struct Reference {
+    ReferenceSource source;
     QString name;                               ///< file name, for legends and titles
     ReferenceData data;                         ///< with the conventions applied
     std::shared_ptr<const Reference> asPrinted; ///< the data without the conventions; null if there are none

@@ -40,7 +40,7 @@ SamplingSummary summarize(const Choices &choices, std::stop_token stop)
 
 Pose poseAt(const Parameters &parameters, double seconds)
 {
-    return {ClosedForm(Mechanism(parameters)).motionAt(seconds), seconds};
+    return {.time = seconds, .motion = ClosedForm(Mechanism(parameters)).motionAt(seconds)};
 }
 
 Parameters mechanismToUse(const Identification &found)

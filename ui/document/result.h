@@ -19,11 +19,12 @@ namespace slidercrank
 {
 
 /// The mechanism at one time, in closed form.
-struct Pose : Motion {
+struct Pose {
     double time = 0.0; ///< s
+    Motion motion{};
 
     /// Whether the mechanism can be assembled at this time.
-    bool exists() const { return status == Status::Solved || status == Status::Singular; }
+    bool exists() const { return motion.status == Status::Solved || motion.status == Status::Singular; }
 };
 
 Pose poseAt(const Parameters &parameters, double seconds);

@@ -115,7 +115,7 @@ void Session::edit(const Choices &choices, const QString &name, TimeRange timeRa
         fault ? faultText(*fault) : timedBy(Mechanism(choices.parameters), choices.reference);
     if (const QString *sentence = std::get_if<QString>(&timed)) {
         if (timeRange == TimeRange::OfReference) {
-            emit referenceRefused(choices.reference->paths, *sentence);
+            emit referenceRefused(choices.reference->source.paths, *sentence);
         } else {
             emit problemFound(*sentence);
             emit parametersChanged(m_choices.parameters);
@@ -126,7 +126,7 @@ void Session::edit(const Choices &choices, const QString &name, TimeRange timeRa
     if (choices.reference) {
         // A time range that is that of the file remains so: the time stamps of an angle-indexed file depend on ω₂.
         const Reference *shown = m_result->reference.get();
-        const bool isOfFile = shown && shown->paths == choices.reference->paths &&
+        const bool isOfFile = shown && shown->source.paths == choices.reference->source.paths &&
                               choices.sampling == rangeOf(shown->data.time, choices.sampling);
         const auto &reference = std::get<std::shared_ptr<const Reference>>(timed);
         const Sampling range = rangeOf(reference->data.time, choices.sampling);

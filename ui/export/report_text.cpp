@@ -172,7 +172,7 @@ QString fileText(const Reference &reference)
     const ReferenceData &data = reference.data;
     QString html =
         paragraph(Report::tr("Reference: %1, %2, %3 rows.")
-                      .arg(displayName(reference.paths), abscissaText(data), QString::number(data.time.size())));
+                      .arg(displayName(reference.source.paths), abscissaText(data), QString::number(data.time.size())));
     for (const QString &doubt : doubtTexts(data)) {
         html += note(doubt);
     }

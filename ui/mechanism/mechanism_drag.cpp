@@ -54,7 +54,7 @@ std::optional<MechanismDrag> MechanismDrag::begin(const MechanismScene &scene, D
         return drag;
     }
     const double omega2 = drag.m_mechanism.omega2();
-    if (omega2 == 0.0 || !std::isfinite(scene.pose.theta2)) {
+    if (omega2 == 0.0 || !std::isfinite(scene.pose.motion.theta2)) {
         return std::nullopt;
     }
     if (part == DrawnPart::A) {
@@ -63,7 +63,7 @@ std::optional<MechanismDrag> MechanismDrag::begin(const MechanismScene &scene, D
     }
     if ((part == DrawnPart::B || part == DrawnPart::Slider) && scene.pose.exists()) {
         drag.m_grip = pointer - scene.wristPin();
-        drag.m_stroke = strokeAround(drag.m_limits, scene.pose.theta2, omega2 > 0.0 ? 1 : -1);
+        drag.m_stroke = strokeAround(drag.m_limits, scene.pose.motion.theta2, omega2 > 0.0 ? 1 : -1);
     }
     return drag.m_stroke ? std::optional(drag) : std::nullopt;
 }

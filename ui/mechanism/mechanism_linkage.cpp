@@ -34,7 +34,7 @@ QPainterPath sliderPath(QPointF centre)
 
 void MechanismSketch::addLinkage()
 {
-    if (!m_scene->result || std::isnan(m_scene->pose.theta2)) {
+    if (!m_scene->result || std::isnan(m_scene->pose.motion.theta2)) {
         return; // no pose has been set
     }
     const MechanismSettings &settings = m_scene->settings;
@@ -64,7 +64,7 @@ void MechanismSketch::addLinkage()
             addLengths();
         }
         if (settings.angles) {
-            addAngle("θ₂", {m_O2, m_A}, degreesFromZero(m_scene->pose.theta2) / kDegreesPerRadian, 30.0);
+            addAngle("θ₂", {m_O2, m_A}, degreesFromZero(m_scene->pose.motion.theta2) / kDegreesPerRadian, 30.0);
             addCouplerAngle();
         }
     }
@@ -83,7 +83,7 @@ void MechanismSketch::addLinkage()
 void MechanismSketch::addCouplerAngle()
 {
     constexpr double kRadius = 36.0; // px
-    const double theta3 = m_scene->pose.theta3;
+    const double theta3 = m_scene->pose.motion.theta3;
     if (notation().symbols == Symbols::Textbook) {
         const double halfTurn = mechanism().branch() == Branch::Open ? std::numbers::pi : -std::numbers::pi;
         addAngle(symbolText(Channel{Theta3, Order::Position}), {m_B, m_A}, theta3 + halfTurn, kRadius);

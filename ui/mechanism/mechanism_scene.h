@@ -37,10 +37,10 @@ struct MechanismScene {
     const Mechanism &mechanism() const { return result->mechanism; }
 
     /// Returns A, mm. It exists at every crank angle, even if the mechanism cannot be assembled.
-    QPointF crankPin() const { return mechanism().a() * QPointF(pose.crank.cos, pose.crank.sin); }
+    QPointF crankPin() const { return mechanism().a() * QPointF(pose.motion.crank.cos, pose.motion.crank.sin); }
 
     /// Returns B, mm. Requires pose.exists().
-    QPointF wristPin() const { return {pose.R4x, mechanism().c()}; }
+    QPointF wristPin() const { return {pose.motion.R4x, mechanism().c()}; }
 
     PointMotion motion(LinkagePoint point) const;
 

@@ -70,7 +70,7 @@ QStringList crankLines(const MechanismScene &scene)
 
 QStringList couplerLines(const MechanismScene &scene)
 {
-    const Pose &motion = scene.pose;
+    const Motion &motion = scene.pose.motion;
     const double omega2 = std::abs(scene.mechanism().omega2());
     const auto lineOf = [&scene](Order order, double value, double size) {
         const Channel channel{Theta3, order};
@@ -142,7 +142,7 @@ QString lengthText(const Mechanism &mechanism, Parameter length)
 
 QString timelineAngle(const MechanismScene &scene)
 {
-    return crankAngleWithUnit(scene.pose.theta2);
+    return crankAngleWithUnit(scene.pose.motion.theta2);
 }
 
 QString arrowScaleText(const ArrowScale &scale)
@@ -164,7 +164,7 @@ QString assemblyProblem(const MechanismScene &scene)
     if (!scene.result || scene.pose.exists()) {
         return {};
     }
-    if (scene.pose.status == Status::NotFinite) {
+    if (scene.pose.motion.status == Status::NotFinite) {
         return MechanismText::tr("The crank angle at this time is not a finite number.");
     }
     const Mechanism &mechanism = scene.mechanism();

@@ -230,9 +230,9 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceIdentificat
             findings.push_back(std::move(finding));
         }
     }
-    if (!result.reference->conventions.empty()) {
+    if (!result.reference->source.conventions.empty()) {
         QStringList sentences;
-        for (const Convention &convention : result.reference->conventions) {
+        for (const Convention &convention : result.reference->source.conventions) {
             sentences << explanationText(convention);
         }
         findings.push_back({ErrorPage::tr("These corrections are applied to the file: %1").arg(sentences.join(u' ')),

@@ -385,7 +385,7 @@ void MotionTablePanel::fitColumns()
 
 TablePlace MotionTablePanel::presentPlace() const
 {
-    return {m_session->pose().theta2, m_session->time()};
+    return {m_session->pose().motion.theta2, m_session->time()};
 }
 
 std::optional<OutputChannel> MotionTablePanel::wantedChannel() const
@@ -440,11 +440,11 @@ void MotionTablePanel::goToNext()
 
 void MotionTablePanel::useAsCrankSpeed()
 {
-    const std::optional<double> speed =
-        crankSpeedFor(Mechanism(m_session->parameters()), m_session->pose().theta2, *wantedChannel(), wantedValue());
+    const std::optional<double> speed = crankSpeedFor(Mechanism(m_session->parameters()),
+                                                      m_session->pose().motion.theta2, *wantedChannel(), wantedValue());
     if (speed && std::abs(*speed) <= kLargestParameter) {
         m_answer->hide();
-        const double theta2 = m_session->pose().theta2;
+        const double theta2 = m_session->pose().motion.theta2;
         m_session->setParameter(Parameter::Omega2, *speed);
         const Mechanism mechanism(m_session->parameters());
         if (const auto time = timeAtCrankAngle(mechanism, theta2, m_session->sampling().start)) {

@@ -290,7 +290,7 @@ void PolygonView::refresh()
 /// Returns the crank angle of the polygons, and the crank acceleration unless it is 0.
 QString PolygonView::positionText() const
 {
-    const double theta2 = shownCrankAngle(m_session->pose().theta2);
+    const double theta2 = shownCrankAngle(m_session->pose().motion.theta2);
     const QString position = QStringLiteral("θ₂ = %1").arg(withUnit(numberText(theta2), shownUnit(Measure::Angle)));
     return m_alpha2 == 0.0 ? position : QStringLiteral("%1, α₂ = %2 rad/s²").arg(position, numberText(m_alpha2));
 }

@@ -133,7 +133,7 @@ Page referencePage(const Result &result, const ReferenceIdentification *identifi
         rows += ", " + abscissaText(data);
     }
     Page page;
-    page.sentence = displayName(result.reference->paths);
+    page.sentence = displayName(result.reference->source.paths);
     page.findings = {{ReferencePage::tr("%1. Rows: %2.").arg(formText(data.layout), rows), Remedy::ChooseColumns,
                       ReferencePage::tr("Choose columns…")}};
     if (data.crank) {

@@ -391,7 +391,7 @@ void Timeline::goToAngle(double angle)
 {
     constexpr double kStepping = 12.0 / kDegreesPerRadian; // ten steps, as of a page
     const Parameters &parameters = m_session->parameters();
-    const double present = m_session->pose().theta2;
+    const double present = m_session->pose().motion.theta2;
     const double shown = degreesFromZero(present) / kDegreesPerRadian;
     double theta2 = coreValue(Measure::Angle, angle, notation().units);
     if (std::abs(theta2 - shown) < kStepping) { // a step of the box stays in the present revolution
@@ -413,7 +413,7 @@ void Timeline::showTime()
 {
     const Pose pose = m_session->pose();
     m_timeBox->setValue(pose.time);
-    m_angleBox->setValue(shownCrankAngle(pose.theta2));
+    m_angleBox->setValue(shownCrankAngle(pose.motion.theta2));
     m_slider->setNumber(pose.time);
 }
 

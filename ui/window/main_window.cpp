@@ -359,12 +359,13 @@ void MainWindow::followReference(const std::shared_ptr<const Reference> &referen
 {
     showTitle();
     const std::shared_ptr<const Reference> &shown = m_session->result()->choices.reference;
-    if (!reference || (shown && shown->paths == reference->paths)) { // the same file is interpreted differently
+    if (!reference ||
+        (shown && shown->source.paths == reference->source.paths)) { // the same file is interpreted differently
         return;
     }
     m_views.tabs->setCurrentWidget(m_views.errors);
-    if (reference->paths != QStringList(kSamplePath)) {
-        rememberFiles(reference->paths);
+    if (reference->source.paths != QStringList(kSamplePath)) {
+        rememberFiles(reference->source.paths);
     }
 }
 
@@ -401,7 +402,7 @@ void MainWindow::applyRemedy(const Finding &finding)
     case Remedy::UseFoundMechanism: m_session->useFoundMechanism(); break;
     case Remedy::Apply: m_session->apply(finding.convention); break;
     case Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
-    case Remedy::ChooseColumns: chooseColumns(m_session->reference()->paths); break;
+    case Remedy::ChooseColumns: chooseColumns(m_session->reference()->source.paths); break;
     }
 }
 

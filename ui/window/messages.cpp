@@ -47,7 +47,8 @@ Message guess(MainWindow *window, const Reference &reference)
     return {kColumns, Message::Kind::Question,
             Messages::tr("The headings in %1 do not identify every column: some meanings were guessed.")
                 .arg(reference.name),
-            Messages::tr("Choose columns…"), [window, paths = reference.paths] { window->chooseColumns(paths); }};
+            Messages::tr("Choose columns…"),
+            [window, paths = reference.source.paths] { window->chooseColumns(paths); }};
 }
 
 } // namespace

@@ -58,7 +58,8 @@ Scene SceneFile::scene() const
     return {.parameters = m_session->parameters(),
             .sampling = m_session->sampling(),
             .solver = m_session->solver(),
-            .reference = m_session->reference() ? std::optional<ReferenceSource>(*m_session->reference()) : m_missing,
+            .reference =
+                m_session->reference() ? std::optional<ReferenceSource>(m_session->reference()->source) : m_missing,
             .pinned = m_session->pinned(),
             .time = m_session->time(),
             .plots = m_views.plots->settings(),

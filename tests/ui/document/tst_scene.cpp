@@ -189,7 +189,7 @@ private slots:
             {{Convention::Kind::HalfTurn, {kPlottedChannels[0]}, 180.0}, {Convention::Kind::TimeShift, {}, 0.125}}};
         before.open(toChoices(scene), 0.0, scene.reference);
         AWAIT(before.reference());
-        scene.reference = *before.reference();
+        scene.reference = before.reference()->source;
         QCOMPARE(writeScene(scene, folder.filePath("before/scene.json")), std::nullopt);
         QVERIFY(QDir(folder.path()).rename("before", "after"));
 

@@ -166,7 +166,7 @@ private slots:
         session.setParameters(parameters);
         QCOMPARE(session.parameters(), parameters);
         QSignalSpy refused(&session, &Session::referenceRefused);
-        session.loadReference(chosen->paths);
+        session.loadReference(chosen->source.paths);
         AWAIT(refused.count() == 1);
         QVERIFY(!session.reference());
     }
@@ -297,7 +297,7 @@ private slots:
         const auto printed = session.reference();
         session.useFoundMechanism();
         QCOMPARE(session.parameters(), withCoupler(60.0));
-        QCOMPARE(session.reference()->conventions.size(), std::size_t(1));
+        QCOMPARE(session.reference()->source.conventions.size(), std::size_t(1));
         QVERIFY(allAgree(session.result()->comparison));
         session.undoStack().undo(); // in one step
         QCOMPARE(session.reference(), printed);
@@ -364,7 +364,7 @@ private slots:
             QCOMPARE(session.reference()->data.find(theta3)->values[1], value);
         }
         const auto twice = session.reference();
-        QCOMPARE(twice->conventions.size(), std::size_t(2));
+        QCOMPARE(twice->source.conventions.size(), std::size_t(2));
         QCOMPARE(session.result()->reference, twice);
         session.readAsPrinted();
         QCOMPARE(session.reference(), printed);

@@ -54,8 +54,11 @@ struct Bench {
     }
 
     QImage picture() { return view.grab().toImage(); }
-    QPointF A() const { return session.parameters().a * QPointF(session.pose().crank.cos, session.pose().crank.sin); }
-    QPointF B() const { return {session.pose().R4x, session.parameters().c}; }
+    QPointF A() const
+    {
+        return session.parameters().a * QPointF(session.pose().motion.crank.cos, session.pose().motion.crank.sin);
+    }
+    QPointF B() const { return {session.pose().motion.R4x, session.parameters().c}; }
 
     void press(QPointF model, Qt::KeyboardModifiers keys = {})
     {
@@ -370,8 +373,8 @@ private slots:
         for (const LinkagePoint point : kLinkagePoints) {
             const auto at = [&](double time) -> QPointF {
                 const Pose pose = poseAt(p, time);
-                const QPointF A = p.a * QPointF(pose.crank.cos, pose.crank.sin);
-                const QPointF B(pose.R4x, p.c);
+                const QPointF A = p.a * QPointF(pose.motion.crank.cos, pose.motion.crank.sin);
+                const QPointF B(pose.motion.R4x, p.c);
                 return point == LinkagePoint::A ? A : point == LinkagePoint::B ? B : 0.5 * (A + B);
             };
             const auto hasArrow = [&](QPointF derivative, const ArrowScale &scale, const QColor &colour) {

@@ -209,7 +209,7 @@ private slots:
         loaded.clear();
         session.loadReference(path);
         QVERIFY(loaded.wait(kPatience));
-        QVERIFY(session.reference()->conventions.empty()); // the conventions were applied to other columns
+        QVERIFY(session.reference()->source.conventions.empty()); // the conventions were applied to other columns
         QCOMPARE(session.reference()->data.find(kSlider)->values, (std::vector<double>{7.0, 8.0}));
     }
 

@@ -69,7 +69,7 @@ ReferenceIdentification identificationOf(const Result &result)
 Page readPage(const QByteArray &bytes)
 {
     Reference reference;
-    reference.paths = {QStringLiteral("/folder/results.csv")};
+    reference.source.paths = {QStringLiteral("/folder/results.csv")};
     reference.data = std::get<ReferenceData>(readReferenceData(bytes.toStdString()));
     return referencePage(resultWith({}, reference), nullptr);
 }
@@ -222,7 +222,7 @@ private slots:
     void offersToUndoAnAppliedConvention()
     {
         Reference reference;
-        reference.conventions = {kLate};
+        reference.source.conventions = {kLate};
         const Result result = resultWith({compared(Verdict::Agrees)}, reference);
         for (const Page &page : {errorPage(result, nullptr), referencePage(result, nullptr)}) {
             QCOMPARE(page.findings.back().remedy, Remedy::ReadAsPrinted);

@@ -216,10 +216,10 @@ private slots:
         shown.choose("R4_x");
         shown.type("findValue", "60");
         shown.click("findNext");
-        QVERIFY(std::abs(shown.session.pose().R4x - 60.0) < 1e-9);
+        QVERIFY(std::abs(shown.session.pose().motion.R4x - 60.0) < 1e-9);
         const double first = shown.session.time();
         shown.click("findNext");
-        QVERIFY(std::abs(shown.session.pose().R4x - 60.0) < 1e-9 && shown.session.time() != first);
+        QVERIFY(std::abs(shown.session.pose().motion.R4x - 60.0) < 1e-9 && shown.session.time() != first);
         shown.click("findNext"); // continues at the start
         QVERIFY(std::abs(shown.session.time() - first) < 1e-9);
         shown.type("findValue", "90");
@@ -230,9 +230,9 @@ private slots:
         shown.choose("R4_x_diff");
         shown.type("findValue", "-8m/s");
         shown.click("findUseAsSpeed");
-        QVERIFY(std::abs(shown.session.pose().R4xDot + 8000.0) < 1e-6);
-        QVERIFY(std::abs(std::remainder(shown.session.pose().theta2 - std::numbers::pi / 3.0, 2.0 * std::numbers::pi)) <
-                1e-9);
+        QVERIFY(std::abs(shown.session.pose().motion.R4xDot + 8000.0) < 1e-6);
+        QVERIFY(std::abs(std::remainder(shown.session.pose().motion.theta2 - std::numbers::pi / 3.0,
+                                        2.0 * std::numbers::pi)) < 1e-9);
     }
 
 private:

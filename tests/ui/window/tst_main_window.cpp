@@ -207,20 +207,20 @@ private slots:
                                 writeFile(folder, "b.csv", "time,R4_x\n0,80\n1,80\n")};
         drop({files[1], files[0]}); // not in alphabetical order
         AWAIT(session().reference());
-        QCOMPARE(session().reference()->paths, files);
+        QCOMPARE(session().reference()->source.paths, files);
         QCOMPARE(session().reference()->name, "a.csv + 1 more");
         drop({kSample});
-        AWAIT_COMPARE(session().reference()->paths, QStringList(kSample));
+        AWAIT_COMPARE(session().reference()->source.paths, QStringList(kSample));
         QCOMPARE(recentFiles(), (QList<QStringList>{{kSample}, files}));
         emit part<QMenu>("recentMenu")->aboutToShow();
         action(QDir::toNativeSeparators(files[0]) + " + 1 more")->trigger();
-        AWAIT_COMPARE(session().reference()->paths, files);
+        AWAIT_COMPARE(session().reference()->source.paths, files);
         for (const auto &[other, says] : {std::pair{kSample, "inventor_sample.csv"},
                                           {folder.filePath("gone.csv"), "gone.csv cannot be opened"},
                                           {folder.filePath("rig.slidercrank"), "rig.slidercrank is a scene"}}) {
             drop({files[1], other});
             AWAIT2(said().contains(says), says);
-            QCOMPARE(session().reference()->paths, files);
+            QCOMPARE(session().reference()->source.paths, files);
         }
     }
 
@@ -319,7 +319,7 @@ private slots:
         check();
         QVERIFY(!m_window->findChild<QWidget *>("notationOffer"));
         typeNumber(part<NumberBox>("angleBox"), "pi/2");
-        QVERIFY(std::abs(session().pose().theta2 - std::numbers::pi / 2.0) < 1e-9);
+        QVERIFY(std::abs(session().pose().motion.theta2 - std::numbers::pi / 2.0) < 1e-9);
     }
 
     void runningTheStudyKeepsTheFocus()
