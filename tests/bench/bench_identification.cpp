@@ -9,7 +9,7 @@
 #include <benchmark/benchmark.h>
 
 #include <numbers>
-#include <string>
+#include <vector>
 
 using namespace slidercrank;
 
@@ -22,7 +22,7 @@ const Parameters kFarOff{80.0, 150.0, -40.0, -11.0, 2.0, Branch::Crossed};
 /// The mechanism of the reference report's file: Table 1 with b = 60.
 const Parameters kReport{20.0, 60.0, 25.0, 2.0 * std::numbers::pi, 0.0, Branch::Open};
 
-Printing printingOf(int rows, double duration, const std::string &channels)
+Printing printingOf(int rows, double duration, const std::vector<Channel> &channels)
 {
     Printing printing;
     printing.rows = rows;
@@ -42,20 +42,22 @@ void measure(benchmark::State &state, const ReferenceData &data)
     state.counters["iterations"] = iterations;
 }
 
-void identifyMotion(benchmark::State &state, const Parameters &truth, const std::string &channels, int rows,
+void identifyMotion(benchmark::State &state, const Parameters &truth, const std::vector<Channel> &channels, int rows,
                     double duration)
 {
     measure(state, printedData(truth, printingOf(rows, duration, channels)));
 }
-BENCHMARK_CAPTURE(identifyMotion, report, kReport, "111111", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identifyMotion, all_six, kFarOff, "111111", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identifyMotion, theta3_and_R4x, kFarOff, "110000", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identifyMotion, R4x, kFarOff, "010000", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identifyMotion, theta3, kFarOff, "100000", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identifyMotion, velocities, kFarOff, "001100", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identifyMotion, accelerations, kFarOff, "000011", 201, 1.0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identifyMotion, half_a_turn, kFarOff, "111111", 201, 0.3)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(identifyMotion, many_rows, kFarOff, "111111", 100'000, 100.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, report, kReport, kSixChannels, 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, all_six, kFarOff, kSixChannels, 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, theta3_and_R4x, kFarOff, kAngleAndPosition, 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, R4x, kFarOff, {kSlider}, 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, theta3, kFarOff, {kTheta3}, 201, 1.0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, velocities, kFarOff, {kTheta3Speed, kSliderSpeed}, 201, 1.0)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, accelerations, kFarOff, {kTheta3Acceleration, kSliderAcceleration}, 201, 1.0)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, half_a_turn, kFarOff, kSixChannels, 201, 0.3)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(identifyMotion, many_rows, kFarOff, kSixChannels, 100'000, 100.0)->Unit(benchmark::kMillisecond);
 
 /// Measures with angles in radians.
 void identifyRadians(benchmark::State &state, const Parameters &truth, int rows, double duration)
@@ -63,7 +65,7 @@ void identifyRadians(benchmark::State &state, const Parameters &truth, int rows,
     const std::vector<Channel> angles{
         {Theta3, Order::Position}, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}};
     const Convention toRadians{Convention::Kind::AngleUnit, angles, 1.0 / kDegreesPerRadian};
-    measure(state, applied(toRadians, printedData(truth, printingOf(rows, duration, "111111"))));
+    measure(state, applied(toRadians, printedData(truth, printingOf(rows, duration, kSixChannels))));
 }
 BENCHMARK_CAPTURE(identifyRadians, given, Parameters(), 201, 1.0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(identifyRadians, report, kReport, 201, 1.0)->Unit(benchmark::kMillisecond);

@@ -6,6 +6,7 @@
 
 #include "core/closed_form/textbook_motion.h"
 #include "core/mechanism/mechanism.h"
+#include "tests/support/channels.h"
 #include "tests/support/reading.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 namespace slidercrank
 {
@@ -48,11 +50,28 @@ inline PrintedRow textbookMotion(const Parameters &p, long double t)
     return row;
 }
 
+// Columns that are often printed together.
+inline const std::vector<Channel> kSixChannels(kPlottedChannels.begin(), kPlottedChannels.end());
+inline const std::vector<Channel> kCouplerChannels{kTheta3, kTheta3Speed, kTheta3Acceleration};
+inline const std::vector<Channel> kSliderChannels{kSlider, kSliderSpeed, kSliderAcceleration};
+inline const std::vector<Channel> kAngleAndPosition{kTheta3, kSlider};
+
+/// Returns the names of channels, for messages: "theta3 R4_x".
+inline std::string namesOf(const std::vector<Channel> &channels)
+{
+    std::string names;
+    for (const Channel channel : channels) {
+        names += names.empty() ? "" : " ";
+        names += nameOf(channel);
+    }
+    return names;
+}
+
 struct Printing {
     double from = 0.0; ///< s
     double to = 1.0;
     int rows = 201;
-    std::string channels = "111111"; ///< 1: printed, in the order of kPlottedChannels
+    std::vector<Channel> channels = kSixChannels; ///< of the columns after the time
     const char *format = "%.6g";
     const char *timeFormat = "%.9g";
 };
@@ -62,10 +81,8 @@ template <typename IsGap>
 std::string printedMotion(const Parameters &parameters, const Printing &printing, IsGap isGap)
 {
     std::string text = "time";
-    for (std::size_t k = 0; k < kPrintedChannels; ++k) {
-        if (printing.channels[k] == '1') {
-            text += ',' + std::string(nameOf(kPlottedChannels[k]));
-        }
+    for (const Channel channel : printing.channels) {
+        text += ',' + std::string(nameOf(channel));
     }
     std::array<char, 64> cell{};
     const auto print = [&](const char *format, double value) {
@@ -76,13 +93,13 @@ std::string printedMotion(const Parameters &parameters, const Printing &printing
         text += '\n';
         const double part = static_cast<double>(row) / (printing.rows - 1);
         text += print(printing.timeFormat, printing.from + (printing.to - printing.from) * part);
-        const PrintedRow motion = textbookMotion(parameters, std::strtod(cell.data(), nullptr));
-        for (std::size_t k = 0; k < kPrintedChannels; ++k) {
-            if (printing.channels[k] == '1') {
-                text += ',';
-                if (std::isfinite(motion[k]) && !isGap(row, k)) {
-                    text += print(printing.format, static_cast<double>(motion[k]));
-                }
+        const long double theta2 =
+            parameters.omega2 * static_cast<long double>(std::strtod(cell.data(), nullptr)) + parameters.theta20;
+        for (const Channel channel : printing.channels) {
+            text += ',';
+            const long double value = textbookValue(parameters, channel, theta2);
+            if (std::isfinite(value) && !isGap(row, channel)) {
+                text += print(printing.format, static_cast<double>(value));
             }
         }
     }
@@ -101,7 +118,7 @@ ReferenceData printedData(const Parameters &parameters, const Printing &printing
 
 inline ReferenceData printedData(const Parameters &parameters, const Printing &printing = {})
 {
-    return printedData(parameters, printing, [](int, std::size_t) { return false; });
+    return printedData(parameters, printing, [](int, Channel) { return false; });
 }
 
 /// Returns the column of a channel that the data contain.

@@ -26,17 +26,15 @@ namespace tst_conventions
 
 using Kind = Convention::Kind;
 
-const std::vector<Channel> kAngles{kTheta3, kTheta3Speed, kTheta3Acceleration};
-const std::vector<Channel> kLengths{kSlider, kSliderSpeed, kSliderAcceleration};
-
 /// Returns the number of random files to test.
 int filesOf(int all)
 {
     return runs((all + 19) / 20, all);
 }
 
-/// Returns the motion of a mechanism over 0.6 to 3 turns in 80 to 500 rows. `channels`: as in Printing.
-ReferenceData motionOf(const Parameters &p, RandomMechanisms &random, const std::string &channels = "111111")
+/// Returns the motion of a mechanism over 0.6 to 3 turns in 80 to 500 rows.
+ReferenceData motionOf(const Parameters &p, RandomMechanisms &random,
+                       const std::vector<Channel> &channels = kSixChannels)
 {
     Printing printing;
     printing.rows = static_cast<int>(random.uniform(80.0, 500.0));
@@ -53,10 +51,10 @@ struct Fault {
 };
 
 const std::vector<Fault> kFaults{
-    {"angles in radians", {Kind::AngleUnit, kAngles, kDegreesPerRadian}},
+    {"angles in radians", {Kind::AngleUnit, kCouplerChannels, kDegreesPerRadian}},
     {"only the angle in radians", {Kind::AngleUnit, {kTheta3}, kDegreesPerRadian}},
     {"the angle's derivatives in radians", {Kind::AngleUnit, {kTheta3Speed, kTheta3Acceleration}, kDegreesPerRadian}},
-    {"degrees under a heading of radians", {Kind::AngleUnit, kAngles, 1.0 / kDegreesPerRadian}},
+    {"degrees under a heading of radians", {Kind::AngleUnit, kCouplerChannels, 1.0 / kDegreesPerRadian}},
     {"velocity in m/s", {Kind::LengthUnit, {kSliderSpeed}, 1e3}},
     {"position in cm", {Kind::LengthUnit, {kSlider}, 10.0}},
     {"acceleration in in/s²", {Kind::LengthUnit, {kSliderAcceleration}, 25.4}},
@@ -64,22 +62,22 @@ const std::vector<Fault> kFaults{
     {"time stamps in s under a heading of ms", {Kind::TimeUnit, {}, 1e3}},
     {"velocity with the other sign", {Kind::Sign, {kSliderSpeed}, -1.0}},
     {"angular acceleration with the other sign", {Kind::Sign, {kTheta3Acceleration}, -1.0}},
-    {"the x axis reversed", {Kind::Sign, kLengths, -1.0}},
+    {"the x axis reversed", {Kind::Sign, kSliderChannels, -1.0}},
     {"the textbook's θ_3", {Kind::HalfTurn, {kTheta3}, -180.0}},
     {"a whole turn less", {Kind::WholeTurns, {kTheta3}, 360.0}},
     {"position and acceleration swapped", {Kind::SwappedColumns, {kSlider, kSliderAcceleration}}},
     {"velocity and acceleration swapped", {Kind::SwappedColumns, {kSliderSpeed, kSliderAcceleration}}},
-    {"angle and position swapped", {Kind::SwappedColumns, {kTheta3, kSlider}}},
+    {"angle and position swapped", {Kind::SwappedColumns, kAngleAndPosition}},
     {"the two velocities swapped", {Kind::SwappedColumns, {kTheta3Speed, kSliderSpeed}}},
 };
 
 /// Faults that another mechanism explains equally well.
 const std::vector<Fault> kFaultsOfWholeFile{
-    {"all lengths in metres", {Kind::LengthUnit, kLengths, 1e3}},
-    {"all lengths in inches", {Kind::LengthUnit, kLengths, 25.4}},
+    {"all lengths in metres", {Kind::LengthUnit, kSliderChannels, 1e3}},
+    {"all lengths in inches", {Kind::LengthUnit, kSliderChannels, 25.4}},
     {"everything per millisecond",
      {Kind::TimeUnit, {kSliderSpeed, kSliderAcceleration, kTheta3Speed, kTheta3Acceleration}, 1e-3}},
-    {"the other sense of rotation", {Kind::Sign, kAngles, -1.0}},
+    {"the other sense of rotation", {Kind::Sign, kCouplerChannels, -1.0}},
     {"the other assembly", {Kind::Branch, {}}},
     {"a late start", {Kind::TimeShift, {}}},
 };
@@ -149,17 +147,18 @@ class TestConventions : public QObject
 
 private:
     /// Checks that exactly these faults are found in random files.
-    static void findFaults(const std::vector<std::string> &names, const std::string &channels, bool isGiven, int files)
+    static void findFaults(const std::vector<std::string> &names, const std::vector<Channel> &channels, bool isGiven,
+                           int files)
     {
         RandomMechanisms random(names.size() + channels.size());
         for (int i = 0; i < filesOf(files); ++i) {
             Parameters p = random.ordinary();
-            if (channels != "111111") {
+            if (channels != kSixChannels) {
                 p.branch = Branch::Open; // with few columns, the other assembly may explain a sign equally well
             }
             ReferenceData data = motionOf(p, random, channels);
             std::vector<Convention> expected;
-            QByteArray title = QByteArray::number(i) + ' ' + channels.c_str() + (isGiven ? " given" : "");
+            QByteArray title = QByteArray::number(i) + ' ' + namesOf(channels).c_str() + (isGiven ? " given" : "");
             for (const std::string &name : names) {
                 expected.push_back(inject(faultNamed(name), data, p, random));
                 title += " " + name;
@@ -174,7 +173,7 @@ private slots:
     {
         for (const auto &list : {kFaults, kFaultsOfWholeFile}) {
             for (const Fault &fault : list) {
-                findFaults({fault.name}, "111111", true, 50);
+                findFaults({fault.name}, kSixChannels, true, 50);
             }
         }
     }
@@ -183,8 +182,8 @@ private slots:
     {
         struct Row {
             std::vector<std::string> faults;
-            const char *channels = "111111"; ///< θ3, x, and their derivatives
-            bool needsGiven = false;         ///< another mechanism explains the file, too
+            std::vector<Channel> channels = kSixChannels; ///< θ3, x, and their derivatives
+            bool needsGiven = false;                      ///< another mechanism explains the file, too
         };
         for (const Row &row : {Row{{"angles in radians", "velocity in m/s"}},
                                {{"the textbook's θ_3", "angles in radians"}},
@@ -192,23 +191,23 @@ private slots:
                                {{"the textbook's θ_3", "position in cm"}},
                                {{"the angle's derivatives in radians", "velocity with the other sign"}},
                                {{"a whole turn less", "velocity with the other sign"}},
-                               {{"angles in radians", "all lengths in metres"}, "111111", true},
-                               {{"a late start", "all lengths in inches"}, "111111", true},
-                               {{"a late start", "the other assembly"}, "111111", true},
-                               {{"the textbook's θ_3", "a late start"}, "111111", true},
-                               {{"the other sense of rotation", "a late start"}, "111111", true},
-                               {{"velocity and acceleration swapped", "a late start"}, "111111", true},
-                               {{"only the angle in radians"}, "110000"},
-                               {{"the textbook's θ_3"}, "110000"},
-                               {{"a whole turn less"}, "110000"},
-                               {{"angle and position swapped"}, "110000"},
-                               {{"angles in radians"}, "101010"},
-                               {{"time stamps in ms"}, "101010"},
-                               {{"angular acceleration with the other sign"}, "101010"},
-                               {{"time stamps in ms"}, "010101"},
-                               {{"velocity in m/s"}, "010101"},
-                               {{"velocity with the other sign"}, "010101"},
-                               {{"position and acceleration swapped"}, "010101"}}) {
+                               {{"angles in radians", "all lengths in metres"}, kSixChannels, true},
+                               {{"a late start", "all lengths in inches"}, kSixChannels, true},
+                               {{"a late start", "the other assembly"}, kSixChannels, true},
+                               {{"the textbook's θ_3", "a late start"}, kSixChannels, true},
+                               {{"the other sense of rotation", "a late start"}, kSixChannels, true},
+                               {{"velocity and acceleration swapped", "a late start"}, kSixChannels, true},
+                               {{"only the angle in radians"}, kAngleAndPosition},
+                               {{"the textbook's θ_3"}, kAngleAndPosition},
+                               {{"a whole turn less"}, kAngleAndPosition},
+                               {{"angle and position swapped"}, kAngleAndPosition},
+                               {{"angles in radians"}, kCouplerChannels},
+                               {{"time stamps in ms"}, kCouplerChannels},
+                               {{"angular acceleration with the other sign"}, kCouplerChannels},
+                               {{"time stamps in ms"}, kSliderChannels},
+                               {{"velocity in m/s"}, kSliderChannels},
+                               {{"velocity with the other sign"}, kSliderChannels},
+                               {{"position and acceleration swapped"}, kSliderChannels}}) {
             findFaults(row.faults, row.channels, true, 10);
             if (!row.needsGiven) {
                 findFaults(row.faults, row.channels, false, 10);
@@ -303,15 +302,15 @@ private slots:
     {
         struct Row {
             const char *name;
-            const char *channels; ///< of the motion along x
-            double angleAdded;    ///< to θ3
+            std::vector<Channel> channels; ///< of the motion along x
+            double angleAdded;             ///< to θ3
             bool hasX;
         };
-        for (const Row &row : {Row{"the position alone", "010000", 0.0, false},
-                               {"its derivatives, too", "010101", 0.0, true},
-                               {"an angle from the slider's axis", "111000", 0.0, false},
-                               {"an angle from the file's x", "110100", 90.0, true},
-                               {"an angle from elsewhere", "110000", 40.0, false}}) {
+        for (const Row &row : {Row{"the position alone", {kSlider}, 0.0, false},
+                               {"its derivatives, too", kSliderChannels, 0.0, true},
+                               {"an angle from the slider's axis", {kTheta3, kSlider, kTheta3Speed}, 0.0, false},
+                               {"an angle from the file's x", {kTheta3, kSlider, kSliderSpeed}, 90.0, true},
+                               {"an angle from elsewhere", kAngleAndPosition, 40.0, false}}) {
             RandomMechanisms random(21);
             for (int i = 0; i < filesOf(10); ++i) {
                 const Parameters p = random.ordinary();
@@ -360,7 +359,7 @@ private slots:
         for (int i = 0; i < filesOf(10); ++i) {
             const Parameters p = random.ordinary();
             // y is constant except for the error of a solver. Every second file has no x.
-            ReferenceData data = motionOf(p, random, i % 2 == 0 ? "111111" : "101010");
+            ReferenceData data = motionOf(p, random, i % 2 == 0 ? kSixChannels : kCouplerChannels);
             ReferenceSeries &y = data.series.emplace_back(ReferenceSeries{{R4y, Order::Position}, {}, {}});
             y.values.resize(data.time.size());
             std::ranges::generate(y.values, [&] { return p.c + random.uniform(-1e-9, 1e-9); });
@@ -368,7 +367,7 @@ private slots:
             QVERIFY2(found.empty(), described(found));
         }
         // A motion along y need not be that of a slider.
-        ReferenceData data = motionOf(Parameters(), random, "010000");
+        ReferenceData data = motionOf(Parameters(), random, {kSlider});
         data.series[0].channel.coordinate = R4y;
         std::ranges::generate(data.series[0].values, [&] { return random.uniform(-50.0, 50.0); });
         QVERIFY(findConventions(data, Parameters()).empty());

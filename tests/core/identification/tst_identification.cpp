@@ -19,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 using namespace slidercrank;
 
@@ -65,7 +66,7 @@ const Parameters kOrdinary{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
 using Outcome = Identification::Outcome;
 using Symmetry = AlternativeMechanism::Symmetry;
 
-Printing printingOfTurns(const Parameters &p, double turns, int rows, const std::string &channels)
+Printing printingOfTurns(const Parameters &p, double turns, int rows, const std::vector<Channel> &channels)
 {
     Printing printing;
     printing.to = turns * kTurn / std::abs(p.omega2);
@@ -140,16 +141,17 @@ private slots:
     void findsRandomMechanisms()
     {
         struct Row {
-            const char *channels;
+            std::vector<Channel> channels;
             std::vector<Symmetry> images{};
             bool onlyRatios = false;
         };
         const std::vector<Symmetry> mirrored{Symmetry::MirrorImage};
         for (const auto &[channels, images, onlyRatios] :
-             {Row{"111111"}, Row{"110000"}, Row{"010000", mirrored}, Row{"100100"}, Row{"011000"}, Row{"001100"},
-              Row{"010101", mirrored}, Row{"000100", mirrored}, Row{"000011"},
-              Row{"100000", {Symmetry::ReversedCrank}, true}, Row{"101010", {Symmetry::ReversedCrank}, true},
-              Row{"001000", {Symmetry::ReversedCrank, Symmetry::OtherAssembly, Symmetry::OtherAssembly}, true}}) {
+             {Row{kSixChannels}, Row{kAngleAndPosition}, Row{{kSlider}, mirrored}, Row{{kTheta3, kSliderSpeed}},
+              Row{{kSlider, kTheta3Speed}}, Row{{kTheta3Speed, kSliderSpeed}}, Row{kSliderChannels, mirrored},
+              Row{{kSliderSpeed}, mirrored}, Row{{kTheta3Acceleration, kSliderAcceleration}},
+              Row{{kTheta3}, {Symmetry::ReversedCrank}, true}, Row{kCouplerChannels, {Symmetry::ReversedCrank}, true},
+              Row{{kTheta3Speed}, {Symmetry::ReversedCrank, Symmetry::OtherAssembly, Symmetry::OtherAssembly}, true}}) {
             RandomMechanisms random(kSeed);
             for (int i = 0; i < numericRuns(8, 300); ++i) {
                 const Parameters truth = random.ordinary();
@@ -165,11 +167,11 @@ private slots:
                 }
                 const Identification result =
                     identified(printedData(truth, printingOfTurns(truth, turns, rows, channels)), given);
-                QVERIFY2(result.outcome == Outcome::Identified, channels + (": " + described(truth)));
+                QVERIFY2(result.outcome == Outcome::Identified, namesOf(channels).c_str() + (": " + described(truth)));
                 QVERIFY2(distance(result.parameters, expected, !images.empty()) <= 1e-3, described(truth));
                 QVERIFY(!onlyRatios || result.parameters.a == given.a);
                 QVERIFY2(std::ranges::is_permutation(result.alternatives, images, {}, &AlternativeMechanism::symmetry),
-                         channels + (": " + described(truth)));
+                         namesOf(channels).c_str() + (": " + described(truth)));
                 QCOMPARE(result.onlyRatios, onlyRatios);
                 QCOMPARE(result.identifiable, (std::array{!onlyRatios, !onlyRatios, !onlyRatios, true, true}));
             }
@@ -197,7 +199,7 @@ private slots:
     void findsAThousandTurnsInManyRows()
     {
         const Parameters truth{20.0, 60.0, 25.0, -7.0, 2.0, Branch::Open};
-        ReferenceData data = printedData(truth, printingOfTurns(truth, 1000.0, 50000, "110000"));
+        ReferenceData data = printedData(truth, printingOfTurns(truth, 1000.0, 50000, kAngleAndPosition));
         valuesOf(data, kSlider)[30000] = 500.0;
         const Identification result = identified(data);
         QCOMPARE(result.outcome, Outcome::Identified);
@@ -207,9 +209,9 @@ private slots:
 
     void findsTheSpeedAlthoughGapsHideTurns()
     {
-        const auto isGap = [](int row, std::size_t) { return row % 50 >= 12; };
+        const auto isGap = [](int row, Channel) { return row % 50 >= 12; };
         const Identification result =
-            identified(printedData(kOrdinary, printingOfTurns(kOrdinary, 16.0, 600, "110000"), isGap));
+            identified(printedData(kOrdinary, printingOfTurns(kOrdinary, 16.0, 600, kAngleAndPosition), isGap));
         QCOMPARE(result.outcome, Outcome::Identified);
         QVERIFY(distance(result.parameters, kOrdinary) < 1e-4);
     }
@@ -314,7 +316,7 @@ private slots:
 
     void findsNoMechanismInAnotherMotion()
     {
-        ReferenceData data = printedData(kOrdinary, printingOfTurns(kOrdinary, 2.0, 240, "010000"));
+        ReferenceData data = printedData(kOrdinary, printingOfTurns(kOrdinary, 2.0, 240, {kSlider}));
         std::vector<double> &values = valuesOf(data, kSlider);
         for (std::size_t i = 0; i < values.size(); ++i) { // a damped oscillation
             values[i] = 80.0 * std::exp(-0.01 * static_cast<double>(i)) * std::cos(0.3 * static_cast<double>(i));
@@ -333,7 +335,7 @@ private slots:
         standing.theta20 = 0.3;
         Printing printing;
         printing.rows = 4;
-        printing.channels = "010000";
+        printing.channels = {kSlider};
         QCOMPARE(identified(printedData(standing)).lack, Lack::NothingMoves);
         QCOMPARE(identified(printedData(Parameters(), printing)).lack, Lack::FewValues);
         QCOMPARE(identified(ReferenceData()).lack, Lack::FewValues);
@@ -355,7 +357,7 @@ private slots:
         for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
             for (int i = 0; i < numericRuns(6, 50); ++i) {
                 const Parameters truth = random.ordinary();
-                const ReferenceData data = printedData(truth, printingOfTurns(truth, 2.0, 201, "111111"));
+                const ReferenceData data = printedData(truth, printingOfTurns(truth, 2.0, 201, kSixChannels));
                 Parameters given = truth;
                 valueOf(given, length) *= random.uniform(1.05, 1.3);
                 const Identification found = identified(data, given);

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <vector>
 
 using namespace slidercrank;
 
@@ -48,7 +49,7 @@ using Change = std::function<double(double value, std::size_t row)>;
 Observations changedObservations(const Change &angle, const Change &slider)
 {
     Printing printing;
-    printing.channels = "110000";
+    printing.channels = kAngleAndPosition;
     ReferenceData data = printedData(kMechanism, printing);
     for (std::size_t i = 0; i < data.time.size(); ++i) {
         data.series[0].values[i] = angle(data.series[0].values[i], i);
@@ -103,7 +104,7 @@ private slots:
     void inventsNoOriginForAFilter()
     {
         Printing printing;
-        printing.channels = "110000";
+        printing.channels = kAngleAndPosition;
         ReferenceData data = printedData(kMechanism, printing);
         const std::vector<double> exact = data.series[1].values;
         for (std::size_t i = 5; i + 5 < exact.size(); ++i) {
