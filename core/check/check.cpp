@@ -108,9 +108,8 @@ std::ptrdiff_t countTried(const std::vector<Comparison> &comparisons)
     }
     std::erase_if(changes, [largest](double change) { return change > largest; });
     std::ranges::sort(changes);
-    const auto repeated = std::ranges::unique(
-        changes, [](double x, double y) { return std::abs(y - x) <= kRelativeTolerance * std::abs(x); });
-    return std::distance(changes.begin(), repeated.begin());
+    const auto areEqual = [](double x, double y) { return std::abs(y - x) <= kRelativeTolerance * std::abs(x); };
+    return std::distance(changes.begin(), std::unique(changes.begin(), changes.end(), areEqual));
 }
 
 /// Explains the wrong values by the slips. `coincidence`: h/d of the wrong values, multiplied.

@@ -80,8 +80,8 @@ ReferenceData tableOverAngle(const ReferenceData &data)
     std::vector<std::size_t> rows(degrees.size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return degrees[row]; });
-    const auto repeated = std::ranges::unique(rows, {}, [&](std::size_t row) { return degrees[row]; });
-    rows.erase(repeated.begin(), repeated.end());
+    const auto isRepeated = [&](std::size_t row, std::size_t next) { return degrees[row] == degrees[next]; };
+    rows.erase(std::unique(rows.begin(), rows.end(), isRepeated), rows.end());
     const auto selected = [&](const std::vector<double> &values) {
         std::vector<double> some(rows.size());
         std::ranges::transform(rows, some.begin(), [&](std::size_t row) { return values[row]; });

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ranges>
 
 namespace slidercrank
 {
@@ -79,14 +78,14 @@ void judgeRange(ObservedColumn &column, double span)
 Indices rowsWithValues(const ReferenceData &data)
 {
     const ReferenceSeries *const crank = data.find(kCrankAngle);
-    const auto isKnown = [&](Index row) { return std::isfinite(crank->values[row]); };
-    const auto all = std::views::iota(Index{0}, static_cast<Index>(std::ssize(data.time)));
-    const bool needsAngle = crank && 2 * std::ranges::count_if(all, isKnown) > std::ssize(data.time);
+    const auto isKnown = [](double value) { return std::isfinite(value); };
+    const bool needsAngle = crank && 2 * std::ranges::count_if(crank->values, isKnown) > std::ssize(data.time);
     Indices rows;
     rows.reserve(data.time.size());
     for (Index row = 0; row < std::ssize(data.time); ++row) {
-        if ((!needsAngle || isKnown(row)) && std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
-                return std::isfinite(series.values[row]) && !isAlwaysZero(series.channel);
+        if ((!needsAngle || isKnown(crank->values[row])) &&
+            std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
+                return isKnown(series.values[row]) && !isAlwaysZero(series.channel);
             })) {
             rows.push_back(row);
         }

@@ -103,8 +103,7 @@ public:
             }
         }
         std::ranges::sort(solutions);
-        const auto repeated = std::ranges::unique(solutions);
-        solutions.erase(repeated.begin(), repeated.end());
+        solutions.erase(std::unique(solutions.begin(), solutions.end()), solutions.end());
         return solutions;
     }
 
@@ -165,8 +164,7 @@ std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order orde
         }
     }
     std::ranges::sort(solutions);
-    const auto repeated = std::ranges::unique(solutions);
-    solutions.erase(repeated.begin(), repeated.end());
+    solutions.erase(std::unique(solutions.begin(), solutions.end()), solutions.end());
     return solutions;
 }
 

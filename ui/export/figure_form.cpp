@@ -94,7 +94,8 @@ void chooseFigure(QWidget *parent, const FigureSubject &subject,
         storeFigureOptions(stored);
         QStringList filters = figureFilters();
         const QString suffix = suffixOf(options.format);
-        std::ranges::stable_partition(filters, [&](const QString &filter) { return suffixOf(filter) == suffix; });
+        std::stable_partition(filters.begin(), filters.end(),
+                              [&](const QString &filter) { return suffixOf(filter) == suffix; });
         chooseFileToSave(parent, {FigureForm::tr("Export"), filters, subject.name,
                                   [options, write](const QString &path, const QString &) { write(options, path); }});
     });
