@@ -244,6 +244,16 @@ private slots:
         QVERIFY(beside.slips == std::vector{Slip::CrankSpeedSign});
     }
 
+    void theDoubleHarmonicOfTheVelocityExplainsNoAcceleration()
+    {
+        const Problem engine{{.a = 300.0, .b = 1500.0, .c = 0.0, .omega2 = 5.0 * kPi, .theta20 = 40.0 * kPi / 180.0},
+                             0.0};
+        const double cosines = std::cos(40.0 * kPi / 180.0) + std::cos(80.0 * kPi / 180.0) / 5.0;
+        const double acceleration = -300.0 * std::pow(5.0 * kPi, 2) * cosines;
+        const CheckResult checked = check(engine.position(), std::vector{written("a", acceleration, 4)});
+        QVERIFY(checked.slips == std::vector{Slip::TwoHarmonics});
+    }
+
     void excludesChanceByDigitsAndQuantities()
     {
         // α2 omitted changes the acceleration by 4 %: two digits of one number may be a coincidence.
