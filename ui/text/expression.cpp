@@ -111,8 +111,12 @@ Quantity readExpression(const QString &text, const std::optional<Unit> &wanted, 
     if (!calculation.contains(QRegularExpression("[*/+(]|\\d\\s*-|pi"))) { // only a number, which has the fault
         return quantity;
     }
-    const double value = Calculator(calculation.remove(QRegularExpression("\\s"))).value();
-    if (!std::isfinite(value)) {
+    // "6 1/2" is a sum. Other spaces between digits separate thousands, of which each has three.
+    static const QRegularExpression mixedNumber(R"((?<![\d.])(\d+)\s+(\d{1,2}/\d{1,3})(?![\d.]))");
+    calculation.replace(mixedNumber, "(\\1+\\2)");
+    static const QRegularExpression severalNumbers(R"([\d.]\s+(?!\d{3}(?!\d))[\d.])");
+    const double value = Calculator(QString(calculation).remove(QRegularExpression("\\s"))).value();
+    if (!std::isfinite(value) || calculation.contains(severalNumbers)) {
         return {.fault = QuantityFault::NotANumber};
     }
     return readQuantity(QString::number(value, 'g', 17) + u' ' + match.captured(2), wanted, QLocale::c());
