@@ -57,10 +57,13 @@ void MechanismSketch::addGrid()
     const double shownStep = nextRoundNumber(kMinSpacing / scale * perMm); // in the chosen unit
     const double step = shownStep / perMm;
     const QRectF shown = visible();
-    const auto addNumber = [this](QPointF lowerLeft, const QString &text) {
+    const auto captions = deadCentreCaptions(); // near an edge, they replace numbers
+    const auto addNumber = [&](QPointF lowerLeft, const QString &text) {
         const QSizeF extent = textSize(text, true);
         const QRectF box(lowerLeft - QPointF(-1.0, extent.height()), extent);
-        m_labels.push_back({text, box, m_muted, Qt::transparent, true});
+        if (std::ranges::none_of(captions, [&](const auto &caption) { return caption.second.intersects(box); })) {
+            m_labels.push_back({text, box, m_muted, Qt::transparent, true});
+        }
         return box;
     };
     const QRectF corner = addNumber({1.0, size.height()}, shownUnit(Measure::Length));
@@ -136,8 +139,9 @@ void MechanismSketch::addGuide()
     }
 }
 
-/// Returns the names of the dead centres and their places, each below its own mark. Where two full names do not fit,
-/// they are shortened; a short one that does not fit is left out.
+/// Returns the names of the dead centres and their places, each below its own mark, and beside the edge of the drawing
+/// if the mark is near it. Where two full names do not fit, they are shortened; a short one that does not fit is left
+/// out.
 std::vector<std::pair<QString, QRectF>> MechanismSketch::deadCentreCaptions() const
 {
     if (!m_scene->settings.names) {
@@ -150,6 +154,9 @@ std::vector<std::pair<QString, QRectF>> MechanismSketch::deadCentreCaptions() co
                 const QPointF mark = toPixels({centre->R4x, mechanism().c()});
                 QRectF box(QPointF(), textSize(name, true));
                 box.moveCenter(mark + QPointF(0.0, kBelowLine + kHatch + 2.0 + 0.5 * box.height()));
+                if (mark.x() >= 0.0 && mark.x() <= size.width()) {
+                    box.moveLeft(std::max(0.0, std::min(box.left(), size.width() - box.width())));
+                }
                 boxes.emplace_back(name, box);
             }
         }

@@ -71,6 +71,29 @@ DrawnPart drawnPart(MechanismPart part)
     return DrawnPart::Background;
 }
 
+/// Returns the projection of a picture: the whole frame, with space below the slider's line for the rail, the names of
+/// the dead centres and the numbers of the grid.
+MechanismProjection pictureProjection(const MechanismScene &scene, const MechanismFrame &frame, const QSizeF &size,
+                                      const QFont &font)
+{
+    constexpr double kRail = 22.0; // px
+    constexpr int kRounds = 3;     // a smaller scale makes the space larger in mm
+    MechanismProjection projection = frame.projection(size);
+    if (!scene.result || frame.zoomed() || frame.fitted().isNull()) {
+        return projection;
+    }
+    const double pixelsBelow = kRail + 2.0 * QFontMetricsF(font).height();
+    MechanismFrame enlarged = frame;
+    for (int round = 0; round < kRounds; ++round) {
+        const double lowest = scene.result->mechanism.c() - pixelsBelow / projection.scale;
+        QRectF shown = frame.fitted();
+        shown.setTop(std::min(shown.top(), lowest)); // y points upwards
+        enlarged.setZoomed(shown);
+        projection = enlarged.projection(size);
+    }
+    return projection;
+}
+
 } // namespace
 
 MechanismView::MechanismView(QWidget *parent)
@@ -351,7 +374,8 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
 {
     const QFont font = painter.font();
     const auto newPicture = [&](const QSizeF &part) {
-        return MechanismSketch(m_scene, m_frame.projection(part), palette, font, MechanismSketch::Legend::Separate);
+        return MechanismSketch(m_scene, pictureProjection(m_scene, m_frame, part, font), palette, font,
+                               MechanismSketch::Legend::Separate);
     };
     MechanismSketch legend = newPicture(size);
     legend.addLegend();
