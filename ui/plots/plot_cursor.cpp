@@ -12,8 +12,9 @@ namespace slidercrank
 namespace
 {
 
-/// Places the labels to the right of the line, or to its left where they do not fit. Headings are at the top, values at
-/// the height of their dots, moved only so far that they do not overlap.
+/// Places the labels to the right of the line, or to its left where they do not fit; a label that fits on neither side
+/// begins at the left edge of the axes, beside their numbers. Headings are at the top, values at the height of their
+/// dots, moved only so far that they do not overlap.
 void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 {
     constexpr double kGap = 6.0; // px, between the line and the text
@@ -27,7 +28,7 @@ void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font)
         label.text.prepare({}, font);
         const double width = label.text.size().width();
         const bool fits = cursor.x + kGap + width <= axes.right();
-        const double x = fits ? cursor.x + kGap : std::max(1.0, cursor.x - kGap - width);
+        const double x = fits ? cursor.x + kGap : std::max(axes.left() + 1.0, cursor.x - kGap - width);
         const double wanted = std::max(top, label.dot ? label.dot->y() - 0.5 * height : top);
         label.place = QRectF(x, std::min(lowest, wanted), width, height);
         top = label.place.bottom();
@@ -63,7 +64,8 @@ void paintCursors(QPainter &painter, std::span<const PlotCursor> cursors, const 
     painter.setFont(font);
     for (const PlotCursor &cursor : cursors) {
         painter.setOpacity(cursor.isLight ? 0.45 : 1.0);
-        painter.fillRect(QRectF(cursor.x, axes.top(), 1.0, axes.height()), colours.cursor);
+        painter.setPen(QPen(colours.cursor, 1.0, Qt::SolidLine, Qt::FlatCap)); // a rectangle may vanish in a preview
+        painter.drawLine(QLineF(cursor.x + 0.5, axes.top(), cursor.x + 0.5, axes.bottom()));
         painter.setOpacity(1.0);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(colours.background); // separates a dot from its curve

@@ -24,6 +24,9 @@ namespace
 constexpr int kTickLength = 3; // px
 constexpr int kLabelGap = 4;   // px between a tick and its label
 
+constexpr int kNoteFlags = Qt::AlignHCenter | Qt::AlignVCenter | Qt::TextWordWrap;
+constexpr double kAroundNote = 2.0; // px
+
 int lineHeight(const QFont &font)
 {
     return QFontMetrics(font).height();
@@ -188,7 +191,11 @@ void PlotFigure::fill()
         } else {
             plot.note = tr("nothing to compare");
         }
-        plot.values = plot.values && m_zoom.values[index] ? m_zoom.values[index] : plot.values;
+        if (plot.values && m_zoom.values[index]) {
+            plot.values = m_zoom.values[index];
+        } else if (plot.values && !plot.note.isEmpty()) {
+            plot.values = withSpaceForNote(plot, *plot.values);
+        }
         const Interval values = plot.values.value_or(Interval());
         plot.valueAxis->setRange(values.lower, values.upper);
         plot.valueAxis->setTickLabels(plot.values.has_value());
@@ -256,8 +263,9 @@ void PlotFigure::setTimeScale()
     m_timeTicker->angle = isOverAngle() ? std::optional(notation().units.angle) : std::nullopt;
     m_timeTicker->setTickOrigin(zeroTime());
     int labelWidth = 0;
-    const auto setDistance = [this](double pixels) {
-        m_timeTicker->setTickCount(std::max(1, static_cast<int>(m_plots[plots().front()].axes->width() / pixels)));
+    const int axesWidth = m_plots[plots().front()].axes->width();
+    const auto setDistance = [this, axesWidth](double pixels) {
+        m_timeTicker->setTickCount(std::max(1, static_cast<int>(axesWidth / pixels)));
     };
     setDistance(kMinTickDistance);
     QVector<double> ticks;
@@ -266,7 +274,8 @@ void PlotFigure::setTimeScale()
     for (const QString &label : labels) {
         labelWidth = std::max(labelWidth, metrics.horizontalAdvance(label));
     }
-    setDistance(std::max(kMinTickDistance, labelWidth + kSpace));
+    const double narrowest = labelWidth + kSpace;
+    setDistance(axesWidth < 2.0 * kMinTickDistance ? narrowest : std::max(kMinTickDistance, narrowest));
     const QString title = isOverAngle() ? QStringLiteral("θ₂ [%1]").arg(shownUnit(Measure::Angle)) : "t [s]";
     const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
     const QMargins least(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kAround, 0);
@@ -315,6 +324,9 @@ QStringList PlotFigure::titles(std::size_t index) const
     for (QString &title : titles) {
         title = QStringLiteral("%1 [%2]").arg(title, unit).trimmed();
     }
+    if (isError && m_style.error == ErrorMeasure::OfPeak) {
+        titles << QStringLiteral("[%]");
+    }
     return titles;
 }
 
@@ -353,9 +365,12 @@ void PlotFigure::paint(QPainter &painter, const std::optional<double> &cursorTim
     if (!cursorTime) {
         return;
     }
+    const auto hasNoNote = [this](std::size_t index) { return m_plots[index].note.isEmpty(); };
+    const auto firstFree = std::ranges::find_if(plots(), hasNoNote); // the time would cover the note
+    const std::size_t withTime = firstFree == plots().end() ? plots().front() : *firstFree;
     for (const std::size_t index : plots()) {
         const QRectF axes = m_plots[index].axes->rect();
-        const QStringList heading = index == plots().front() ? QStringList(timeText(*cursorTime)) : QStringList();
+        const QStringList heading = index == withTime ? QStringList(timeText(*cursorTime)) : QStringList();
         std::vector<PlotCursor> cursors;
         if (const std::optional<PlotCursor> cursor = cursorAt(index, *cursorTime, heading)) {
             cursors.push_back(*cursor);
@@ -376,36 +391,24 @@ int PlotFigure::heightFor(const std::vector<std::size_t> &plots, int width, cons
     return static_cast<int>(std::lround(static_cast<double>(rows) * row)) + 3 * lineHeight(font); // with the legend
 }
 
-/// Returns where the note of a plot hides no curve: the first of several places that no curve passes through.
+/// Returns the place of a plot's note: above the curves, which leave space for it, or in the middle if there are none.
 QRectF PlotFigure::notePlace(const Plot &plot) const
 {
     const QRectF axes = plot.axes->rect();
-    QRectF box = QFontMetricsF(m_fonts.tick).boundingRect(plot.note).adjusted(-2.0, 0.0, 2.0, 0.0);
-    if (!plot.values) {
-        box.moveCenter(axes.center());
-        return box;
+    QRectF box = QFontMetricsF(m_fonts.tick).boundingRect(axes, kNoteFlags, plot.note);
+    box.moveCenter(axes.center());
+    if (plot.values) {
+        box.moveTop(axes.top() + kAroundNote);
     }
-    const auto isCrossed = [&](const QRectF &place) {
-        const auto isInside = [&](const CurvePoint &point) {
-            return place.contains({plot.timeAxis->coordToPixel(point.t), plot.valueAxis->coordToPixel(point.value)});
-        };
-        return std::ranges::any_of(plot.curves,
-                                   [&](const PlotCurve &curve) { return std::ranges::any_of(curve.points, isInside); });
-    };
-    const double edge = 0.5 * box.height() + 2.0; // px
-    for (const double y : {axes.top() + edge, axes.bottom() - edge}) {
-        for (const double part : {0.5, 0.25, 0.75, 0.12, 0.88}) {
-            const double half = 0.5 * box.width();
-            const double x = std::clamp(axes.left() + part * axes.width(), axes.left() + half,
-                                        std::max(axes.left() + half, axes.right() - half));
-            box.moveCenter({x, y});
-            if (!isCrossed(box)) {
-                return box;
-            }
-        }
-    }
-    box.moveCenter({axes.center().x(), axes.bottom() - edge});
     return box;
+}
+
+/// Returns the values with space above them for the note of the plot, unless it needs more than half of the height.
+Interval PlotFigure::withSpaceForNote(const Plot &plot, const Interval &values) const
+{
+    const double part = (notePlace(plot).height() + 2.0 * kAroundNote) / std::max(plot.axes->height(), 1);
+    const double space = part < 0.5 ? part / (1.0 - part) * values.length() : 0.0;
+    return {values.lower, values.upper + space};
 }
 
 /// Draws the legend, the titles and the notes over the plots.
@@ -423,7 +426,7 @@ void PlotFigure::drawTexts(QPainter &painter)
         painter.drawStaticText(QPointF(axes.left(), axes.top() - kAboveAxes - titleHeight), plot.titles[plot.title]);
         if (!plot.note.isEmpty()) {
             painter.setFont(m_fonts.tick);
-            painter.drawText(notePlace(plot), Qt::AlignCenter, plot.note);
+            painter.drawText(notePlace(plot), kNoteFlags, plot.note);
         }
     }
 }

@@ -195,6 +195,7 @@ private:
     void setTimeScale();
     QStringList titles(std::size_t index) const;
     QRectF notePlace(const Plot &plot) const;
+    Interval withSpaceForNote(const Plot &plot, const Interval &values) const;
     void chooseTitles();
     QSize placeLegend(QPainter *painter = nullptr);
     QPen addCurve(const Plot &plot, const PlotCurve &curve);

@@ -181,9 +181,15 @@ private slots:
     }
 
     /// A former defect: the note hid the peak of the curve.
+    void aNoteHidesNoCurve_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::addRow("wide") << QSize(360, 200);
+        QTest::addRow("narrower than the note") << QSize(120, 150);
+    }
     void aNoteHidesNoCurve()
     {
-        const QSize size(360, 200);
+        QFETCH(QSize, size);
         for (std::size_t plot : {0, 1, 3, 4, 6, 7}) {
             PlotFigure &figure = figureOf({.reference = referenceOf(65.0, 0)});
             figure.compose({{plot}, QFont(), paletteFor(Theme::Light)}, size);
