@@ -3356,12 +3356,28 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>desplazamiento desde el punto muerto exterior</translation>
     </message>
     <message>
-        <source>crank pin A, x</source>
-        <translation>pasador A de la manivela, x</translation>
+        <source>crank pin A in x</source>
+        <translation>pasador A de la manivela en x</translation>
     </message>
     <message>
-        <source>crank pin A, y</source>
-        <translation>pasador A de la manivela, y</translation>
+        <source>velocity of the crank pin A in x</source>
+        <translation>velocidad del pasador A de la manivela en x</translation>
+    </message>
+    <message>
+        <source>acceleration of the crank pin A in x</source>
+        <translation>aceleración del pasador A de la manivela en x</translation>
+    </message>
+    <message>
+        <source>crank pin A in y</source>
+        <translation>pasador A de la manivela en y</translation>
+    </message>
+    <message>
+        <source>velocity of the crank pin A in y</source>
+        <translation>velocidad del pasador A de la manivela en y</translation>
+    </message>
+    <message>
+        <source>acceleration of the crank pin A in y</source>
+        <translation>aceleración del pasador A de la manivela en y</translation>
     </message>
     <message>
         <source>rad/s</source>

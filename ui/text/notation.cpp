@@ -26,13 +26,25 @@ Notation &chosenNotation()
     return chosen;
 }
 
-QString derivedName(DerivedQuantity quantity)
+QString derivedName(DerivedQuantity quantity, Order order)
 {
+    const auto nameOfOrder = [order](const QString &position, const QString &velocity, const QString &acceleration) {
+        return std::array{position, velocity, acceleration}[static_cast<std::size_t>(order)];
+    };
+    const auto nameOfDerivative = [nameOfOrder](const QString &name) {
+        return nameOfOrder(name, NotationText::tr("%1, first derivative").arg(name),
+                           NotationText::tr("%1, second derivative").arg(name));
+    };
     switch (quantity) {
-    case DerivedQuantity::TransmissionAngle: return NotationText::tr("transmission angle");
-    case DerivedQuantity::Displacement: return NotationText::tr("displacement from the outer dead centre");
-    case DerivedQuantity::PinX: return NotationText::tr("crank pin A, x");
-    case DerivedQuantity::PinY: return NotationText::tr("crank pin A, y");
+    case DerivedQuantity::TransmissionAngle: return nameOfDerivative(NotationText::tr("transmission angle"));
+    case DerivedQuantity::Displacement:
+        return nameOfDerivative(NotationText::tr("displacement from the outer dead centre"));
+    case DerivedQuantity::PinX:
+        return nameOfOrder(NotationText::tr("crank pin A in x"), NotationText::tr("velocity of the crank pin A in x"),
+                           NotationText::tr("acceleration of the crank pin A in x"));
+    case DerivedQuantity::PinY:
+        return nameOfOrder(NotationText::tr("crank pin A in y"), NotationText::tr("velocity of the crank pin A in y"),
+                           NotationText::tr("acceleration of the crank pin A in y"));
     }
     return {};
 }
@@ -141,10 +153,7 @@ QString nameText(const OutputChannel &channel)
         return quantityName(*coordinate);
     }
     const auto &[quantity, order] = std::get<DerivedChannel>(channel);
-    const QString name = derivedName(quantity);
-    return order == Order::Position   ? name
-           : order == Order::Velocity ? NotationText::tr("%1, first derivative").arg(name)
-                                      : NotationText::tr("%1, second derivative").arg(name);
+    return derivedName(quantity, order);
 }
 
 } // namespace slidercrank
