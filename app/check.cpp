@@ -45,7 +45,12 @@ NamedValue readValue(const QString &argument, const Units &units)
                                          "mu, or a channel of \"slidercrank solve\".")
                              .arg(name)};
     }
-    const TypedValue typed = readTypedValue(argument.section('=', 1), *channel, units);
+    const QString number = argument.section('=', 1);
+    if (number.trimmed().isEmpty()) {
+        throw UsageError{
+            CommandLine::tr("%1 has no value: write it behind the = without a space, such as %1=9.74.").arg(name)};
+    }
+    const TypedValue typed = readTypedValue(number, *channel, units);
     if (const std::optional<QuantityFault> fault = typed.written.fault) {
         throw UsageError{QString("%1: %2").arg(name, quantityFaultText(typed.text, *fault, typed.unit))};
     }

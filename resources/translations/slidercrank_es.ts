@@ -510,6 +510,10 @@
 <context>
     <name>slidercrank::CommandLine</name>
     <message>
+        <source>%1 has no value: write it behind the = without a space, such as %1=9.74.</source>
+        <translation>%1 no tiene valor: escríbalo después del signo = sin espacio, como %1=9.74.</translation>
+    </message>
+    <message>
         <source>A value must be a name, = and a number, such as x=9.74 or theta3=-154deg, not &quot;%1&quot;.</source>
         <translation>Un valor debe ser un nombre, = y un número, como x=9.74 o theta3=-154deg, no «%1».</translation>
     </message>

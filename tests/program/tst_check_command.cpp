@@ -138,8 +138,14 @@ private slots:
                                    << "x: “nine” is not a number";
         QTest::newRow("decimal comma") << "x=9,74"
                                        << "Write the decimal sign as";
+        QTest::newRow("nothing behind the equals sign") << "x= 9"
+                                                        << "x has no value";
         QTest::newRow("other dimension") << "x=9deg"
-                                         << "the unit must be one of";
+                                         << "the unit must be one of mm, cm, m, in.";
+        QTest::newRow("length for a velocity") << "v=9mm"
+                                               << "the unit must be one of mm/s, cm/s, m/s, in/s.";
+        QTest::newRow("rpm for an acceleration") << "alpha3=9rpm"
+                                                 << "the unit must be one of deg/s^2, rad/s^2.";
         QTest::newRow("twice") << "v=1 R4_x_diff=2"
                                << "is given more than once";
         QTest::newRow("acceleration without a number") << "x=1 --alpha2 5mm"

@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include <array>
+
 namespace slidercrank
 {
 
@@ -32,12 +34,20 @@ Quantity readQuantity(const QString &text, const std::optional<Unit> &wanted, co
 
 QStringList unitsFor(const Unit &wanted)
 {
+    QStringList units;
     switch (wanted.dimension) {
-    case Dimension::Length: return {"mm", "cm", "m", "in"};
-    case Dimension::Angle: return wanted.order == 0 ? QStringList{"deg", "rad"} : QStringList{"rad/s", "deg/s", "rpm"};
+    case Dimension::Length: units = {"mm", "cm", "m", "in"}; break;
+    case Dimension::Angle: units = {"deg", "rad"}; break;
     case Dimension::Time: return {"s", "ms"};
     }
-    return {};
+    constexpr std::array kPerTime{"", "/s", "/s^2"};
+    for (QString &unit : units) {
+        unit += QLatin1String(kPerTime[static_cast<std::size_t>(wanted.order)]);
+    }
+    if (wanted.dimension == Dimension::Angle && wanted.order == 1) {
+        units += "rpm";
+    }
+    return units;
 }
 
 QString quantityFaultText(const QString &text, QuantityFault fault, const std::optional<Unit> &wanted)
