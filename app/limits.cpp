@@ -11,9 +11,11 @@
 #include "core/limits/tolerance.h"
 #include "core/mechanism/turn.h"
 #include "ui/document/settings_fields.h"
+#include "ui/document/with.h"
 #include "ui/text/channel_text.h"
 #include "ui/text/design_text.h"
 #include "ui/text/motion_facts.h"
+#include "ui/text/notation.h"
 #include "ui/text/parameter_text.h"
 #include "ui/text/written_number.h"
 
@@ -261,6 +263,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
 {
     const Question question(options);
     const Units units = readUnits(options);
+    setNotation(with(notation(), &Notation::units, units)); // of the sentences
     options.refuseFiles();
     Mechanism mechanism = question.mechanism;
     QString design;
