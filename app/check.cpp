@@ -39,18 +39,13 @@ NamedValue readValue(const QString &argument, const Units &units)
                             "\"%1\".")
                 .arg(argument)};
     }
-    const std::optional<OutputChannel> channel = quantityNamed(name.toStdString());
-    if (!channel) {
-        throw UsageError{CommandLine::tr("\"%1\" is no quantity: choose x, v, a, theta3, omega3, alpha3, displacement, "
-                                         "mu, or a channel of \"slidercrank solve\".")
-                             .arg(name)};
-    }
+    const OutputChannel channel = parseOutputChannel(name);
     const QString number = argument.section('=', 1);
     if (number.trimmed().isEmpty()) {
         throw UsageError{
             CommandLine::tr("%1 has no value: write it behind the = without a space, such as %1=9.74.").arg(name)};
     }
-    const TypedValue typed = readTypedValue(number, *channel, units);
+    const TypedValue typed = readTypedValue(number, channel, units);
     if (const std::optional<QuantityFault> fault = typed.written.fault) {
         throw UsageError{QString("%1: %2").arg(name, quantityFaultText(typed.text, *fault, typed.unit))};
     }

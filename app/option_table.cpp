@@ -116,14 +116,14 @@ public:
           {"check", "at-angle", "DEGREES", QT_TR_NOOP("crank angle at which the values are checked (--theta20)")},
           {"check", "alpha2", "RAD_PER_S2", QT_TR_NOOP("crank acceleration (0)")},
           {"solve", "when", "CHANNEL=VALUE",
-           QT_TR_NOOP("a row for each position of one revolution in which a channel has this value: R4_x=60, "
-                      "theta3=10deg, R4_x_diff=-0.2m/s")},
+           QT_TR_NOOP("a row for each position of one revolution in which a quantity has this value: x=60, "
+                      "theta3=10deg, v=-0.2m/s, or any channel")},
           {"solve", "alpha2", "RAD_PER_S2",
            QT_TR_NOOP("crank acceleration at the positions of --at, --at-angle, --step-angle or --when (0): a channel "
                       "f has the second derivative f″ω₂² + f′α₂")},
           {"solve", "omega2-for", "CHANNEL=VALUE",
            QT_TR_NOOP("with --at-angle: compute the crank speed at which a first derivative has this value, and report "
-                      "it: R4_x_diff=8m/s")}}},
+                      "it: v=8m/s")}}},
         {QT_TR_NOOP("Method"),
          {{"solve compare render", "method", kJoinedWords<Method>.data(),
            QT_TR_NOOP("how the motion is computed (closed-form)")},

@@ -31,7 +31,7 @@ ChannelValue readChannelValue(const char *option, const QString &text, const Uni
         throw UsageError{CommandLine::tr("--%1 must be a channel, = and its value, such as %2, not \"%3\".")
                              .arg(option, QLatin1String(option) == u"when" ? "R4_x=60" : "R4_x_diff=8m/s", text)};
     }
-    const OutputChannel channel = parseOutputChannel(option, name);
+    const OutputChannel channel = parseOutputChannel(name);
     const Measure measure = measureOf(channel);
     const Unit fileUnit{isAngular(measure) ? Dimension::Angle : Dimension::Length, static_cast<int>(orderOf(channel)),
                         1.0};
@@ -191,18 +191,15 @@ double readCrankAcceleration(const OptionReader &options)
     return options.number("alpha2", 0.0, kRadianPerSquareSecond);
 }
 
-QStringList outputChannelNames()
+OutputChannel parseOutputChannel(const QString &name)
 {
-    QStringList names;
-    for (const OutputChannel &channel : allOutputChannels()) {
-        names += columnName(channel);
+    const std::optional<OutputChannel> channel = outputChannelNamed(name.toStdString());
+    if (!channel) {
+        throw UsageError{CommandLine::tr("\"%1\" is no quantity: choose x, v, a, theta3, omega3, alpha3, displacement, "
+                                         "mu, or a channel such as R4_x, R4_x_diff or R4_x_diff2.")
+                             .arg(name)};
     }
-    return names;
-}
-
-OutputChannel parseOutputChannel(const char *option, const QString &name)
-{
-    return allOutputChannels()[static_cast<std::size_t>(indexAmong(outputChannelNames(), name, option))];
+    return *channel;
 }
 
 } // namespace slidercrank

@@ -30,10 +30,7 @@ Units readUnits(const OptionReader &options);
 /// Reads --alpha2 (rad/s²), which applies to positions only.
 double readCrankAcceleration(const OptionReader &options);
 
-/// Parses the name of a channel of the output.
-OutputChannel parseOutputChannel(const char *option, const QString &name);
-
-/// The names of all channels of the output.
-QStringList outputChannelNames();
+/// Parses the name of a channel of the output, or its symbol in textbooks.
+OutputChannel parseOutputChannel(const QString &name);
 
 } // namespace slidercrank

@@ -154,22 +154,6 @@ bool areRoundedEarlier(const CrankPosition &position, const OutputState &exact, 
 
 } // namespace
 
-std::optional<OutputChannel> quantityNamed(std::string_view name)
-{
-    struct ShortName {
-        std::string_view name;
-        std::string_view channel;
-    };
-    constexpr std::array kShortNames{ShortName{"x", "R4_x"},
-                                     ShortName{"v", "R4_x_diff"},
-                                     ShortName{"a", "R4_x_diff2"},
-                                     ShortName{"omega3", "theta3_diff"},
-                                     ShortName{"alpha3", "theta3_diff2"},
-                                     ShortName{"mu", "transmission_angle"}};
-    const ShortName *shortName = findElement(kShortNames, [name](const ShortName &each) { return each.name == name; });
-    return outputChannelNamed(shortName ? shortName->channel : name);
-}
-
 CheckResult check(const CrankPosition &position, std::span<const GivenValue> given)
 {
     const OutputState exact = outputStateAt(position.mechanism, 0.0, position.alpha2);

@@ -32,10 +32,6 @@ namespace slidercrank
 /// The largest probability of a coincidence with which a slip is named.
 inline constexpr double kLargestChance = 0.04;
 
-/// Returns the quantity with this name: x, v, a (of the slider), theta3, omega3, alpha3, displacement, mu (transmission
-/// angle), or an output channel.
-std::optional<OutputChannel> quantityNamed(std::string_view name);
-
 /// A number of the calculation by hand.
 struct GivenValue {
     OutputChannel channel;

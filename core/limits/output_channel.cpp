@@ -3,8 +3,10 @@
 
 #include "core/closed_form/crank_acceleration.h"
 #include "core/closed_form/state_at.h"
+#include "core/mechanism/find_element.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 // The displacement x of the slider from the outer dead centre, at which B has the distance a + b from O2, is a
@@ -19,6 +21,22 @@ namespace slidercrank
 
 namespace
 {
+
+/// A symbol of textbooks for an output channel.
+struct Symbol {
+    std::string_view symbol;
+    std::string_view name;
+};
+constexpr std::array kSymbols{Symbol{"x", "R4_x"},
+                              Symbol{"x_B", "R4_x"},
+                              Symbol{"v", "R4_x_diff"},
+                              Symbol{"v_B", "R4_x_diff"},
+                              Symbol{"a", "R4_x_diff2"},
+                              Symbol{"a_B", "R4_x_diff2"},
+                              Symbol{"omega3", "theta3_diff"},
+                              Symbol{"alpha3", "theta3_diff2"},
+                              Symbol{"s", "displacement"},
+                              Symbol{"mu", "transmission_angle"}};
 
 /// Names by quantity and order.
 constexpr std::array<std::array<std::string_view, 3>, kDerivedQuantities.size()> kDerivedNames{
@@ -85,8 +103,10 @@ std::string_view nameOf(const OutputChannel &channel)
 
 std::optional<OutputChannel> outputChannelNamed(std::string_view name)
 {
+    const Symbol *symbol = findElement(kSymbols, [name](const Symbol &each) { return each.symbol == name; });
+    const std::string_view wanted = symbol ? symbol->name : name;
     for (const OutputChannel &channel : allOutputChannels()) {
-        if (nameOf(channel) == name) {
+        if (nameOf(channel) == wanted) {
             return channel;
         }
     }

@@ -51,7 +51,8 @@ std::vector<OutputChannel> allOutputChannels();
 /// Returns the name of the channel in files: "R4_x_diff", "transmission_angle", "displacement_diff2".
 std::string_view nameOf(const OutputChannel &channel);
 
-/// Returns the output channel with exactly this name, or nullopt.
+/// Returns the output channel with this name, or with this symbol of a textbook: x, v, a or x_B, v_B, a_B of the slider,
+/// omega3, alpha3, mu for the transmission angle, s for the displacement. Otherwise nullopt.
 std::optional<OutputChannel> outputChannelNamed(std::string_view name);
 
 Order orderOf(const OutputChannel &channel);

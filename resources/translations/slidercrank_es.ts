@@ -518,8 +518,8 @@
         <translation>Un valor debe ser un nombre, = y un número, como x=9.74 o theta3=-154deg, no «%1».</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no quantity: choose x, v, a, theta3, omega3, alpha3, displacement, mu, or a channel of &quot;slidercrank solve&quot;.</source>
-        <translation>«%1» no es una magnitud: elija x, v, a, theta3, omega3, alpha3, displacement, mu o un canal de «slidercrank solve».</translation>
+        <source>&quot;%1&quot; is no quantity: choose x, v, a, theta3, omega3, alpha3, displacement, mu, or a channel such as R4_x, R4_x_diff or R4_x_diff2.</source>
+        <translation>«%1» no es una magnitud: elija x, v, a, theta3, omega3, alpha3, displacement, mu o un canal como R4_x, R4_x_diff o R4_x_diff2.</translation>
     </message>
     <message>
         <source>%1 is given more than once: keep one of them.</source>
@@ -1048,16 +1048,16 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Escribe si la manivela da vueltas completas y por qué, los puntos muertos, la carrera, los ángulos y tiempos de ambas carreras, la relación de tiempos, los valores extremos del ángulo de transmisión y del ángulo de la biela, las velocidades medias y máximas y las aceleraciones máximas, y dónde y cuándo se dan. Los ángulos de la manivela en JSON y CSV están en grados. El código de salida es 4 si el mecanismo no se puede ensamblar en ninguna posición.</translation>
     </message>
     <message>
-        <source>a row for each position of one revolution in which a channel has this value: R4_x=60, theta3=10deg, R4_x_diff=-0.2m/s</source>
-        <translation>una fila por cada posición de una revolución en la que un canal tiene este valor: R4_x=60, theta3=10deg, R4_x_diff=-0.2m/s</translation>
+        <source>a row for each position of one revolution in which a quantity has this value: x=60, theta3=10deg, v=-0.2m/s, or any channel</source>
+        <translation>una fila por cada posición de una revolución en la que una magnitud tiene este valor: x=60, theta3=10deg, v=-0.2m/s, o cualquier canal</translation>
     </message>
     <message>
         <source>crank acceleration at the positions of --at, --at-angle, --step-angle or --when (0): a channel f has the second derivative f″ω₂² + f′α₂</source>
         <translation>aceleración de la manivela en las posiciones de --at, --at-angle, --step-angle o --when (0): un canal f tiene la segunda derivada f″ω₂² + f′α₂</translation>
     </message>
     <message>
-        <source>with --at-angle: compute the crank speed at which a first derivative has this value, and report it: R4_x_diff=8m/s</source>
-        <translation>con --at-angle: calcula la velocidad de la manivela con la que una primera derivada tiene este valor, y la indica: R4_x_diff=8m/s</translation>
+        <source>with --at-angle: compute the crank speed at which a first derivative has this value, and report it: v=8m/s</source>
+        <translation>con --at-angle: calcula la velocidad de la manivela con la que una primera derivada tiene este valor, y la indica: v=8m/s</translation>
     </message>
     <message>
         <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen. With time-ratio=1.2 alone, --a and --b: the offset c</source>

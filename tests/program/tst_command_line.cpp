@@ -79,7 +79,7 @@ private slots:
             {"solve --max-iterations 0", "--max-iterations"},
             {"solve --tolerance -1e-9", "--tolerance must be between 0 and"},
             {"solve --tolerance-kind loose", "absolute or relative"},
-            {"solve --channels R4x", "R4_x, R4_y"},
+            {"solve --channels R4x", "\"R4x\" is no quantity: choose x, v, a"},
             {"solve --format xml", "--format must be csv or json"},
             {"solve --at 0 --at-angle 30", "remove --at-angle"},
             {"solve --at-angle 30 --steps 5", "remove one"},

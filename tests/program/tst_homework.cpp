@@ -193,6 +193,14 @@ private slots:
         QVERIFY(deadCentre.status == 4 && deadCentre.hasOneLineError() && deadCentre.error.contains("dead centre"));
     }
 
+    void knowsTheSymbolsOfTextbooks()
+    {
+        QCOMPARE(run("solve --when x_B=60").output, run("solve --when R4_x=60").output);
+        QCOMPARE(run("solve --channels v,mu").output, run("solve --channels R4_x_diff,transmission_angle").output);
+        QCOMPARE(run("solve --at-angle 60 --omega2-for v=8m/s").output,
+                 run("solve --at-angle 60 --omega2-for R4_x_diff=8m/s").output);
+    }
+
     void refusesWhatDoesNotFitTogether()
     {
         struct Row {
@@ -202,7 +210,7 @@ private slots:
         for (const Row &row : {Row{"solve --alpha2 5", "add --at-angle"},
                                Row{"solve --when R4_x", "such as R4_x=60"},
                                Row{"solve --when R4_y=25", "does not depend"},
-                               Row{"solve --when nothing=25", "--when must be"},
+                               Row{"solve --when nothing=25", "\"nothing\" is no quantity: choose x, v, a,"},
                                Row{"solve --when R4_x=60s", "the unit must be one of"},
                                Row{"solve --when R4_x=60 --steps 5", "remove --steps"},
                                Row{"solve --when R4_x=60 --at-angle 5", "remove one"},

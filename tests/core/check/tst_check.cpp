@@ -20,7 +20,7 @@ constexpr std::array kQuantities{"x", "v", "a", "theta3", "omega3", "alpha3"};
 /// Writes a value with significant digits of mm and degrees, and reads it as a person's number.
 GivenValue written(const char *name, double value, int digits)
 {
-    const OutputChannel channel = *quantityNamed(name);
+    const OutputChannel channel = *outputChannelNamed(name);
     const Measure measure = measureOf(channel);
     const double shown = toFileUnit(measure, value);
     const QByteArray text = QByteArray::number(shown, 'e', digits - 1);

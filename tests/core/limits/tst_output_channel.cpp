@@ -27,6 +27,14 @@ private slots:
         }
         QCOMPARE(seen.size(), std::size_t(48));
         QVERIFY(!outputChannelNamed("transmission angle"));
+        for (const auto &[symbol, name] : {std::pair{"x", "R4_x"},
+                                           {"v_B", "R4_x_diff"},
+                                           {"a", "R4_x_diff2"},
+                                           {"omega3", "theta3_diff"},
+                                           {"mu", "transmission_angle"},
+                                           {"s", "displacement"}}) {
+            QVERIFY2(outputChannelNamed(symbol) && outputChannelNamed(symbol) == outputChannelNamed(name), symbol);
+        }
         QVERIFY(measureOf(*outputChannelNamed("transmission_angle_diff2")) == Measure::AngularAcceleration);
         QVERIFY(measureOf(*outputChannelNamed("displacement")) == Measure::Length);
     }
