@@ -139,9 +139,8 @@ void MechanismSketch::addGuide()
     }
 }
 
-/// Returns the names of the dead centres and their places, each below its own mark, and beside the edge of the drawing
-/// if the mark is near it. Where two full names do not fit, they are shortened; a short one that does not fit is left
-/// out.
+/// Returns the names of the dead centres and their places, each below its own mark. Where two full names do not fit,
+/// they are shortened; a short one moves away from the edge of the drawing, and is left out if it does not fit.
 std::vector<std::pair<QString, QRectF>> MechanismSketch::deadCentreCaptions() const
 {
     if (!m_scene->settings.names) {
@@ -154,9 +153,6 @@ std::vector<std::pair<QString, QRectF>> MechanismSketch::deadCentreCaptions() co
                 const QPointF mark = toPixels({centre->R4x, mechanism().c()});
                 QRectF box(QPointF(), textSize(name, true));
                 box.moveCenter(mark + QPointF(0.0, kBelowLine + kHatch + 2.0 + 0.5 * box.height()));
-                if (mark.x() >= 0.0 && mark.x() <= size.width()) {
-                    box.moveLeft(std::max(0.0, std::min(box.left(), size.width() - box.width())));
-                }
                 boxes.emplace_back(name, box);
             }
         }
@@ -173,6 +169,11 @@ std::vector<std::pair<QString, QRectF>> MechanismSketch::deadCentreCaptions() co
     auto boxes = captions(tr("outer dead centre"), tr("inner dead centre"));
     if (!allFit(boxes)) {
         boxes = captions(tr("outer", "dead centre"), tr("inner", "dead centre"));
+        for (auto &[name, box] : boxes) {
+            if (box.center().x() >= 0.0 && box.center().x() <= size.width()) {
+                box.moveLeft(std::max(0.0, std::min(box.left(), size.width() - box.width())));
+            }
+        }
         std::erase_if(boxes, [&](const auto &caption) { return !fits(caption.second); });
         if (!allFit(boxes)) {
             boxes.clear(); // the dead centres are too close together
