@@ -134,8 +134,8 @@ private:
 
     enum class Side { Left, Right };
 
-    /// Returns where a name beside a vector covers neither a vector nor another name: if possible on that side of its
-    /// middle.
+    /// Returns where a name beside a vector covers neither a vector nor another name, and is clearly nearer to its own
+    /// vector than to the others: if possible on that side of its middle.
     QRectF namePlace(const QLineF &line, const QSizeF &size, Side side) const
     {
         const QLineF normal = line.normalVector().unitVector();
@@ -144,8 +144,8 @@ private:
         const double apart = 0.5 * (std::abs(left.x()) * size.width() + std::abs(left.y()) * size.height()) + 2.0;
         std::vector<QRectF> places;
         for (const double distance : {apart, 1.5 * apart, 2.0 * apart}) {
-            for (const QPointF &direction : {preferred, -preferred}) {
-                for (const double part : {0.5, 0.3, 0.7, 0.0, 1.0}) {
+            for (const double part : {0.5, 0.3, 0.7, 0.0, 1.0}) {
+                for (const QPointF &direction : {preferred, -preferred}) {
                     QRectF &box = places.emplace_back(QPointF(), size);
                     box.moveCenter(line.pointAt(part) + distance * direction);
                 }
@@ -158,8 +158,32 @@ private:
             };
             return std::ranges::none_of(m_names, covers) && std::ranges::none_of(m_polygon, crosses);
         };
-        const auto found = std::ranges::find_if(places, isFree);
-        return found == places.end() ? places.front() : *found;
+        const auto isClear = [&](const QRectF &box) { return isFree(box) && isNearest(box.center(), line); };
+        for (const auto &found : {std::ranges::find_if(places, isClear), std::ranges::find_if(places, isFree)}) {
+            if (found != places.end()) {
+                return *found;
+            }
+        }
+        return places.front();
+    }
+
+    /// Whether the point is clearly nearer to that vector than to each of the others.
+    bool isNearest(const QPointF &point, const QLineF &vector) const
+    {
+        constexpr double kClearly = 1.5;
+        const double own = distance(point, vector);
+        return std::ranges::all_of(m_polygon, [&](const PlacedVector &placed) {
+            const QLineF other(toPixels(placed.from), toPixels(placed.to));
+            return other == vector || distance(point, other) >= kClearly * own;
+        });
+    }
+
+    static double distance(const QPointF &point, const QLineF &line)
+    {
+        const QPointF along = line.p2() - line.p1();
+        const double square = std::max(QPointF::dotProduct(along, along), 1e-300);
+        const double part = std::clamp(QPointF::dotProduct(point - line.p1(), along) / square, 0.0, 1.0);
+        return QLineF(point, line.pointAt(part)).length();
     }
 
     static bool isCrossed(const QRectF &box, const QLineF &line)
