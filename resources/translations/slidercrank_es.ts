@@ -2471,6 +2471,10 @@ PA = %4, PB = %5</translation>
 <context>
     <name>slidercrank::Menus</name>
     <message>
+        <source>A file is still being read or written. Choose the language again when it is done; otherwise it changes with the next start.</source>
+        <translation>Todavía se está leyendo o escribiendo un archivo. Elija de nuevo el idioma cuando termine; de lo contrario, cambiará en el próximo inicio.</translation>
+    </message>
+    <message>
         <source>&amp;File</source>
         <translation>&amp;Archivo</translation>
     </message>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <utility>
 
 namespace slidercrank
 {
@@ -78,6 +79,9 @@ public:
     /// Whether a reference file is opened or closed, which does not modify the scene.
     bool isOpening() const { return !haveSameFile(m_before, m_after); }
 
+    const Choices &before() const { return m_before; }
+    const Choices &after() const { return m_after; }
+
     void undo() override { m_apply(m_before); }
     void redo() override { m_apply(m_after); }
     int id() const override { return m_step; }
@@ -118,6 +122,26 @@ void EditStack::edit(const Choices &before, const Choices &after, const QString 
     m_identity = name.identity;
     m_sameStep.start(kSameStepWithin);
     push(new EditCommand(before, after, name.text, m_step, m_apply));
+}
+
+void EditStack::takeOver(const EditStack &other)
+{
+    clear();
+    const Apply apply = std::exchange(m_apply, [](const Choices &) {}); // the choices are already the present ones
+    const auto applyLater = [this](const Choices &choices) { m_apply(choices); };
+    for (int i = 0; i < other.count(); ++i) {
+        const auto *step = static_cast<const EditCommand *>(other.command(i));
+        push(new EditCommand(step->before(), step->after(), nameEdit(step->before(), step->after()).text, ++m_step,
+                             applyLater));
+    }
+    if (other.cleanIndex() < 0) {
+        resetClean();
+    } else {
+        setIndex(other.cleanIndex());
+        setClean();
+    }
+    setIndex(other.index());
+    m_apply = apply;
 }
 
 void EditStack::setDragging(bool isDragging)

@@ -31,6 +31,9 @@ public:
 
     void setDragging(bool isDragging);
 
+    /// Replaces the steps by those of another session that has the same choices now, named in the present language.
+    void takeOver(const EditStack &other);
+
     /// Whether anything but opening and closing files was done since the stack was clean.
     bool isModified() const;
 

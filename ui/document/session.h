@@ -46,6 +46,12 @@ public:
 
     QUndoStack &undoStack() { return m_edits; }
 
+    /// Takes over the steps that can be undone in another session, after open() has made its choices those of this one.
+    void takeOverSteps(const Session &other) { m_edits.takeOver(other.m_edits); }
+
+    /// Whether a file is being read.
+    bool isReading() const { return m_reading.isRunning(); }
+
     /// Whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
     bool isModified() const { return m_edits.isModified(); }
 

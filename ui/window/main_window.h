@@ -38,8 +38,8 @@ public:
     /// Shows the window; maximized if the screen is too small for it.
     void showWithinScreen();
 
-    /// Returns a window, not yet visible, in the language that was chosen last. It takes over what this window shows,
-    /// except for the steps that could be undone. This window is then to be deleted.
+    /// Returns a window, not yet visible, in the language that was chosen last. It takes over what this window shows.
+    /// This window is then to be deleted.
     std::unique_ptr<MainWindow> remade();
 
 signals:

@@ -185,6 +185,11 @@ void Menus::addView()
                       [this](Theme theme) { m_window.setTheme(theme); });
     const auto setLanguage = [this](Language language) {
         rememberLanguage(language);
+        if (m_window.exports().isWriting() || m_window.session().isReading()) { // a new window would not finish it
+            emit m_window.session().failed(tr("A file is still being read or written. Choose the language again when "
+                                              "it is done; otherwise it changes with the next start."));
+            return;
+        }
         emit m_window.languageChosen();
     };
     addChoices<Language>(menu->addMenu(tr("Lan&guage")), {tr("&System"), "&English", "Es&pañol"}, chosenLanguage(),

@@ -130,10 +130,8 @@ void SceneFile::takeOver(const SceneFile &other)
 {
     show(other.scene(), other.m_path, other.m_session->reference());
     m_version = other.m_version;
-    if (other.m_session->isModified()) {
-        m_session->undoStack().resetClean();
-        emit changed();
-    }
+    m_session->takeOverSteps(*other.m_session);
+    emit changed();
 }
 
 void SceneFile::show(const Scene &scene, const QString &path, const std::shared_ptr<const Reference> &loaded)

@@ -43,7 +43,7 @@ public:
     /// Calls proceed(), after the user has saved or discarded unsaved changes.
     void askThen(const std::function<void()> &proceed);
 
-    /// Shows the scene of another window, with its path and its unsaved changes.
+    /// Shows the scene of another window, with its path, its unsaved changes and the steps that can be undone.
     void takeOver(const SceneFile &other);
 
     /// Asks about unsaved changes, then shows a scene that was never saved, and calls proceed().

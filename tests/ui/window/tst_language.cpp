@@ -74,6 +74,38 @@ private slots:
         QVERIFY(session().result()->choices == before);
     }
 
+    void theStepsCanBeUndoneInTheNewWindow()
+    {
+        setB(61.25);
+        QVERIFY(m_window->scene().saveTo(m_settings.filePath("rig.json")));
+        session().pinMotion();
+        session().setParameter(Parameter::A, 21.5);
+        session().undoStack().undo();
+        rememberLanguage(Language::Spanish);
+        m_window = m_window->remade();
+        QUndoStack &steps = session().undoStack();
+        QCOMPARE(steps.redoText(), QStringLiteral("cambio de a"));
+        QVERIFY(session().isModified() && session().parameters() == Parameters({.b = 61.25}));
+        steps.redo();
+        QCOMPARE(session().parameters().a, 21.5);
+        steps.setIndex(1);
+        QVERIFY(!session().isModified() && session().pinned().empty());
+        steps.undo();
+        QVERIFY(session().parameters() == Parameters());
+    }
+
+    void theMenuAsksForNoWindowWhileAFileIsRead()
+    {
+        const QSignalSpy chosen(m_window.get(), &MainWindow::languageChosen);
+        m_window->openSample();
+        action("Español")->trigger();
+        QCOMPARE(chosen.count(), 0);
+        QVERIFY(messageText(*view<MessageBar>()).contains("still being read"));
+        AWAIT(!session().isReading());
+        action("Español")->trigger();
+        QCOMPARE(chosen.count(), 1);
+    }
+
     void anUnchangedSceneStaysUnchanged()
     {
         view<FoldingTabs>()->setFolded(true);
