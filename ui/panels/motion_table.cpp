@@ -38,6 +38,19 @@ std::vector<OutputChannel> derivedChannels(DerivedQuantity quantity)
             DerivedChannel{quantity, Order::Acceleration}};
 }
 
+constexpr Channel kCouplerAngle{Theta3, Order::Position};
+
+bool isMeasuredAtB(const OutputChannel &channel)
+{
+    return notation().symbols == Symbols::Textbook && channel == OutputChannel(kCouplerAngle);
+}
+
+/// Returns the name of a column in files, with its unit.
+QString csvName(const QString &name, Measure measure)
+{
+    return QStringLiteral("%1 [%2]").arg(name, QString::fromUtf8(asciiUnit(measure, notation().units)));
+}
+
 TableCell tableNumber(double value)
 {
     return numberCell(value, shortNumber(value, kTableDigits));
@@ -106,13 +119,13 @@ std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
     };
     const QString angle = shownUnit(Measure::Angle);
     std::vector<TableColumn> columns{
-        {"t [s]", MotionTable::tr("Time; without one, the crank is not there within the time range"), "time [s]"},
-        {titled("θ₂", angle), MotionTable::tr("Crank angle"),
-         "theta2 [" + QString::fromUtf8(asciiUnit(Measure::Angle, notation().units)) + ']'}};
+        {"t [s]", MotionTable::tr("Time; without one, the crank is not there within the time range"),
+         settings.step == TableStep::Time ? QStringLiteral("time [s]") : QStringLiteral("first time [s]")},
+        {titled("θ₂", angle), MotionTable::tr("Crank angle"), csvName("theta2", Measure::Angle)}};
     for (const OutputChannel &channel : settings.columns) {
-        const QString unit = QString::fromUtf8(asciiUnit(measureOf(channel), notation().units));
-        columns.push_back(
-            {titled(symbolOf(channel), shownUnit(channel)), nameText(channel), titled(columnName(channel), unit)});
+        const QString name = columnName(channel);
+        columns.push_back({titled(symbolOf(channel), shownUnit(channel)), nameText(channel),
+                           csvName(isMeasuredAtB(channel) ? name + " at B" : name, measureOf(channel))});
     }
     return columns;
 }
@@ -150,6 +163,23 @@ QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<Ta
         text += line.join(separator) + '\n';
     }
     return text.toUtf8();
+}
+
+QByteArray motionTableCsv(const MotionTableSettings &settings, Branch branch, std::vector<TableRow> rows,
+                          const CsvStyle &style)
+{
+    std::vector<TableColumn> columns = motionTableColumns(settings);
+    const auto atB = std::ranges::find_if(settings.columns, isMeasuredAtB);
+    if (atB != settings.columns.end()) {
+        columns.push_back({.title = {}, .csvName = csvName(columnName(kCouplerAngle), Measure::Angle)});
+        const auto column = 2 + static_cast<std::size_t>(atB - settings.columns.begin()); // after t and θ2
+        const double offset = shownScale(kCouplerAngle, branch).offset;
+        for (TableRow &row : rows) {
+            const std::optional<double> angle = row.cells[column].number;
+            row.cells.push_back({.text = {}, .number = angle ? std::optional(*angle - offset) : std::nullopt});
+        }
+    }
+    return csvText(columns, rows, style);
 }
 
 std::optional<double> nextTime(const std::vector<double> &angles, const Mechanism &mechanism, const Sampling &sampling,

@@ -42,7 +42,9 @@ struct TablePlace {
 std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,
                                     const Sampling &sampling);
 
-/// Returns the columns: t, θ₂, and those of the settings, in the chosen notation and units.
+/// Returns the columns: t, θ₂, and those of the settings, in the chosen notation and units. In files, θ3 at B has a
+/// name that differs from that of θ3 at A; and "first time" is no time stamp, since rows by crank angle need not be in
+/// the order of time.
 std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings);
 
 /// Returns the row of a place. A value that is only a rounding error is 0.
@@ -57,6 +59,11 @@ struct CsvStyle {
 };
 
 QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows, const CsvStyle &style);
+
+/// Returns the table as a file that can be compared with a mechanism again. Beside θ3 at B it contains θ3 at A, which
+/// is the one that files have.
+QByteArray motionTableCsv(const MotionTableSettings &settings, Branch branch, std::vector<TableRow> rows,
+                          const CsvStyle &style);
 
 /// Returns the time at which the crank, which is at time t, next reaches one of the angles (rad) in its direction of
 /// rotation. After the end of the time range the search continues at its start. Returns nullopt if it reaches none

@@ -456,14 +456,19 @@ void MotionTablePanel::useAsCrankSpeed()
     m_answer->show();
 }
 
+QByteArray MotionTablePanel::csv() const
+{
+    return motionTableCsv(m_settings, m_session->parameters().branch, m_rows, m_style);
+}
+
 std::optional<QString> MotionTablePanel::exportTo(const QString &path) const
 {
-    return writeWhole(path, csvText(motionTableColumns(m_settings), m_rows, m_style));
+    return writeWhole(path, csv());
 }
 
 void MotionTablePanel::copy()
 {
-    QApplication::clipboard()->setText(QString::fromUtf8(csvText(motionTableColumns(m_settings), m_rows, m_style)));
+    QApplication::clipboard()->setText(QString::fromUtf8(csv()));
     emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings."));
 }
 

@@ -76,6 +76,7 @@ private:
     void showWantedUnit();
     void goToNext();
     void useAsCrankSpeed();
+    QByteArray csv() const; ///< the rows as a file
     void copy();
 
     Session *m_session;

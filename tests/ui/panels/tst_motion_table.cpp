@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/reference_data.h"
 #include "tests/support/accelerating_motion.h"
 #include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
@@ -150,6 +151,44 @@ private slots:
         QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Colombia));
         QCOMPARE(csvText(columns, rows, {.isLocal = true}), QByteArray("R4_x [mm];R4_x_diff [mm/s]\n0,333333;\n"));
         QCOMPARE(csvText(columns, rows, {}), QByteArray("R4_x [mm],R4_x_diff [mm/s]\n0.333333,\n"));
+    }
+
+    /// The file says at which joint θ3 is measured, and reads back as the mechanism, also where the time decreases.
+    void aTableInTheTextbooksNotationIsReadBack()
+    {
+        constexpr double kInch = 25.4;
+        for (const Symbols symbols : {Symbols::AbsoluteCoordinates, Symbols::Textbook}) {
+            const NotationForTest chosen({symbols, {LengthUnit::Inch, AngleUnit::DegreeAndRadianPerSecond}});
+            for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+                const Mechanism mechanism({2.0 * kInch, 6.0 * kInch, -3.0 * kInch, -12.0, 0.3, branch});
+                MotionTableSettings settings;
+                settings.columns = {Channel{R4x, Order::Velocity}, Channel{Theta3, Order::Position}};
+                std::vector<TableRow> rows;
+                for (const TablePlace &place : tablePlaces(settings, mechanism, {0.0, 1.0, 100})) {
+                    rows.push_back(motionTableRow(settings, mechanism, place));
+                }
+                const QByteArray text = motionTableCsv(settings, branch, rows, {.hasEveryDigit = true});
+                QCOMPARE(
+                    text.startsWith("first time [s],theta2 [deg],R4_x_diff [in/s],theta3 at B [deg],theta3 [deg]\n"),
+                    symbols == Symbols::Textbook);
+                const FileBytes file{std::string_view(text.data(), static_cast<std::size_t>(text.size()))};
+                const std::variant<ReferenceData, ReadError> read = readFiles({&file, 1});
+                const auto *data = std::get_if<ReferenceData>(&read);
+                QVERIFY(data && data->crank && data->crank->degrees.size() == rows.size());
+                const ReferenceSeries *angles = data->find({Theta3, Order::Position});
+                const ReferenceSeries *speeds = data->find({R4x, Order::Velocity});
+                QVERIFY(angles && speeds);
+                for (std::size_t row = 0; row < rows.size(); ++row) {
+                    Parameters p = mechanism.parameters();
+                    p.theta20 = data->crank->degrees[row] / kDegreesPerRadian;
+                    const ExactOutputs exact = exactMotion(p, 0.0);
+                    const double angle = kDegreesPerRadian * static_cast<double>(exact.at("theta3"));
+                    const double speed = static_cast<double>(exact.at("R4_x_diff"));
+                    QVERIFY(std::abs(angles->values[row] - angle) < 1e-9 &&
+                            std::abs(speeds->values[row] - speed) < 1e-9);
+                }
+            }
+        }
     }
 
     void showsThePresentPositionAndTheRows()
