@@ -148,6 +148,11 @@ QLayout *MotionTablePanel::makeFindLine()
     row->addWidget(button);
     connect(m_quantity, &QComboBox::activated, this, &MotionTablePanel::showWantedUnit);
     connect(m_value, &NumberBox::edited, this, [this] { m_answer->hide(); });
+    connect(m_value, &NumberBox::editingFinished, this, [this] {
+        if (m_value->hasFocus()) { // Enter was pressed
+            goToNext();
+        }
+    });
     connect(m_next, &QToolButton::clicked, this, &MotionTablePanel::goToNext);
     connect(m_useAsSpeed, &QToolButton::clicked, this, &MotionTablePanel::useAsCrankSpeed);
     return row;
@@ -416,7 +421,7 @@ void MotionTablePanel::goToNext()
 {
     const OutputChannel channel = *wantedChannel();
     const Mechanism mechanism(m_session->parameters());
-    const std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, channel, wantedValue());
+    std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, channel, wantedValue());
     QString answer;
     if (!angles || angles->empty()) {
         answer = tr("There is no such position.");
@@ -428,6 +433,7 @@ void MotionTablePanel::goToNext()
         answer = tr("The crank does not reach these positions within the time range.");
     }
     if (answer.isEmpty()) {
+        std::ranges::sort(*angles, {}, shownCrankAngle);
         QStringList texts;
         for (const double theta2 : *angles) {
             texts << crankAngleWithUnit(theta2);
