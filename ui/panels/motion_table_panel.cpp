@@ -54,6 +54,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     , m_answer(named("findAnswer", plainText()))
     , m_judgement(named("judgement", plainText()))
     , m_layout(new QVBoxLayout(this))
+    , m_presentRow(new QHBoxLayout)
 {
     named("motionTablePanel", this, tr("Table of the motion"));
     m_settings.columns = usualTableChannels();
@@ -64,6 +65,8 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     m_layout->addLayout(makeFindLine());
     m_layout->addWidget(m_answer);
     m_answer->hide();
+    m_layout->addLayout(m_presentRow);
+    m_layout->addWidget(m_judgement);
     m_judgement->setTextFormat(Qt::RichText);
     makeTables();
     m_pause.setSingleShot(true);
@@ -99,7 +102,6 @@ QLayout *MotionTablePanel::makeControls()
     m_alpha2->setUnit(Unit{Dimension::Angle, 2, kDegreesPerRadian});
     label->setBuddy(m_alpha2);
     row->addWidget(m_alpha2);
-    m_constantSpeed->setWordWrap(false); // the row stays low
     m_constantSpeed->hide();
     row->addWidget(m_constantSpeed, 1);
     row->addStretch();
@@ -262,13 +264,12 @@ void MotionTablePanel::makeTables()
     m_table->horizontalHeader()->hide();
     m_present->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_present->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // both tables are equally wide
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // its width is known
     m_present->setFixedHeight(1); // until fitColumns() knows the rows; a higher one would make the tabs higher
     m_present->setEditable(1, 2); // without t and θ₂
     m_present->setSelectionMode(QAbstractItemView::NoSelection); // it would hide the colours of the verdicts
-    m_layout->addWidget(m_present);
-    m_layout->removeWidget(m_judgement);
-    m_layout->addWidget(m_judgement);
+    m_presentRow->setContentsMargins(0, 0, m_table->verticalScrollBar()->sizeHint().width(), 0);
+    m_presentRow->addWidget(m_present);
     m_layout->addWidget(m_table, 1);
     connect(m_present, &NumberTable::typed, this, [this](int column, const QString &text) {
         m_myValues[columnName(m_settings.columns[static_cast<std::size_t>(column) - 2])] = text;

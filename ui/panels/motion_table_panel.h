@@ -14,6 +14,7 @@
 #include <map>
 
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QMenu;
 class QToolButton;
@@ -100,6 +101,7 @@ private:
     std::map<QString, QString> m_myValues{}; ///< by the name of the column; as they were typed
     QLabel *m_judgement;
     QVBoxLayout *m_layout;
+    QHBoxLayout *m_presentRow; ///< of m_present, with a margin as wide as the scroll bar of m_table
     NumberTable *m_present = nullptr;
     NumberTable *m_table = nullptr;
 };
