@@ -191,6 +191,14 @@ private slots:
         }
     }
 
+    /// So that both have the same columns also when they are scrolled to the right end.
+    void thePresentPositionIsAsWideAsTheRows()
+    {
+        const ShownTable table;
+        QCOMPARE(child<NumberTable>(table.panel, "presentPosition")->viewport()->width(),
+                 child<NumberTable>(table.panel, "motionTable")->viewport()->width());
+    }
+
     void showsThePresentPositionAndTheRows()
     {
         ShownTable shown;
