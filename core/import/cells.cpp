@@ -2,6 +2,7 @@
 #include "core/import/cells.h"
 
 #include "core/import/read_double.h"
+#include "core/import/spellings.h"
 #include "core/import/unit_text.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ constexpr std::string_view kGaps = "nan -nan na n/a n.a. null none - -- --- #n/a
 constexpr char kApostrophe = '\'';
 
 /// Minus signs, Fortran's exponents, and the characters that only separate thousands.
-constexpr std::string_view kNumberSpellings = "\u2212=-| ='|\u00A0='|\u2009='|\u202F='|D=e|d=e";
+const Spellings kNumberSpellings("\u2212=-| ='|\u00A0='|\u2009='|\u202F='|D=e|d=e");
 
 /// Parses an optional minus sign, digits with at most one point, and an optional exponent.
 CellNumber parsePlain(std::string_view text)
@@ -62,7 +63,7 @@ CellNumber parsePlain(std::string_view text)
 /// Returns the number without plus sign and thousands separators, or an empty text where these are ambiguous.
 std::string withoutSeparators(std::string_view text)
 {
-    std::string plain = respelled(text, kNumberSpellings);
+    std::string plain = kNumberSpellings.replacedIn(text);
     plain.erase(plain.find_last_not_of(kApostrophe) + 1);
     plain.erase(0, plain.find_first_not_of(kApostrophe));
     const bool isNegative = plain.starts_with('-');
@@ -203,7 +204,7 @@ CellNumber parseClock(std::string_view text, DecimalSign decimalSign)
 
 bool looksNumeric(std::string_view text)
 {
-    const std::string plain = respelled(text, kNumberSpellings);
+    const std::string plain = kNumberSpellings.replacedIn(text);
     return std::ranges::any_of(plain, isDigit) && !plain.starts_with('e') &&
            plain.find_first_not_of("0123456789+-.,eE'") == plain.npos;
 }

@@ -3,6 +3,7 @@
 
 #include "core/import/cells.h"
 #include "core/import/name_reading.h"
+#include "core/import/spellings.h"
 #include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"
 
@@ -164,16 +165,18 @@ std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
 
 Heading parseHeading(std::string_view cell)
 {
-    constexpr std::string_view kLatexMarkup = "$=|\\mathrm=|\\text=|\\rm=|\\si=|\\unit=|\\left=|\\right=";
-    Heading heading{.use = {.heading = respelled(cell, "\"\"=\"")}};
-    std::string text = respelled(heading.use.heading, kLatexMarkup);
+    static const Spellings kDoubledQuotes("\"\"=\"");
+    static const Spellings kLatexMarkup("$=|\\mathrm=|\\text=|\\rm=|\\si=|\\unit=|\\left=|\\right=");
+    static const Spellings kPandasSeparators("', '=/");
+    Heading heading{.use = {.heading = kDoubledQuotes.replacedIn(cell)}};
+    std::string text = kLatexMarkup.replacedIn(heading.use.heading);
     const auto isBetween = [&text](char first, char last) {
         return text.size() > 2 && text.front() == first && text.back() == last;
     };
     if (isBetween('\'', '\'') || isBetween('<', '>')) { // "<Slider Position (mm)>", a label of a signal in Simulink
         text = text.substr(1, text.size() - 2);
     } else if (text.starts_with("('") && text.ends_with("')")) {
-        text = respelled(text.substr(2, text.size() - 4), "', '=/"); // "('slider', 'x')" of pandas
+        text = kPandasSeparators.replacedIn(text.substr(2, text.size() - 4)); // "('slider', 'x')" of pandas
     }
     heading.name = text;
     constexpr int kNoOrder = -1;

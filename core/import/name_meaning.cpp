@@ -3,6 +3,7 @@
 
 #include "core/import/cells.h"
 #include "core/import/name_reading.h"
+#include "core/import/spellings.h"
 
 #include <algorithm>
 
@@ -189,7 +190,8 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     for (const std::string_view remark : {", Ch ", " from ", " relative to "}) { // ", Ch P1": sensors of PASCO
         name = name.substr(0, name.find(remark));
     }
-    const std::string plain = respelled(name, "/dt=dt|/ dt=dt|/d t=dt|₊=."); // not a path, and one of Julia
+    static const Spellings kPathSpellings("/dt=dt|/ dt=dt|/d t=dt|₊=.");
+    const std::string plain = kPathSpellings.replacedIn(name); // not a path, and one of Julia
     const NamePath path = splitPath(plain);
     if (path.parts.empty()) {
         return {};

@@ -2,13 +2,14 @@
 #include "core/import/unit_text.h"
 
 #include "core/import/cells.h"
+#include "core/import/spellings.h"
 #include "core/mechanism/channel.h"
-#include "core/mechanism/find_element.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <unordered_map>
 
 namespace slidercrank
 {
@@ -23,13 +24,13 @@ struct NamedUnit {
 
 /// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points,
 /// one is the Greek letter.
-constexpr std::string_view kUnitSpellings =
+const Spellings kUnitSpellings(
     "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| par =/|"
     " al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
     "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
     "|^\\circ=deg|\\circ=deg|\\=|"
     "°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
-    " atdc=| ATDC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=";
+    " atdc=| ATDC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=");
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
@@ -64,8 +65,17 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"min mins minute minutes minuto minutos minuten minuti", {Time, 0, 1.0 / 60.0}},
         {"h hr hour hours hora horas stunde stunden", {Time, 0, 1.0 / 3600.0}},
     }};
-    const auto *const found = findElement(kUnits, [&](const NamedUnit &unit) { return isAmong(name, unit.names); });
-    return found ? std::optional(found->unit) : std::nullopt;
+    static const std::unordered_map<std::string_view, Unit> kUnitsByName = [] {
+        std::unordered_map<std::string_view, Unit> units;
+        for (const NamedUnit &unit : kUnits) {
+            for (std::string_view rest = unit.names; !rest.empty();) {
+                units.emplace(takeUntil(' ', rest), unit.unit);
+            }
+        }
+        return units;
+    }();
+    const auto found = kUnitsByName.find(name);
+    return found != kUnitsByName.end() ? std::optional(found->second) : std::nullopt;
 }
 
 /// A factor of a product of units: "s-2" has the name "s" and the power -2.
@@ -131,36 +141,10 @@ std::string lowered(std::string_view text)
     return lower;
 }
 
-std::string respelled(std::string_view text, std::string_view table)
-{
-    std::string beginnings; // the first characters of what the table respells
-    for (std::string_view rest = table; !rest.empty();) {
-        beginnings += takeUntil('|', rest).substr(0, 1);
-    }
-    std::string result;
-    while (!text.empty()) {
-        // Also many characters at once, if nothing in the table begins with them.
-        std::string_view from = text.substr(0, std::max<std::size_t>(text.find_first_of(beginnings), 1));
-        std::string_view to = from;
-        for (std::string_view rest = table; !rest.empty();) {
-            const std::string_view entry = takeUntil('|', rest);
-            const std::size_t sign = entry.find('=');
-            if (text.starts_with(entry.substr(0, sign))) {
-                from = entry.substr(0, sign);
-                to = entry.substr(sign + 1);
-                break;
-            }
-        }
-        result += to;
-        text.remove_prefix(from.size());
-    }
-    return result;
-}
-
 std::optional<Unit> parseUnit(std::string_view text)
 {
     constexpr int kLargestOrder = 2;
-    const std::string plain = lowered(respelled(text, kUnitSpellings));
+    const std::string plain = lowered(kUnitSpellings.replacedIn(text));
     std::optional<Unit> unit;
     bool isDivided = false;
     for (std::string_view rest = trimmed(plain); !rest.empty(); rest = trimmed(rest)) {

@@ -43,8 +43,4 @@ inline char lowerCase(char c)
 /// Returns the text with its ASCII letters in lower case.
 std::string lowered(std::string_view text);
 
-/// Returns the text with spellings replaced, according to a table such as "á=a|ñ=n|°=": from "=" to, separated by "|".
-/// Where several match, the first one in the table applies.
-std::string respelled(std::string_view text, std::string_view table);
-
 } // namespace slidercrank

@@ -2,6 +2,7 @@
 #include "core/import/vocabulary.h"
 
 #include "core/import/cells.h"
+#include "core/import/spellings.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +18,7 @@ namespace
 using Words = std::vector<std::string>;
 
 /// Letters outside ASCII and commands of LaTeX, and their plain spelling.
-constexpr std::string_view kLetterSpellings =
+const Spellings kLetterSpellings(
     "ő=o|ű=u|ť=t|ľ=l|ď=d|ň=n|á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|"
     "ø=o|ô=o|"
     "â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
@@ -26,7 +27,7 @@ constexpr std::string_view kLetterSpellings =
     "\u0300=|\u0301=|\u0303=|a\u0308=a|o\u0308=o|u\u0308=u|A\u0308=A|O\u0308=O|U\u0308=U|" // decomposed accents
     "\u0307='|\u0308=''|ẋ=x'|ẍ=x''|Ẋ=x'|Ẍ=x''|ẏ=y'|ÿ=y''|ṡ=s'|ḋ=d'|ṙ=r'|v̇=v'|′='|’='|´='|″=''|"
     "θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|Φ=phi|ψ=psi|Ψ=psi|ω=omega|Ω=omega|α=alpha|β=beta|ε=epsilon|ϵ=epsilon|"
-    "ß=ss|ˍtt=''|ˍt='|²=2|³=3|⁴=4|ₓ=x|₁=1|₂=2|₃=3|₄=4|n°=|nº=|°=|aTDC=atdc|der(=dot |\\var=|\\,=";
+    "ß=ss|ˍtt=''|ˍt='|²=2|³=3|⁴=4|ₓ=x|₁=1|₂=2|₃=3|₄=4|n°=|nº=|°=|aTDC=atdc|der(=dot |\\var=|\\,=");
 
 constexpr std::string_view kTimeWords =
     "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
@@ -222,7 +223,7 @@ Words wordsOf(std::string_view name)
 {
     Words words;
     char before = ' ';
-    for (const char c : respelled(name, kLetterSpellings)) {
+    for (const char c : kLetterSpellings.replacedIn(name)) {
         const bool startsWithCapital = lowerCase(c) != c && lowerCase(before) == before;
         const bool continues = isLetter(c) ? isLetter(before) && !startsWithCapital : isDigit(c) && isDigit(before);
         if (isLetter(c) || isDigit(c) || c == '\'') {
