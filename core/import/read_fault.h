@@ -37,6 +37,7 @@ struct ReadFault {
         UnitsContradict, ///< the line of units contradicts `heading`
         NamesMissing,    ///< there are numbers but no headings
         MoreHeadings,    ///< `headings` are more than `numbers` in every row: a heading contains a delimiter
+        FewerHeadings,   ///< `headings` are fewer than `numbers` in the rows
         Transposed,      ///< each line is a quantity
         AnotherTable,    ///< begins with this line of headings
         UnknownUnit,     ///< or a unit of another quantity than `channel`

@@ -97,18 +97,35 @@ std::vector<std::size_t> findUsedRows(RawTable &table)
     return rows;
 }
 
-/// Counts the other rows, and lists the first ones.
+/// Counts the other rows, except remarks, and lists the first ones.
 void listSkippedRows(RawTable &table, const std::vector<std::size_t> &used, ReferenceData &data)
 {
     constexpr std::size_t kListedRows = 1000;
     auto next = used.begin();
-    for (std::size_t row = 0; row < table.files.front().rows.size(); ++row) {
+    const std::vector<Line> &lines = table.files.front().rows;
+    for (std::size_t row = 0; row < lines.size(); ++row) {
         if (next != used.end() && *next == row) {
             ++next;
-        } else if (++data.skippedCount <= kListedRows) {
+        } else if (!isRemark(lines[row].text) && ++data.skippedCount <= kListedRows) {
             data.skipped.push_back(findRowFault(table, row));
         }
     }
+}
+
+/// Returns why no row can be read, if the first one that is skipped is `row`. Where it has too many cells, headings are
+/// missing, or, between commas and without any point, decimal commas divide the numbers.
+ReadError errorOfRows(const TableFile &file, const SkippedRow &row)
+{
+    const auto *const line = findElement(file.rows, [&row](const Line &other) { return other.number == row.line; });
+    const bool mayHaveDecimalCommas =
+        file.layout.delimiter == ',' && line && line->text.find('.') == std::string_view::npos;
+    if (row.fault != RowFault::TooManyCells || !line || mayHaveDecimalCommas) {
+        return errorAt(row, Fault::NoRow);
+    }
+    return {.line = row.line,
+            .fault = {.kind = Fault::FewerHeadings,
+                      .headings = file.width,
+                      .numbers = splitCells(line->text, file.layout.delimiter).size()}};
 }
 
 /// Returns the used columns without the rows that are skipped. Tables by crank angle have the angles as time stamps.
@@ -120,7 +137,7 @@ ReferenceData collect(RawTable &table)
     const TableFile &file = table.files.front();
     if (rows.empty()) {
         throw data.skipped.empty() ? ReadError{.line = file.layout.headerLine, .fault = {Fault::NoNumbers}}
-                                   : errorAt(data.skipped.front(), Fault::NoRow);
+                                   : errorOfRows(file, data.skipped.front());
     }
     data.lines = rows;
     std::ranges::for_each(data.lines, [&file](std::size_t &row) { row = file.rows[row].number; });

@@ -294,11 +294,14 @@ void findDecimalSign(Lines lines, FileLayout &layout)
     layout.mayBeThousands = hasSign && !isClear;
 }
 
-/// Whether what follows a mark in a line is a remark: "0.5 # start" and "0.5 // start", but "0.5 #N/A" is a gap. % and
-/// ! have further meanings, as in "12 %", so that they must stand apart and a word must follow: "0.5 % start".
+constexpr std::array<std::string_view, 6> kRemarkMarks{"#", "//", "/*", "%", "!", "--"};
+
+/// Whether what follows a mark in a line is a remark: "0.5 # start" and "0.5 // start", but "0.5 #N/A" is a gap. Others
+/// have further meanings, as in "12 %" or "0.5 -- NaN", so that they must stand apart and a word must follow, which is
+/// no gap: "0.5 % start".
 bool isRemark(std::string_view before, std::string_view mark, std::string_view after)
 {
-    const bool isAmbiguous = mark == "%" || mark == "!";
+    const bool isAmbiguous = mark == "%" || mark == "!" || mark == "--";
     const bool isApart = isBlank(before.back()) || (!isAmbiguous && isDigit(before.back()));
     const std::string_view text = trimmed(after);
     if (!isApart || text.empty()) {
@@ -309,13 +312,14 @@ bool isRemark(std::string_view before, std::string_view mark, std::string_view a
         return isLower;
     }
     const bool isLetter = lowerCase(text[0]) >= 'a' && lowerCase(text[0]) <= 'z';
-    return isLetter || !isAmbiguous;
+    const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+    return !isAmbiguous || (isLetter && parseNumber(word, DecimalSign::Point).fault);
 }
 
 /// Returns the line without the remark after it.
 std::string_view withoutRemark(std::string_view line)
 {
-    for (const std::string_view mark : {"#", "//", "%", "!"}) {
+    for (const std::string_view mark : kRemarkMarks) {
         for (std::size_t at = line.find(mark, 1); at != line.npos; at = line.find(mark, at + 1)) {
             if (isRemark(line.substr(0, at), mark, line.substr(at + mark.size()))) {
                 line = line.substr(0, at);
@@ -382,6 +386,14 @@ std::vector<Line> splitLines(std::string_view text)
         } while (!rest.empty());
     }
     return lines;
+}
+
+bool isRemark(std::string_view line)
+{
+    const std::string_view text = trimmed(line);
+    return std::ranges::any_of(kRemarkMarks, [text](std::string_view mark) {
+        return text.starts_with(mark) && isRemark(" ", mark, text.substr(mark.size()));
+    });
 }
 
 std::string_view unitIn(std::string_view cell)

@@ -27,6 +27,9 @@ std::vector<Line> splitLines(std::string_view text);
 /// Unit: rad". Empty if there is none.
 std::string_view unitIn(std::string_view cell);
 
+/// Returns whether a line is a remark: "# start", "// start", "/* start */", "-- start", "% start" or "! start".
+bool isRemark(std::string_view line);
+
 /// Finds the table in the lines of a file, and removes those above the first row of numbers. Returns the headings,
 /// whose units may also be from a line of units or from the cells, and describes the rest in `layout`. Throws
 /// ReadError.

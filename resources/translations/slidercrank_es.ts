@@ -3845,6 +3845,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>hay %5 encabezados, pero como máximo %6 celdas en cada fila: ponga entre comillas los encabezados que contengan el separador.</translation>
     </message>
     <message>
+        <source>there are %5 headings, but %6 cells in the row: give every column a heading.</source>
+        <translation>hay %5 encabezados, pero %6 celdas en la fila: ponga un encabezado a cada columna.</translation>
+    </message>
+    <message>
         <source>the quantities are rows: transpose the table, so that each quantity is a column.</source>
         <translation>las magnitudes están en filas: trasponga la tabla, de modo que cada magnitud sea una columna.</translation>
     </message>

@@ -40,6 +40,8 @@ public:
          QT_TR_NOOP(
              "there are %5 headings, but at most %6 cells in each row: put headings that contain the delimiter in "
              "quotation marks.")},
+        {FaultKind::FewerHeadings,
+         QT_TR_NOOP("there are %5 headings, but %6 cells in the row: give every column a heading.")},
         {FaultKind::Transposed,
          QT_TR_NOOP("the quantities are rows: transpose the table, so that each quantity is a column.")},
         {FaultKind::AnotherTable,

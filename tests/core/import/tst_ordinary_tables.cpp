@@ -56,6 +56,8 @@ const std::vector<Layout> kLayouts{
     {"t,x,v\n0,85,1 %start\n1,84,2 % note\n2,80,3\n", "time R4_x R4_x_diff"},
     {"t,x,v\n0,85,1 ! start\n1,84,2// note\n2,80,3# 4\n", "time R4_x R4_x_diff"},
     {"t x v\n0 85 1 % start, 2nd try\n1 84 2\n2 80 3\n", "time R4_x R4_x_diff"},
+    {"t,x,v\n0,85,1 -- start\n/* second try */\n1,84,2 /* again */\n-- the end\n2,80,3\n", "time R4_x R4_x_diff"},
+    {"t x v\n0 85 --\n1 84 2\n2 80 3\n", "time R4_x R4_x_diff"}, // gaps
     {"! run of March\n! t x v\n0 85 1\n1 84 2\n2 80 3\n", "time R4_x R4_x_diff"},
     {"-- t x v\n0 85 1\n1 84 2\n2 80 3\n", "time R4_x R4_x_diff"},
     {"t,x,v\n1,0,85,1\n2,1,84,2\n3,2,80,3\n", "- time R4_x R4_x_diff"}, // row names of R
