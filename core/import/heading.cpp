@@ -133,6 +133,34 @@ void resolveDoubts(std::vector<Heading> &row)
     }
 }
 
+/// Returns whether the name begins with a symbol, as "x_B" and "θ₂" do.
+bool beginsWithSymbol(const Heading &heading)
+{
+    const Words words = wordsOf(heading.name);
+    return !words.empty() && findWord(words[0], WordUse::Symbol);
+}
+
+/// Symbols such as "x_B" or "d" beside θ₂ or θ₃ are those of a textbook, which denote the slider: its columns need no
+/// confirmation by a person.
+void recognizeTextbook(std::span<Heading> row)
+{
+    const auto isAngleOfLink = [](const Heading &heading) {
+        const Coordinate coordinate = heading.meaning.channel.coordinate;
+        return heading.meaning.kind >= Kind::Words && (coordinate == Theta2 || coordinate == Theta3) &&
+               beginsWithSymbol(heading);
+    };
+    if (std::ranges::none_of(row, isAngleOfLink)) {
+        return;
+    }
+    for (Heading &heading : row) {
+        NameMeaning &meaning = heading.meaning;
+        const bool isGuess = meaning.kind == Kind::Quantity && meaning.reason == ColumnReason::QuantityInName;
+        if (isGuess && meaning.channel.coordinate == R4x && beginsWithSymbol(heading)) {
+            meaning.reason = ColumnReason::KnownName;
+        }
+    }
+}
+
 /// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Paths of some programs imply
 /// m, rad and s; ω and α are in rad/s and rad/s²; and another derivative is in the unit of its position.
 std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
@@ -231,6 +259,7 @@ void interpretHeadings(std::vector<Heading> &row)
             heading.use.unit = impliedUnit(heading, row);
         }
     }
+    recognizeTextbook(row);
 }
 
 } // namespace slidercrank

@@ -116,6 +116,9 @@ const std::vector<NamesRow> kNames{
     {"time,R4_x,theta3\n[ms],[cm],-" + kRows, "time R4_x theta3", ", point line 1"},
     {"% t R4_x theta3\n% s mm deg\n0 1 2\n1 2 3\n", "time R4_x theta3", "  point line 1"},
     {"Time_ms,SliderPosition_m,couplerAngle_rad" + kRows, "time R4_x theta3"},
+    {"θ₂,θ₃ (deg),x_B (mm)" + kRows, "angle theta3 R4_x"}, // the symbols of a textbook, which leave nothing open
+    {"theta2 [deg],d [in],d_dot [in/s]" + kRows, "angle R4_x R4_x_diff"},
+    {"time,x_B (mm),theta" + kRows, "time R4_x? theta3?"},
     {"Zeit in s,Weg in mm,Pleuelwinkel in Grad" + kRows, "time R4_x? theta3"},
     {"% time, R4_x, theta3, comment\n0,1,2\n1,2,3\n", "time R4_x theta3 -", ", point line 1"},
     {"%\ttime\tR4_x\n0,1\n1,2\n", "time R4_x", ", point line 1"},
