@@ -105,10 +105,21 @@ bool mayBeTime(const RawColumn &column)
     return !isWhole || (!mayBeNumber && values.back() < kHalfTurn);
 }
 
+/// Returns whether the values are 0, 1, 2, … or 1, 2, 3, …
+bool countsRows(const RawColumn &column)
+{
+    const double first = column.values.empty() ? kNone : column.values[0];
+    bool counts = first == 0.0 || first == 1.0;
+    for (std::size_t row = 0; row < column.values.size(); ++row) {
+        counts = counts && column.values[row] == first + static_cast<double>(row);
+    }
+    return counts;
+}
+
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
 /// the same heading. Otherwise it is the first column that is no row number or parameter, if it has an unknown name and
-/// only rises; else the crank angle; else the first one that is not of words, if it is an angle that does not change
-/// its direction, as in "theta, x, v".
+/// only rises, but not as a count of the rows beside a named crank angle; else the crank angle; else the first one that
+/// is not of words, if it is an angle that does not change its direction, as in "theta, x, v".
 void guessAbscissa(RawTable &table, const TableFile &file)
 {
     const auto find = [columns = table.columnsOf(file)](const auto &suits) { return findElement(columns, suits); };
@@ -131,15 +142,15 @@ void guessAbscissa(RawTable &table, const TableFile &file)
         return !isChosen(column) && !isConstant(column) && (!isNumber || mayBeTime(column));
     };
     RawColumn *const leading = find(isLeading);
-    if (leading && mayBeTime(*leading)) {
-        return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
-    }
-    RawColumn *const readable =
-        find([&](const RawColumn &column) { return isLeading(column) && rangeOf(column.values).count > 0; });
     RawColumn *const named = find([&](const RawColumn &column) {
         return !isChosen(column) && column.meaning.kind > Kind::Quantity && column.meaning.channel == kCrankAngle &&
                column.unitAs(ColumnRole::CrankAngle);
     });
+    if (leading && mayBeTime(*leading) && !(named && countsRows(*leading))) {
+        return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
+    }
+    RawColumn *const readable =
+        find([&](const RawColumn &column) { return isLeading(column) && rangeOf(column.values).count > 0; });
     const bool isAngle = readable && readable->meaning.kind == Kind::Quantity &&
                          readable->meaning.channel == Channel{Theta3, Order::Position} && isTurningAngle(*readable);
     if (named) {

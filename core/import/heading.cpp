@@ -22,8 +22,8 @@ using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
 using Doubt = NameMeaning::Doubt;
 
-/// Units that are also words or symbols: "min" is a minimum.
-constexpr std::string_view kAlsoWords = "min h r u g";
+/// Units that are also words or symbols: "min" is a minimum, r1 a length.
+constexpr std::string_view kAlsoWords = "min h r r1 u g";
 
 /// Returns whether a quantity or time can have the unit.
 bool suits(const NameMeaning &meaning, const std::string &unit)
@@ -112,12 +112,22 @@ void resolveDoubts(std::vector<Heading> &row)
     const auto isNamed = [&](std::string_view name) {
         return std::ranges::any_of(row, [&](const Heading &heading) { return lowered(heading.name) == name; });
     };
+    const auto withoutAxis = [](const Heading &heading) {
+        const std::string name = lowered(heading.name);
+        return name.substr(0, name.find_last_not_of("xy") + 1);
+    };
+    const auto isOfPointA = [&](const Heading &heading) { // beside B: columns a, b and c, or "Ax", "Ay" and "Bx"
+        const std::string point = withoutAxis(heading);
+        return point.starts_with('a') && std::ranges::any_of(row, [&](const Heading &other) {
+                   return withoutAxis(other) == 'b' + point.substr(1) && other.use.unit == heading.use.unit;
+               });
+    };
     const bool hasSecond = std::ranges::any_of(row, isSecond);
     const bool hasPiston = std::ranges::any_of(row, isOfPiston);
     for (Heading &heading : row) {
         NameMeaning &meaning = heading.meaning;
-        if (isNamed("a") && isNamed("b") && lowered(heading.name) == "a") {
-            meaning = {}; // columns a, b, c
+        if (isOfPointA(heading)) {
+            meaning = {.reason = ColumnReason::UnknownBody};
         }
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
             continue;

@@ -6,6 +6,7 @@
 #include "core/import/spellings.h"
 
 #include <algorithm>
+#include <array>
 
 namespace slidercrank
 {
@@ -16,6 +17,12 @@ namespace
 using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
 using Doubt = NameMeaning::Doubt;
+
+/// Beginnings of remarks about the sensor (", Ch P1" of PASCO) and about the origin: "piston position from TDC".
+constexpr std::array<std::string_view, 18> kRemarkBeginnings{
+    ", Ch ",      " from ",        " relative to ", " with respect to ", " after ",  " ab ",
+    " vom ",      " nach ",        " desde ",       " respecto a",       " depuis ", " par rapport ",
+    " à partir ", " rispetto al ", " dal ",         " vanaf ",           " od ",     " a partir "};
 
 /// Returns the channel whose name has the same letters and digits, regardless of punctuation.
 std::optional<Channel> channelSpelled(const Words &words, int derivatives)
@@ -54,6 +61,22 @@ std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> 
     return order && *order <= 2 ? std::optional(static_cast<Order>(*order)) : std::nullopt;
 }
 
+/// Returns the coordinate of the body that the name names. Without a body, an angle is that of the coupler and a length
+/// that of the slider, until the values tell more.
+Coordinate coordinateOf(const NameReading &name, bool isAngle)
+{
+    if (isAngle) {
+        return name.isFrame ? Theta1 : name.body == Body::Crank ? Theta2 : Theta3;
+    }
+    const bool isY = name.axis == 'y';
+    switch (name.body.value_or(Body::Slider)) {
+    case Body::Crank: return isY ? R2y : R2x;
+    case Body::Coupler: return isY ? R3y : R3x;
+    case Body::Slider: break;
+    }
+    return isY ? R4y : R4x;
+}
+
 /// Returns the channel or quantity of a name with known words.
 NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
 {
@@ -62,19 +85,21 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     const Dimension usual = unit ? unit->dimension : isOfRevoluteJoint ? Dimension::Angle : Dimension::Length;
     const bool isAngle = name.dimension.value_or(usual) == Dimension::Angle;
     const bool says = name.order || name.hasSymbol || name.body;
-    const std::optional<Order> order = says ? orderOf(name, unit) : std::nullopt;
+    const std::optional<Order> knownOrder = says ? orderOf(name, unit) : std::nullopt;
+    const Order order = knownOrder.value_or(Order::Position);
     const bool isUnknownBody = name.isUnknownBody && !isAngle;
-    if (!order || (name.body == Body::Coupler && !isAngle) || isUnknownBody) {
-        return {.channel = {R4x, order.value_or(Order::Position)},
+    const bool isOfTurningBody = (name.body == Body::Crank || name.body == Body::Coupler) && !isAngle;
+    const bool isCentre = name.isCentre && name.axis != ' '; // the only point of these bodies that has channels
+    const bool isNoChannel = isUnknownBody || (isOfTurningBody && !isCentre);
+    if (!knownOrder || isNoChannel) {
+        return {.channel = {R4x, order},
                 .reason = isUnknownBody ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
     }
     NameMeaning meaning{.owner = path.owner + name.joints};
-    const Coordinate ofAngle = name.isFrame ? Theta1 : name.body == Body::Crank ? Theta2 : Theta3;
-    const Coordinate coordinate = isAngle ? ofAngle : name.axis == 'y' ? R4y : R4x;
     const bool isCertain = (name.body || name.isFrame) && name.isBodyNamed &&
                            (name.order || name.hasSymbol || name.axis != ' ' || isAngle);
     meaning.kind = isCertain ? Kind::Words : Kind::Quantity;
-    meaning.channel = {coordinate, *order};
+    meaning.channel = {coordinateOf(name, isAngle), order};
     meaning.reason = path.isInSi && unitText.empty() ? ColumnReason::PathInSi
                      : isCertain                     ? ColumnReason::KnownName
                                                      : ColumnReason::QuantityInName;
@@ -88,8 +113,9 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
 std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::string &unitText)
 {
     constexpr std::string_view kLetters = "PVA";
-    const std::size_t order =
-        name.size() >= 4 && name[1] == '[' && name.ends_with(']') ? kLetters.find(name[0]) : kLetters.npos;
+    const std::size_t end = name.find(']'); // the joint may follow: "P[1] (Prismatic:4)"
+    const bool isLast = end + 1 == name.size() || name.substr(end + 1).starts_with(" (");
+    const std::size_t order = name.size() >= 4 && name[1] == '[' && isLast ? kLetters.find(name[0]) : kLetters.npos;
     if (order == kLetters.npos) {
         return std::nullopt;
     }
@@ -101,7 +127,7 @@ std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::s
     return NameMeaning{Kind::Quantity,
                        {coordinate, static_cast<Order>(order)},
                        ColumnReason::QuantityInName,
-                       std::string(name.substr(2, name.size() - 3))};
+                       std::string(name.substr(2, end - 2))};
 }
 
 /// Removes the variable of "x(t)" or "v[φ]" and the calls of functions that differentiate, and returns the number of
@@ -187,8 +213,8 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
         return *meaning;
     }
     int derivatives = takeCalls(name);
-    for (const std::string_view remark : {", Ch ", " from ", " relative to "}) { // ", Ch P1": sensors of PASCO
-        name = name.substr(0, name.find(remark));
+    for (const std::string_view beginning : kRemarkBeginnings) {
+        name = name.substr(0, name.find(beginning));
     }
     static const Spellings kPathSpellings("/dt=dt|/ dt=dt|/d t=dt|₊=.");
     const std::string plain = kPathSpellings.replacedIn(name); // not a path, and one of Julia

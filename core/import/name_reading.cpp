@@ -38,6 +38,7 @@ bool merge(NameReading &all, const WordMeaning &entry)
 {
     all.order = std::max(all.order, entry.order);
     all.axis = entry.axis != ' ' ? entry.axis : all.axis;
+    all.isCentre = all.isCentre || entry.isCentre;
     return merge(all.dimension, entry.dimension) && merge(all.body, entry.body);
 }
 
@@ -132,8 +133,9 @@ bool includeEntry(NameReading &all, std::string_view word, Entries entries)
     if (followsLabel && word.size() == 1 && !isAmong(word, "x y")) {
         return includeJoint(all, word);
     }
-    if (all.isLabelled || findWord(word, WordUse::Filler)) {
-        return true;
+    const WordMeaning *const filler = findWord(word, WordUse::Filler);
+    if (all.isLabelled || filler) {
+        return !filler || merge(all, *filler);
     }
     if (const WordMeaning *const index = indexNamed(all, word)) {
         return includeIndex(all, word, *index);
@@ -280,6 +282,12 @@ std::optional<Body> bodyAmong(const Words &words)
     return body;
 }
 
+/// Returns whether a joint or link follows as NX numbers it: "J003".
+bool isJointOfNx(const Words &words, std::size_t at)
+{
+    return isAmong(words[at], "j l") && at + 1 < words.size() && words[at + 1].size() == 3 && isDigits(words[at + 1]);
+}
+
 } // namespace
 
 NamePath splitPath(std::string_view name)
@@ -289,8 +297,12 @@ NamePath splitPath(std::string_view name)
     const std::string_view usualMark = name.find('@') != name.npos ? "@" : " - ";
     const std::string_view mark = isOfRecurDyn ? "-" : usualMark;
     if (const std::size_t at = name.find(mark); at != name.npos && at > 0) {
-        const std::string_view owner = name.substr(at + mark.size()); // "Slider@Model1"
-        return {{owner.substr(0, owner.find('@')), name.substr(0, at)}, std::string(owner)};
+        const std::string_view before = name.substr(0, at);
+        const std::string_view owner = name.substr(at + mark.size());                    // "Slider@Model1"
+        if (mark == " - " && bodyAmong(wordsOf(before)) && !bodyAmong(wordsOf(owner))) { // "Slider - X"
+            return {{before, owner}, std::string(before)};
+        }
+        return {{owner.substr(0, owner.find('@')), before}, std::string(owner)};
     }
     const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point belongs to an abbreviation
     NamePath path;
@@ -353,7 +365,11 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
         bool isKnown = true;
         for (std::size_t k = 0; k < words.size() && isKnown; ++k) {
             const std::string two = k + 1 < words.size() ? words[k] + '_' + words[k + 1] : std::string();
-            const bool isPair = findWord(two, WordUse::Word); // "link 3"
+            const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler); // "link 3", "O2"
+            if (isJointOfNx(words, k) && bodyAmong(words)) {
+                ++k;
+                continue;
+            }
             isKnown = includeWord(with, isPair ? two : words[k], entries) || includeUnknownIndex(with, words[k]);
             k += isPair ? 1 : 0;
         }
@@ -369,9 +385,9 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
         hasUnknownPart = hasUnknownPart || !isKnown;
     }
     all.isUnknownBody = all.isUnknownBody || (hasUnknownPart && !all.body && !path.isOfModelica);
-    const bool isOfCoupler = !all.body || all.body == Body::Coupler;
+    const bool hasBoth = !all.body || all.body == Body::Coupler || all.isCentre; // an angle and lengths
     const Dimension ofBody = all.body == Body::Crank ? Dimension::Angle : Dimension::Length;
-    return isOfCoupler || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;
+    return hasBoth || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;
 }
 
 } // namespace slidercrank

@@ -22,6 +22,7 @@ using Kind = NameMeaning::Kind;
 constexpr std::size_t kExaminedLines = 200; // that are not blank
 constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
 constexpr std::string_view kDelimiters = "\t;,|&";
+constexpr std::string_view kEndOfPreamble = "***End_of_Header***"; // of LabVIEW, which names columns there, too
 
 using Lines = std::span<const Line>;
 
@@ -207,9 +208,8 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
             continue;
         }
         const std::size_t known = best ? best->known() : 0;
-        const bool fitsBetter =
-            known > 0 && names.known() == known && hasSize && best->cells.size() != names.cells.size();
-        if (names.known() > known || fitsBetter || (!row && i == 0)) {
+        const bool isNearer = known > 0 && names.known() == known && hasSize;
+        if (names.known() > known || isNearer || (!row && i == 0)) {
             best = std::move(names);
         } else if (row && known == 0 && !std::ranges::all_of(names.cells, isUnit)) {
             const bool fits = hasSize && std::ranges::none_of(names.cells, looksNumeric);
@@ -380,7 +380,9 @@ std::vector<Line> splitLines(std::string_view text)
             if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
             }
-            if (line.find_first_not_of(" \t;,") != line.npos) {
+            if (trimmed(line).starts_with(kEndOfPreamble)) {
+                lines.clear();
+            } else if (line.find_first_not_of(" \t;,") != line.npos) {
                 lines.push_back({number, isData(line) ? withoutRemark(line) : line});
             }
         } while (!rest.empty());

@@ -39,9 +39,11 @@ constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 /// Words before a number that says nothing about the quantity.
 constexpr std::string_view kNumberedWords =
-    "run set dataset ch channel trial test series serie versuch messung ensayo essai";
+    "run set dataset ch ai channel trial test series serie versuch messung ensayo essai";
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
+constexpr std::string_view kRowNumberCompanions =
+    "data of de der measurement messung messpunkt medicion medida mesure misura medicao pomiar";
 
 /// Returns the vocabulary in languages from English to Polish. Words with a dot are variables of Modelica and Simscape.
 std::span<const WordMeaning> vocabulary()
@@ -57,7 +59,8 @@ std::span<const WordMeaning> vocabulary()
             Word,
             "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ desloc "
             "degistirme degistirmesi despl depl spost versch lvdt encoder transducer transductor potentiometer "
-            "wegaufnehmer "
+            "wegaufnehmer laser pot poti sonar ultrasonic dist location ubicacion avance avanzamento avanco "
+            "ascissa abscissa abscisa lage "
             "yol yolu reading lectura lecture lettura leitura stellung "
             "ablesung "
             "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
@@ -76,10 +79,11 @@ std::span<const WordMeaning> vocabulary()
             Word,
             "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw veloc snelheid "
             "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
-            "velocities velocidades qvel sebesseg nopeus geschwindigkeiten 속도 скорость 速度",
+            "velocities velocidades predk snelh qvel sebesseg nopeus geschwindigkeiten 속도 скорость 速度",
             kOpen, Velocity},
         WordMeaning{Word,
-                    "acceleration aceleracion accelerazione aceleracao acceleracio accelerometer accel acel acc "
+                    "acceleration aceler acceler przysp versn aceleracion accelerazione aceleracao acceleracio "
+                    "accelerometer accel acel acc "
                     "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi "
                     "acceleratia akselerasjon gyorsulas kiihtyvyys qacc zrychlenie 가속도 aceleraciones "
                     "beschleunigungen ускорение 加速度",
@@ -104,7 +108,8 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
         // Bodies. A wheel with a pin is a crank.
         WordMeaning{Word,
-                    "crank input antrieb antriebs crankshaft wheel flywheel disk disc driver manivela maneta manivelle "
+                    "crank motor moteur motore shaft welle eccentric excentrica exzenter input antrieb antriebs "
+                    "crankshaft wheel flywheel disk disc driver manivela maneta manivelle "
                     "manovella ciguenal "
                     "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
                     "vevaxel klika kliky krank "
@@ -123,7 +128,9 @@ std::span<const WordMeaning> vocabulary()
                     kOpen, kOpen, Coupler},
         WordMeaning{
             Word,
-            "slider slide cart piston pistone pistao pisto corredera deslizadera deslizador deslizante corredora "
+            "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera deslizador "
+            "deslizante "
+            "corredora "
             "corredissa embolo carro "
             "carrito cursore cursor pattino coulisseau coulissant surgu abtrieb abtriebs glissiere crosshead block "
             "bloque kolben schieber "
@@ -141,11 +148,13 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Symbol, "s d r", Length},
         WordMeaning{Symbol, "v", kOpen, Velocity},
         WordMeaning{Symbol, "a", kOpen, Acceleration},
-        WordMeaning{Symbol, "theta th tita phi fi psi beta", Angle},
+        WordMeaning{Symbol, "theta th tita phi fi psi psiz beta", Angle},
         WordMeaning{Symbol, "omega om w", Angle, Velocity},
         WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
         WordMeaning{Symbol, "px", Length, Position, kOpen, 'x'},
         WordMeaning{Symbol, "py", Length, Position, kOpen, 'y'},
+        WordMeaning{Word, "r_1", Length, Position}, // the vector of the frame in a vector loop, to the slider
+        WordMeaning{Filler, "o_2 o_4"},             // the crank pivot of "distance O2B"
         WordMeaning{Word, "bx b_x", Length, Position, Slider, 'x'},
         WordMeaning{Word, "b_y", Length, Position, Slider, 'y'},
         // Variables of Modelica and Simscape.
@@ -161,7 +170,14 @@ std::span<const WordMeaning> vocabulary()
         // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
         WordMeaning{Index, "b c k s", kOpen, kOpen, Slider},
         WordMeaning{Index, "oa", kOpen, kOpen, Crank},
-        WordMeaning{Index, "ab ba bc cb bp pb ap pa"},
+        WordMeaning{Index, "ab ba ac ca ap pa bc cb bd db bp pb cd dc"},
+        // Centres of mass.
+        WordMeaning{.words = "g_2", .body = Crank, .isCentre = true},
+        WordMeaning{Word, "rx_3", Length, Position, Coupler, 'x', true},
+        WordMeaning{Word, "ry_3", Length, Position, Coupler, 'y', true},
+        WordMeaning{.words = "g_3", .body = Coupler, .isCentre = true},
+        WordMeaning{.words = "g_4", .body = Slider, .isCentre = true},
+        WordMeaning{.use = Filler, .words = "centre center centroid cg cog cm com", .isCentre = true},
         // Derivatives.
         WordMeaning{
             Derivative,
@@ -175,12 +191,13 @@ std::span<const WordMeaning> vocabulary()
                     kOpen, Acceleration},
         WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
         WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la "
-                            "in con component componente comp latest run set data cm com body centre center field plot "
+                            "in con component componente comp latest run set data body field plot "
                             "channel out yout output result results simout instantaneous "
-                            "smart red blue green box object cg cog amplitude sensor girado gedreht tourne probe laser "
+                            "smart red blue green box object amplitude sensor girado gedreht tourne probe "
                             "rel relative relativo relativa "
                             "placement base z yer video analysis serie "
-                            "gemessen measured medido medida measure mea meas pin obrotu поворота"},
+                            "jt kol kolu open crossed abierta cruzada offen gekreuzt o gemessen measured medido medida "
+                            "measure mea meas pin obrotu поворота"},
         WordMeaning{Label, "joint pin gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
@@ -265,7 +282,8 @@ bool isInTurnsPerMinute(const Words &words)
 bool isRowNumber(const Words &words)
 {
     const bool isUnnamed = words.size() == 2 && words[0] == "unnamed"; // "Unnamed: 0" of pandas
-    return isUnnamed || (words.size() == 1 && isAmong(words[0], kRowNumbers));
+    return isUnnamed ||
+           (!words.empty() && areAmong(words, kRowNumbers, kRowNumberCompanions) && !isDigits(words.back()));
 }
 
 } // namespace slidercrank

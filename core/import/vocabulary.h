@@ -38,6 +38,7 @@ struct WordMeaning {
     std::optional<Order> order{};
     std::optional<Body> body{};
     char axis = ' ';
+    bool isCentre = false; ///< it denotes the centre of mass of a body
 };
 
 /// Returns the entry of that use that contains the word, or null.

@@ -38,7 +38,8 @@ private slots:
             {"theta2,R4_x\n170,3\n180,4\n-170,5\n", "angle R4_x", " 170 180 190"},
             {"theta2,R4_x\n10,5\n0,4\n350,3\n", "angle R4_x", " -10 0 10"},
             {"theta2,R4_x,t\n0,3,0\n15,4,1\n30,5,2\n", "theta2 R4_x time", ""},
-            {"clock,theta2,R4_x\n0,0,3\n1,15,4\n2,30,5\n", "time? theta2 R4_x", ""},
+            {"clock,theta2,R4_x\n0,0,3\n0.5,15,4\n1,30,5\n", "time? theta2 R4_x", ""},
+            {"stage,theta2,R4_x\n1,0,3\n2,15,4\n3,30,5\n", "- angle R4_x", " 0 15 30"}, // a count of the rows
         };
         for (const Row &row : rows) {
             const Outcome outcome = read(row.bytes);
