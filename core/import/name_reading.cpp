@@ -185,7 +185,7 @@ bool includeRest(NameReading &all, std::string_view rest, Entries entries)
         all = with;
         return true;
     }
-    return includeCompound(all, rest, entries) || includeStem(all, rest);
+    return includeCompound(all, rest, entries);
 }
 
 /// Includes a compound of entries such as "kolbenweg", "crankangle" or "xdot"; the longest first part is tried first.
@@ -227,14 +227,6 @@ bool includeWord(NameReading &all, std::string_view word, Entries entries)
         return true;
     }
     return includeCompound(all, word, entries) || includeStem(all, word);
-}
-
-/// Includes an unknown index of an angle, such as that of "theta_m", which may be the angle of the crank.
-bool includeUnknownIndex(NameReading &all, std::string_view word)
-{
-    const bool isIndex = all.hasSymbol && word.size() <= 2 && all.dimension == Dimension::Angle;
-    all.isUnknownBody = all.isUnknownBody || isIndex;
-    return isIndex;
 }
 
 /// Removes the differentials of "dx/dt" and "d^2x/dt^2", whose words are "dxdt" and "d", "2", "xdt", "2". Returns the
@@ -370,7 +362,7 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
                 ++k;
                 continue;
             }
-            isKnown = includeWord(with, isPair ? two : words[k], entries) || includeUnknownIndex(with, words[k]);
+            isKnown = includeWord(with, isPair ? two : words[k], entries);
             k += isPair ? 1 : 0;
         }
         if (!isKnown && isLast) {

@@ -25,8 +25,8 @@ int decadeOf(double magnitude)
     return static_cast<int>(std::floor(std::log10(magnitude * (1.0 + kConversionSlack))));
 }
 
-/// A number of at most so many digits may have been chosen by a person (25, 360, 12.75). Then it does not show how the
-/// program rounds.
+/// Largest number of digits of a value that a person may have chosen (25, 360, 12.75). Such a value does not show how
+/// the program rounds.
 constexpr int kDigitsOfAChosenNumber = 4;
 
 /// Returns the place at which the only number of a column was rounded. Zeros after the point may belong to it: as many

@@ -36,8 +36,8 @@ std::optional<Unit> unitNamed(std::string_view name)
 {
     using enum Dimension;
     static constexpr std::array<NamedUnit, 22> kUnits{{
-        {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros millimetro "
-         "millimetri",
+        {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros "
+         "millimetro millimetri",
          {Length, 0, 1.0}},
         {"cm см centimeter centimetre centimeters centimetres centimetro centimetros centimetri", {Length, 0, 10.0}},
         {"m м meter metre meters metres metern metro metros metri", {Length, 0, 1e3}},
@@ -45,10 +45,9 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"in inch inches pulgada pulgadas zoll", {Length, 0, 25.4}},
         {"ft foot feet", {Length, 0, 304.8}},
         {"g", {Length, 2, 9806.65}},
-        {"deg град 度 도 fok aste astetta stupne stupnu degs degree degrees degre degres grado grados gradi grau graus "
-         "graden grader grade grad grd stopnie "
-         "stopni derece ca cad "
-         "degca cadeg kw degkw",
+        {"deg град 度 도 fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
+         "gradi grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw "
+         "degkw",
          {Angle, 0, 1.0}},
         {"dps", {Angle, 1, 1.0}},
         {"ips", {Length, 1, 25.4}},
@@ -58,12 +57,11 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"gon gons gradian gradians grads", {Angle, 0, 0.9}},
         {"rev revs revolution revolutions turn turns r u об tr giri obr omw varv omdr", {Angle, 0, 360.0}},
         {"rpm", {Angle, 1, 6.0}},
-        {"s с сек 秒 초 sn sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo seconden seg "
-         "segundo "
-         "segundos segon segons sekundy sekund",
+        {"s с сек 秒 초 sn sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo "
+         "seconden seg segundo segundos segon segons sekundy sekund",
          {Time, 0, 1.0}},
-        {"ms мс msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden millisecondi "
-         "millisecondes",
+        {"ms мс msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden "
+         "millisecondi millisecondes",
          {Time, 0, 1e3}},
         {"us usec micros microsecond microseconds microsegundos mikrosekunden", {Time, 0, 1e6}},
         {"ns nanosecond nanoseconds", {Time, 0, 1e9}},

@@ -30,11 +30,11 @@ const Spellings kLetterSpellings(
     "ß=ss|ˍtt=''|ˍt='|²=2|³=3|⁴=4|ₓ=x|₁=1|₂=2|₃=3|₄=4|n°=|nº=|°=|aTDC=atdc|der(=dot |\\var=|\\,=");
 
 constexpr std::string_view kTimeWords =
-    "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd "
-    "denbora 시간 czas tid cas timp zaman sure epoch millis micros время 时间 時間 時刻 ido aika";
+    "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd denbora 시간 "
+    "czas tid cas timp zaman sure epoch millis micros время 时间 時間 時刻 ido aika";
 constexpr std::string_view kTimeCompanions =
-    "elapsed row sim simulation simulacion transcurrido de la since start date "
-    "relative run latest data set ch mechanism kin";
+    "elapsed row sim simulation simulacion transcurrido de la since start date relative run "
+    "latest data set ch mechanism kin";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 /// Words before a number that says nothing about the quantity.
@@ -55,53 +55,47 @@ std::span<const WordMeaning> vocabulary()
     constexpr std::nullopt_t kOpen = std::nullopt;
     static constexpr std::array kRows{
         // Quantities.
-        WordMeaning{
-            Word,
-            "position posicion posizione posicao posicio positie polozenie lage pos displacement disp displ desloc "
-            "degistirme degistirmesi despl depl spost versch lvdt encoder transducer transductor potentiometer "
-            "wegaufnehmer laser pot poti sonar ultrasonic dist location ubicacion avance avanzamento avanco "
-            "ascissa abscissa abscisa lage "
-            "yol yolu reading lectura lecture lettura leitura stellung "
-            "ablesung "
-            "desplazamiento deplacement spostamento deslocamento desplacament verplaatsing przemieszczenie "
-            "verschiebung weg auslenkung abscisse pose konum konumu pozitie poloha draha droga positionen posiciones "
-            "motion movimiento mouvement movimento bewegung beweging 변위 위치 "
-            "deplasare deplasarea posisjon forskyvning helyzet elmozdulas paikka asema qpos "
-            "положение перемещение 位置 位移 変位",
-            kOpen, Position},
-        WordMeaning{
-            Word,
-            "coordinate coordenada coordonnee distance distancia distanza abstand strok glissement longueur longitud "
-            "lunghezza comprimento translation traslacion traslazione translacao stroke carrera course corsa "
-            "curso cursa hub travel recorrido slag skok zdvih lopmozgas length hub_h координата ход",
-            Length, Position},
-        WordMeaning{
-            Word,
-            "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw veloc snelheid "
-            "predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
-            "velocities velocidades predk snelh qvel sebesseg nopeus geschwindigkeiten 속도 скорость 速度",
-            kOpen, Velocity},
+        WordMeaning{Word,
+                    "position posicion posizione posicao posicio positie polozenie lage pos displacement disp "
+                    "displ desloc degistirme degistirmesi despl depl spost versch lvdt encoder transducer "
+                    "transductor potentiometer wegaufnehmer laser pot poti sonar ultrasonic dist location "
+                    "ubicacion avance avanzamento avanco ascissa abscissa abscisa yol yolu reading lectura "
+                    "lecture lettura leitura stellung ablesung desplazamiento deplacement spostamento "
+                    "deslocamento desplacament verplaatsing przemieszczenie verschiebung weg auslenkung abscisse "
+                    "pose konum konumu pozitie poloha draha droga positionen posiciones motion movimiento "
+                    "mouvement movimento bewegung beweging 변위 위치 deplasare deplasarea posisjon forskyvning "
+                    "helyzet elmozdulas paikka asema qpos положение перемещение 位置 位移 変位",
+                    kOpen, Position},
+        WordMeaning{Word,
+                    "coordinate coordenada coordonnee distance distancia distanza abstand strok glissement "
+                    "longueur longitud lunghezza comprimento translation traslacion traslazione translacao stroke "
+                    "carrera course corsa curso cursa hub travel recorrido slag skok zdvih lopmozgas length hub_h "
+                    "координата ход",
+                    Length, Position},
+        WordMeaning{Word,
+                    "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw "
+                    "veloc snelheid predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
+                    "velocities velocidades predk snelh qvel sebesseg nopeus geschwindigkeiten 속도 скорость 速度",
+                    kOpen, Velocity},
         WordMeaning{Word,
                     "acceleration aceler acceler przysp versn aceleracion accelerazione aceleracao acceleracio "
-                    "accelerometer accel acel acc "
-                    "beschleunigung beschl versnelling przyspieszenie zrychleni acceleratie ivme ivmesi "
-                    "acceleratia akselerasjon gyorsulas kiihtyvyys qacc zrychlenie 가속도 aceleraciones "
-                    "beschleunigungen ускорение 加速度",
+                    "accelerometer accel acel acc beschleunigung beschl versnelling przyspieszenie zrychleni "
+                    "acceleratie ivme ivmesi acceleratia akselerasjon gyorsulas kiihtyvyys qacc zrychlenie 가속도 "
+                    "aceleraciones beschleunigungen ускорение 加速度",
                     kOpen, Acceleration},
         WordMeaning{Word,
-                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat vinkel "
-                    "uhel unghi aci acisi "
-                    "inclination inclinacion neigung revolutions revolution szog kulma uhol 각도 угол 角度 转角",
+                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat "
+                    "vinkel uhel unghi aci acisi inclination inclinacion neigung revolutions revolution szog "
+                    "kulma uhol 각도 угол 角度 转角",
                     Angle, Position},
         WordMeaning{Word,
-                    "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe katowy "
-                    "uhlova uhlove "
-                    "unghiulara угловая угловое угловой 角",
+                    "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe "
+                    "katowy uhlova uhlove unghiulara угловая угловое угловой 角",
                     Angle},
         WordMeaning{Word, "gyroscope gyro giroscopio gyroskop", Angle, Velocity},
         WordMeaning{Word,
-                    "linear lineal lineaire lineare translational trans prismatic prismatico prismatica prismatique "
-                    "prismatisch schub",
+                    "linear lineal lineaire lineare translational trans prismatic prismatico prismatica "
+                    "prismatique prismatisch schub",
                     Length},
         WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
         WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
@@ -109,38 +103,28 @@ std::span<const WordMeaning> vocabulary()
         // Bodies. A wheel with a pin is a crank.
         WordMeaning{Word,
                     "crank motor moteur motore shaft welle eccentric excentrica exzenter input antrieb antriebs "
-                    "crankshaft wheel flywheel disk disc driver manivela maneta manivelle "
-                    "manovella ciguenal "
-                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby vev "
-                    "vevaxel klika kliky krank "
-                    "veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel kluky klukoveho 크랭크 кривошип "
-                    "кривошипа 曲柄 クランク "
-                    "link_2 glied_2 eslabon_2 barra_2 membro_2",
+                    "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
+                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
+                    "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
+                    "kluky klukoveho 크랭크 кривошип кривошипа 曲柄 クランク link_2 glied_2 eslabon_2 barra_2 membro_2",
                     kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw kurbelw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{Word,
                     "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
-                    "schubstange drijfstang koppelstang plejlstang rade radens korbowod korbowodu lacznik lacznika "
-                    "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki "
-                    "vevstakens шатун шатуна 連接棒 连杆 "
-                    "コンロッド link_3 glied_3 eslabon_3 "
-                    "barra_3",
+                    "schubstange drijfstang koppelstang plejlstang rade radens korbowod korbowodu lacznik "
+                    "lacznika vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki vevstakens шатун шатуна "
+                    "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3",
                     kOpen, kOpen, Coupler},
-        WordMeaning{
-            Word,
-            "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera deslizador "
-            "deslizante "
-            "corredora "
-            "corredissa embolo carro "
-            "carrito cursore cursor pattino coulisseau coulissant surgu abtrieb abtriebs glissiere crosshead block "
-            "bloque kolben schieber "
-            "gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka wodzik wodzika крейцкопф tlok tloka kolv kolven "
-            "kolvens sliden slidens glid gliden glidens piestu smykadla patina culisei 슬라이더 피스톤 pist "
-            "pistu wrist "
-            "gudgeon ram plunger corsoio corredica pistonului stempel stemplets dugattyu manta mannan luisti ariete "
-            "stossel ползун ползуна поршень поршня 滑块 活塞 スライダ スライダー "
-            "ピストン link_4 glied_4 eslabon_4",
-            kOpen, kOpen, Slider},
+        WordMeaning{Word,
+                    "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera "
+                    "deslizador deslizante corredora corredissa embolo carro carrito cursore cursor pattino "
+                    "coulisseau coulissant surgu abtrieb abtriebs glissiere crosshead block bloque kolben "
+                    "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka wodzik wodzika крейцкопф "
+                    "tlok tloka kolv kolven kolvens sliden slidens glid gliden glidens piestu smykadla patina "
+                    "culisei 슬라이더 피스톤 pist pistu wrist gudgeon ram plunger corsoio corredica pistonului stempel "
+                    "stemplets dugattyu manta mannan luisti ariete stossel ползун ползуна поршень поршня 滑块 活塞 "
+                    "スライダ スライダー ピストン link_4 glied_4 eslabon_4",
+                    kOpen, kOpen, Slider},
         WordMeaning{Word, "schwenkwinkel", Angle, Position, Coupler},
         // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
         WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
@@ -179,25 +163,23 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{.words = "g_4", .body = Slider, .isCentre = true},
         WordMeaning{.use = Filler, .words = "centre center centroid cg cog cm com", .isCentre = true},
         // Derivatives.
-        WordMeaning{
-            Derivative,
-            "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung first_derivative "
-            "st_derivative",
-            kOpen, Velocity},
+        WordMeaning{Derivative,
+                    "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung "
+                    "first_derivative st_derivative",
+                    kOpen, Velocity},
         WordMeaning{Derivative,
                     "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
-                    "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative nd_derivative "
-                    "segunda_derivada zweite_ableitung dd pp",
+                    "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative "
+                    "nd_derivative segunda_derivada zweite_ableitung dd pp",
                     kOpen, Acceleration},
         WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
-        WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la "
-                            "in con component componente comp latest run set data body field plot "
-                            "channel out yout output result results simout instantaneous "
-                            "smart red blue green box object amplitude sensor girado gedreht tourne probe "
-                            "rel relative relativo relativa "
-                            "placement base z yer video analysis serie "
-                            "jt kol kolu open crossed abierta cruzada offen gekreuzt o gemessen measured medido medida "
-                            "measure mea meas pin obrotu поворота"},
+        WordMeaning{Filler,
+                    "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
+                    "component componente comp latest run set data body field plot channel out yout output result "
+                    "results simout instantaneous smart red blue green box object amplitude sensor girado gedreht "
+                    "tourne probe rel relative relativo relativa placement base z yer video analysis serie jt kol "
+                    "kolu open crossed abierta cruzada offen gekreuzt o gemessen measured medido medida measure "
+                    "mea meas pin obrotu поворота"},
         WordMeaning{Label, "joint pin gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
