@@ -11,6 +11,7 @@
 #include <QClipboard>
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
@@ -263,6 +264,26 @@ bool NumberTable::event(QEvent *event)
         emit rowHovered(-1);
     }
     return isHandled;
+}
+
+bool NumberTable::edit(const QModelIndex &index, EditTrigger trigger, QEvent *event)
+{
+    const bool isEdited = QTableView::edit(index, trigger, event);
+    for (QLineEdit *editor : viewport()->findChildren<QLineEdit *>()) {
+        editor->installEventFilter(this);
+    }
+    return isEdited;
+}
+
+/// Selects the whole number on a double click; the editor, which the first click opens, would stop at the decimal
+/// point.
+bool NumberTable::eventFilter(QObject *watched, QEvent *event)
+{
+    auto *editor = qobject_cast<QLineEdit *>(watched);
+    if (editor && event->type() == QEvent::MouseButtonDblClick) {
+        QMetaObject::invokeMethod(editor, &QLineEdit::selectAll, Qt::QueuedConnection);
+    }
+    return QTableView::eventFilter(watched, event);
 }
 
 void NumberTable::keyPressEvent(QKeyEvent *event)

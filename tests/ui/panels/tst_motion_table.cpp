@@ -16,6 +16,7 @@
 #include <QComboBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -244,6 +245,21 @@ private slots:
         }
         QVERIFY(judgement->isHidden());
         QCOMPARE(shown.rowOf("presentPosition", 1).mid(1), QStringList(9, QString()));
+    }
+
+    void aDoubleClickOnMyValueReplacesAllOfIt()
+    {
+        ShownTable shown;
+        auto *table = child<NumberTable>(shown.panel, "presentPosition");
+        const QModelIndex cell = table->model()->index(1, 3);
+        table->model()->setData(cell, "33.3");
+        settle(shown.panel);
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(cell).center());
+        auto *editor = table->viewport()->findChild<QLineEdit *>();
+        QVERIFY(editor);
+        QTest::mouseDClick(editor, Qt::LeftButton, {}, QPoint(editor->width() - 8, editor->height() / 2));
+        settle(shown.panel);
+        QCOMPARE(editor->selectedText(), "33.3");
     }
 
     void offersTheTextbooksNotation()
