@@ -125,12 +125,13 @@ double percentOfPeak(const Observations &observations, const Fit &fit, Index k, 
 }
 
 /// Whether fit.columns[k], which contains difference quotients within their rounding, is nevertheless the motion:
-/// quotients amplify the rounding of the lower column, and the residuals of genuine derivatives are those of their own.
+/// quotients amplify the rounding of the lower column, and the residuals of genuine derivatives are those of their own
+/// rounding and that of the abscissa.
 bool isGenuine(const Observations &observations, const Fit &fit, Index k)
 {
-    constexpr double kRoundings = 3.0;
+    constexpr double kBounds = 2.0; // because the fit has errors, too
     return isWithinRounding(observations, fit, k) ||
-           fit.rms[k] < kRoundings * std::sqrt(observations.columns[fit.columns[k]].variance);
+           fit.rms[k] < kBounds * std::sqrt(roundingBounds(observations, fit, k).square().mean());
 }
 
 /// Adds a column to result.fit, or to result.leftOut.

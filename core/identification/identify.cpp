@@ -37,6 +37,7 @@ std::vector<double> speedsOf(const Observations &observations, const Indices &co
 /// alone; otherwise the same fit.
 Fit ofOneMechanism(const Observations &searched, const Fit &fit)
 {
+    constexpr int kIterations = 200; // the start is far off
     if (fit.columns.size() != 2 || isExact(searched, fit)) {
         return fit;
     }
@@ -44,7 +45,7 @@ Fit ofOneMechanism(const Observations &searched, const Fit &fit)
     for (const Index column : fit.columns) {
         Unknowns unknowns = fit.unknowns;
         std::erase_if(unknowns, [&](Unknown unknown) { return !unknown.isParameter() && unknown.column != column; });
-        alone = refined(searched, fit.model, {column}, unknowns);
+        alone = refined(searched, fit.model, {column}, unknowns, kIterations);
         if (!isExact(searched, alone) || isShortArc(searched, alone.model)) {
             return fit;
         }
