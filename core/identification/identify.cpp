@@ -246,8 +246,11 @@ std::vector<Convention> possibleChanges(const ReferenceData &data, const Identif
 {
     std::vector<Convention> changes;
     std::vector<Channel> unexplained;
+    constexpr double kMinPercent = 10.0; // of the peak: another heading changes a column by more than a filter does
     for (const LeftOutColumn &column : result.leftOut) {
-        if (column.reason == LeftOutColumn::Reason::Unknown || column.reason == LeftOutColumn::Reason::OtherMotion) {
+        const bool isUnexplained =
+            column.reason == LeftOutColumn::Reason::Unknown || column.reason == LeftOutColumn::Reason::OtherMotion;
+        if (isUnexplained && !(column.percentOfPeak < kMinPercent)) {
             unexplained.push_back(column.channel);
         }
     }
