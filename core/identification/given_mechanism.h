@@ -21,10 +21,10 @@ Fit withGivenLengths(const Observations &observations, const Fit &best, const Pa
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best);
 
 /// Returns the only length that has to be changed so that the given mechanism explains the file, in the reading of
-/// `best` and with its drive, as well as `best` does. nullopt if nothing has to be changed, or if no length or several
-/// could be the wrong one.
-std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best,
-                                             const Parameters &given);
+/// `best` and with its drive, as well as `best` does. It is a round number of `lengthUnit` (mm) if that explains the
+/// file as well. nullopt if nothing has to be changed, or if no length or several could be the wrong one.
+std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best, const Parameters &given,
+                                             double lengthUnit);
 
 /// The mechanism found, changed by conventions of the whole file.
 struct WholeFileReading {

@@ -91,8 +91,13 @@ struct Identification {
     /// those of the given mechanism. With an uneven drive, ω2 is UnevenDrive::omega2.
     Parameters parameters;
 
-    /// The parameters in as few decimals as explain the file equally well; otherwise equal to `parameters`.
+    /// The parameters in as few decimals as explain the file equally well; otherwise equal to `parameters`. Lengths are
+    /// rounded in `lengthUnit`.
     Parameters rounded;
+
+    /// The unit of the lengths in the file, mm: 25.4 for inches. 1 if its columns are in different units, or none is a
+    /// length.
+    double lengthUnit = 1.0;
 
     /// Standard errors by indexOf(Parameter), if the residuals are independent errors. NaN for parameters that the file
     /// does not determine, and for all if the residuals are systematic. Insufficient: those of what is determined.

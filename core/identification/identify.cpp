@@ -184,7 +184,7 @@ void relateLengths(Findings &findings, const Observations &searched, const Param
     }
     const auto isOrigin = [](Unknown unknown) { return !unknown.isParameter(); };
     if (!explainsAsWell(searched, withGivenLengths(searched, best, given), best)) {
-        findings.change = findLengthChange(searched, best, given);
+        findings.change = findLengthChange(searched, best, given, findings.lengthUnit);
     } else if (std::ranges::any_of(last.unknowns, isOrigin)) {
         const Fit like = withGivenLengths(findings.lastFit.observations, last, given);
         last.model = like.model;
@@ -208,6 +208,7 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     ConstrainedFit constrained = bestGeometry(clean, searched, given);
     Findings findings;
     if (!constrained.fit.isFinite()) {
+    findings.lengthUnit = lengthUnitOf(data);
         return judge(data, findings, given);
     }
     Fit fit = std::move(constrained.fit);

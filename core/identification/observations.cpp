@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace slidercrank
 {
@@ -231,6 +232,20 @@ Observations thinned(const Observations &observations, Index count)
         rows.push_back(static_cast<Index>((k + std::fmod(kGoldenSection * k, 1.0)) * stride));
     }
     return selection(observations, rows);
+}
+
+double lengthUnitOf(const ReferenceData &data)
+{
+    constexpr double kSameUnit = 1e-9; // relative error of a factor that conventions have changed
+    std::optional<double> unit;
+    for (const ReferenceSeries &series : data.series) {
+        const double factor = series.rounding.unitFactor;
+        if (!isAngle(series.channel.coordinate) && std::abs(factor / unit.value_or(factor) - 1.0) > kSameUnit) {
+            return 1.0;
+        }
+        unit = isAngle(series.channel.coordinate) ? unit : factor;
+    }
+    return unit.value_or(1.0);
 }
 
 double median(const Values &values)

@@ -78,6 +78,9 @@ Observations thinned(const Observations &all, Index count);
 /// modeling and identification", IEEE Trans. Control Syst. Technol. 10, 2002).
 Observations withoutSpikes(Observations observations);
 
+/// The unit of the lengths in a file, mm; 1 if its columns are in different units, or none is a length.
+double lengthUnitOf(const ReferenceData &data);
+
 /// The median of the finite values; 0 if there are none.
 double median(const Values &values);
 

@@ -181,7 +181,7 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
     found[indexOf(Parameter::A)] = found[indexOf(Parameter::B)] = found[indexOf(Parameter::C)] = true;
     const Parameters exact = parametersOf(fit.model, observations, findings.drive);
     result.parameters = withGiven(exact, found, given);
-    result.rounded = withGiven(roundedParameters(lastFit, exact), found, given);
+    result.rounded = withGiven(roundedParameters(lastFit, exact, findings.lengthUnit), found, given);
     result.drive = unevenDrive(findings.drive, exact);
     result.change = findings.change;
     for (const Model &image : findings.otherImages) {
@@ -246,7 +246,7 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
     const LastFit &lastFit = findings.lastFit;
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
-    Identification result{.parameters = given, .rounded = given};
+    Identification result{.parameters = given, .rounded = given, .lengthUnit = findings.lengthUnit};
     if (!fit.isFinite()) {
         result.misfit = Identification::Misfit::CannotBeAssembled;
         return result;
@@ -313,6 +313,7 @@ void addConventions(Identification &result, const ReferenceData &data, const std
     }
     measureConventions(result.conventions, result.parameters, used, drive);
     const ReferenceData read = allApplied(result.conventions, used);
+    result.lengthUnit = lengthUnitOf(read);
     const FittedMechanism fitted = fit.fittedMechanism();
     const auto agrees = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; };
     result.channels = compareRead(result.parameters, read, drive, fitted, stop);

@@ -21,6 +21,7 @@ struct Findings {
     std::vector<double> speeds;         ///< that a table over the crank angle allows
     std::vector<Model> otherImages;     ///< other mechanisms that need the same reading of the file
     std::optional<LengthChange> change; ///< of the given mechanism
+    double lengthUnit = 1.0;            ///< of the lengths in the file, mm
 };
 
 /// The outcome without conventions and comparisons: first whether the file determines the mechanism, then whether the

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 namespace slidercrank
 {
@@ -28,18 +29,6 @@ double roundedTo(int place, double value)
 {
     const double power = std::pow(10.0, std::abs(place));
     return (place < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
-}
-
-std::span<const double> unitsOf(Parameter parameter)
-{
-    static constexpr double kDegree = std::numbers::pi / 180.0;
-    static constexpr double kTurnPerMinute = std::numbers::pi / 30.0;
-    static constexpr std::array kSpeeds{1.0, kDegree, kTurnPerMinute};
-    static constexpr std::array kAngles{kDegree, 1.0};
-    if (parameter == Parameter::Theta20) {
-        return kAngles;
-    }
-    return std::span(kSpeeds).first(parameter == Parameter::Omega2 ? kSpeeds.size() : 1);
 }
 
 /// The model with other parameters at t = 0 of the file.
@@ -73,6 +62,21 @@ bool isAsGood(const Observations &observations, const Fit &rounded, const Fit &f
 
 } // namespace
 
+std::vector<double> unitsOfRoundValues(Parameter parameter, double lengthUnit)
+{
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    constexpr double kTurnPerMinute = std::numbers::pi / 30.0;
+    const bool isDecimal = std::fmod(std::log10(lengthUnit), 1.0) == 0.0; // a round number of m is one of mm, too
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return {isDecimal ? 1.0 : lengthUnit};
+    case Parameter::Omega2: return {1.0, kDegree, kTurnPerMinute};
+    case Parameter::Theta20: break;
+    }
+    return {kDegree, 1.0};
+}
+
 double roundest(double value, double standardError, std::span<const double> units)
 {
     constexpr double kSpacing = 60.0; // standard errors between equally round numbers: 2 · 3 of 60 are 10 %
@@ -97,10 +101,11 @@ double roundest(double value, double standardError, std::span<const double> unit
             }
         }
     }
-    return best.value_or(roundedTo(placeOfFirstDigit(standardError) - 1, value));
+    const int place = placeOfFirstDigit(standardError / units.front()) - 1;
+    return best.value_or(roundedTo(place, value / units.front()) * units.front());
 }
 
-Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact)
+Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, double lengthUnit)
 {
     constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
     // Parts of the standard errors: where the parameters depend on each other, more digits of them count.
@@ -116,7 +121,8 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact)
             const double standardError = lastFit.standardError[indexOf(parameter)];
             const double error = std::max(part * standardError, kArithmetic * size);
             if (std::isfinite(standardError)) {
-                valueOf(rounded, parameter) = roundest(valueOf(exact, parameter), error, unitsOf(parameter));
+                valueOf(rounded, parameter) =
+                    roundest(valueOf(exact, parameter), error, unitsOfRoundValues(parameter, lengthUnit));
             }
         }
         const Model model = withParameters(fit.model, rounded, observations);

@@ -251,7 +251,7 @@ QString parameterTable(const ReportContent &content)
     if (hasFoundMechanism(content)) {
         rows.front() << Report::tr("identified in the file");
         for (std::size_t i = 0; i < kAllParameters.size(); ++i) {
-            rows[i + 1] << measuredText(kAllParameters[i], found);
+            rows[i + 1] << measuredText(kAllParameters[i], found, notation());
         }
         rows.back() << assemblyText(found.parameters.branch);
     }

@@ -29,6 +29,7 @@ using Reason = LeftOutColumn::Reason;
 
 constexpr int kUncertainDigits = 4; // of a parameter whose error is unknown
 constexpr int kSpeedDigits = 4;
+constexpr int kGivenDigits = 6;
 
 struct IdentificationText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::IdentificationText)
@@ -118,7 +119,7 @@ bool isMeasured(Parameter parameter, const Identification &found)
 QString measuredEquation(Parameter parameter, const Identification &found)
 {
     const QString equation = QString(found.hasSystematicResiduals ? "%1 ≈ %2" : "%1 = %2")
-                                 .arg(symbolText(parameter), measuredText(parameter, found));
+                                 .arg(symbolText(parameter), measuredText(parameter, found, notationOf(found)));
     if (parameter != Parameter::Omega2 || !found.drive) {
         return equation;
     }
@@ -168,7 +169,7 @@ QString keptText(const Identification &found)
     for (const Parameter parameter : kAllParameters) {
         if (!isMeasured(parameter, found)) {
             symbols << symbolText(parameter);
-            equations << equationText(parameter, valueOf(found.parameters, parameter));
+            equations << equationText(parameter, valueOf(found.parameters, parameter), kGivenDigits, notationOf(found));
         }
     }
     return symbols.isEmpty() ? QString()
@@ -268,21 +269,31 @@ const char *reasonName(Reason reason)
     return rowOf(IdentificationText::kReasons, reason).name;
 }
 
-QString measuredText(Parameter parameter, const Identification &found)
+Notation notationOf(const Identification &found)
+{
+    Notation shown = notation();
+    if (shown.units.length == LengthUnit::Millimetre) {
+        shown.units.length = lengthUnitOf(found.lengthUnit);
+    }
+    return shown;
+}
+
+QString measuredText(Parameter parameter, const Identification &found, const Notation &shown)
 {
     if (!isMeasured(parameter, found)) {
         return dash();
     }
-    const double factor = shownFactor(parameter);
+    const double factor = shownFactor(parameter, shown);
+    const QString unit = unitBehind(parameter, shown);
     const double value = factor * valueOf(found.parameters, parameter);
     const double standardError = found.standardError[indexOf(parameter)];
     if (found.hasSystematicResiduals || (found.drive && std::isnan(standardError))) {
-        return numberText(value, kUncertainDigits) + unitBehind(parameter);
+        return numberText(value, kUncertainDigits) + unit;
     }
     const double scale = parameter == Parameter::Omega2    ? std::abs(found.parameters.omega2)
-                         : parameter == Parameter::Theta20 ? factor
+                         : parameter == Parameter::Theta20 ? 1.0
                                                            : characteristicLength(found.parameters);
-    return measuredText(value, factor * standardError, scale) + unitBehind(parameter);
+    return measuredText(value, factor * standardError, factor * scale) + unit;
 }
 
 QString summaryText(const Identification &found)
@@ -310,7 +321,7 @@ QString roundNumbersText(const Identification &found)
     QStringList equations;
     for (const Parameter parameter : kAllParameters) {
         if (isMeasured(parameter, found) && !(parameter == Parameter::Omega2 && found.drive)) {
-            equations << equationText(parameter, valueOf(found.rounded, parameter), kDigits);
+            equations << equationText(parameter, valueOf(found.rounded, parameter), kDigits, notationOf(found));
         }
     }
     return IdentificationText::tr("Rounded values that fit equally well: %1.").arg(equations.join(", "));
@@ -328,7 +339,9 @@ QString changeText(const Identification &found, const Parameters &given)
         found.outcome == Outcome::Identified
             ? IdentificationText::tr("With %1 instead of %2, this mechanism agrees with the file.")
             : IdentificationText::tr("With %1 instead of %2, this mechanism fits the file as well as any other.");
-    const QString sentence = text.arg(equationText(parameter, value, digits), parameterText(parameter, before, digits));
+    const Notation shown = notationOf(found);
+    const QString sentence =
+        text.arg(equationText(parameter, value, digits, shown), parameterText(parameter, before, digits, shown));
     return found.drive ? sentence + u' ' + IdentificationText::tr("The crank speed of the file is not constant.")
                        : sentence;
 }

@@ -5,6 +5,7 @@
 // use the same sentences. ui/text/explanation.h explains the difference between the file and the model.
 
 #include "core/identification/identification.h"
+#include "ui/text/notation.h"
 
 #include <QString>
 #include <QStringList>
@@ -23,10 +24,14 @@ const char *symmetryName(AlternativeMechanism::Symmetry symmetry);
 /// The name of the reason why a column was left out, in JSON: "finite-differences".
 const char *reasonName(LeftOutColumn::Reason reason);
 
+/// Returns the notation of the sentences about an identification: that of the window, but with lengths in the unit of
+/// the file if they are in mm in the window.
+Notation notationOf(const Identification &found);
+
 /// Returns the identified value of a parameter with its standard error and unit: "60.000000 ± 0.000001 mm". Returns a
 /// dash if the data do not determine the parameter. If they determine only ratios of lengths, b and c are for the given
 /// a.
-QString measuredText(Parameter parameter, const Identification &found);
+QString measuredText(Parameter parameter, const Identification &found, const Notation &shown);
 
 /// Summarizes an identification. "Mechanism identified in this file: a = 20.000001 ± 0.000003 mm, …, open assembly.",
 /// followed by reservations; or the reason why none was identified, and what would help.

@@ -2,7 +2,6 @@
 #include "ui/text/parameter_text.h"
 
 #include "ui/text/enum_table.h"
-#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -70,39 +69,39 @@ QString withNoun(Branch branch)
     return ParameterText::tr("%1 assembly").arg(assemblyText(branch));
 }
 
-double shownFactor(Parameter parameter)
+double shownFactor(Parameter parameter, const Notation &shown)
 {
     switch (parameter) {
     case Parameter::A:
     case Parameter::B:
-    case Parameter::C: return shownValue(Measure::Length, 1.0, notation().units);
-    case Parameter::Omega2: return crankSpeedFactor(notation().crankSpeed);
+    case Parameter::C: return shownValue(Measure::Length, 1.0, shown.units);
+    case Parameter::Omega2: return crankSpeedFactor(shown.crankSpeed);
     case Parameter::Theta20: break;
     }
-    return shownValue(Measure::Angle, 1.0, notation().units);
+    return shownValue(Measure::Angle, 1.0, shown.units);
 }
 
-QString unitBehind(Parameter parameter)
+QString unitBehind(Parameter parameter, const Notation &shown)
 {
     switch (parameter) {
     case Parameter::A:
     case Parameter::B:
-    case Parameter::C: return u' ' + shownUnit(Measure::Length);
-    case Parameter::Omega2: return u' ' + crankSpeedUnitText(notation().crankSpeed);
+    case Parameter::C: return u' ' + unitText(Measure::Length, shown.units);
+    case Parameter::Omega2: return u' ' + crankSpeedUnitText(shown.crankSpeed);
     case Parameter::Theta20: break;
     }
-    const QString unit = shownUnit(Measure::Angle);
+    const QString unit = unitText(Measure::Angle, shown.units);
     return unit == u"°" ? unit : u' ' + unit;
 }
 
-QString parameterText(Parameter parameter, double value, int digits)
+QString parameterText(Parameter parameter, double value, int digits, const Notation &shown)
 {
-    return numberText(shownFactor(parameter) * value, digits) + unitBehind(parameter);
+    return numberText(shownFactor(parameter, shown) * value, digits) + unitBehind(parameter, shown);
 }
 
-QString equationText(Parameter parameter, double value, int digits)
+QString equationText(Parameter parameter, double value, int digits, const Notation &shown)
 {
-    return QStringLiteral("%1 = %2").arg(symbolText(parameter), parameterText(parameter, value, digits));
+    return QStringLiteral("%1 = %2").arg(symbolText(parameter), parameterText(parameter, value, digits, shown));
 }
 
 QString mechanismText(const Mechanism &mechanism, int digits)

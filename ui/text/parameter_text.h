@@ -4,6 +4,7 @@
 // Names the parameters of a mechanism and writes their values with units.
 
 #include "core/mechanism/mechanism.h"
+#include "ui/text/notation.h"
 
 #include <QString>
 
@@ -26,17 +27,17 @@ QString assemblyText(Branch branch);
 QString withNoun(Branch branch);
 
 /// Converts a value from the unit of the core to the displayed unit: θ₂₀ from radians to degrees.
-double shownFactor(Parameter parameter);
+double shownFactor(Parameter parameter, const Notation &shown = notation());
 
 /// Returns the displayed unit, preceded by a space where one is needed.
-QString unitBehind(Parameter parameter);
+QString unitBehind(Parameter parameter, const Notation &shown = notation());
 
 /// Returns an equation such as "a = 20 mm".
-QString equationText(Parameter parameter, double value, int digits = 6);
+QString equationText(Parameter parameter, double value, int digits = 6, const Notation &shown = notation());
 
 /// Returns the value of a parameter with its displayed unit: "65 mm", "6.28319 rad/s", "-30°". `digits` is the largest
 /// number of significant digits; trailing zeros are omitted.
-QString parameterText(Parameter parameter, double value, int digits = 6);
+QString parameterText(Parameter parameter, double value, int digits = 6, const Notation &shown = notation());
 
 /// Returns all parameters: "a = 20 mm, b = 60 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = 0°, open assembly".
 QString mechanismText(const Mechanism &mechanism, int digits = 6);

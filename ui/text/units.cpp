@@ -3,6 +3,8 @@
 
 #include "core/mechanism/enum_table.h"
 
+#include <cmath>
+
 namespace slidercrank
 {
 
@@ -51,6 +53,17 @@ QString baseUnit(Measure measure, const Units &units)
 }
 
 } // namespace
+
+LengthUnit lengthUnitOf(double millimetres)
+{
+    constexpr double kTolerance = 1e-9; // of a computed factor, relative
+    for (const auto &[unit, description] : kLengthUnits) {
+        if (std::abs(millimetres * description.perDefault - 1.0) < kTolerance) {
+            return unit;
+        }
+    }
+    return LengthUnit::Millimetre;
+}
 
 double shownValue(Measure measure, double value, const Units &units)
 {

@@ -128,7 +128,7 @@ private slots:
         }
         QVERIFY(result.conditionNumber > 5.0 && result.conditionNumber < 20.0);
         QCOMPARE(result.change->parameter, Parameter::B);
-        QVERIFY(std::abs(result.change->value - 60.0) < 1e-4);
+        QCOMPARE(result.change->value, 60.0);
 
         const Identification same = identified(data, result.rounded);
         QVERIFY(same.agreesWithGiven && same.conventions.empty() && !same.change);

@@ -3,6 +3,7 @@
 
 #include "core/identification/identification.h"
 #include "core/mechanism/turn.h"
+#include "tests/support/channels.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"
@@ -21,6 +22,7 @@ namespace tst_round_values
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::array kPlainUnit{1.0};
+constexpr double kInch = 25.4; // mm
 
 bool allAgree(const Parameters &parameters, const ReferenceData &data)
 {
@@ -92,6 +94,23 @@ private slots:
                          : 0;
         }
         QVERIFY2(exact >= kMechanisms * 9 / 10, QByteArray::number(exact)); // some errors exceed three standard errors
+    }
+
+    void roundsLengthsInTheUnitOfTheFile()
+    {
+        const Convention inInches{Convention::Kind::LengthUnit, {kSlider, kSliderSpeed, kSliderAcceleration}, kInch};
+        const ReferenceData data = applied(inInches, printedData({2.0, 6.25, 0.5, kTurn, 0.0}, Printing()));
+        const Identification found = identify(data, Mechanism());
+        QCOMPARE(found.outcome, Identification::Outcome::Identified);
+        QCOMPARE(found.lengthUnit, kInch);
+        QCOMPARE(found.rounded.a, 2.0 * kInch);
+        QCOMPARE(found.rounded.b, 6.25 * kInch);
+        QCOMPARE(found.rounded.c, 0.5 * kInch);
+        Parameters wrong = found.rounded;
+        wrong.b = 6.0 * kInch;
+        const Identification beside = identify(data, Mechanism(wrong));
+        QVERIFY(beside.change && beside.change->parameter == Parameter::B);
+        QCOMPARE(beside.change->value, 6.25 * kInch);
     }
 
     void doesNotRoundBeyondTheAccuracyOfTheData()

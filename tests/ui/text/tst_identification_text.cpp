@@ -2,6 +2,7 @@
 #include "tests/support/channels.h"
 #include "tests/support/suite.h"
 #include "ui/text/identification_text.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <QLocale>
@@ -80,7 +81,7 @@ private slots:
                          "ω₂ ≈ 6.283 rad/s, θ₂₀ ≈ −2.177·10⁻⁵°, open assembly. The columns deviate from its motion by "
                          "up to 1.20 % of the range of Rₓ⁴. What remains is systematic (filtered, interpolated or "
                          "integrated data?), so that no standard errors can be given."));
-        QCOMPARE(measuredText(Parameter::B, systematic), QString("60 mm"));
+        QCOMPARE(measuredText(Parameter::B, systematic, notation()), QString("60 mm"));
 
         QCOMPARE(residualTable(systematic.residuals),
                  (std::vector<QStringList>{{"channel", "rms residual", "largest residual", "% of range"},
@@ -102,8 +103,8 @@ private slots:
         QVERIFY2(text.endsWith("open assembly. The coupler angle θ³ alone determines only b/a and c/a. The data do not "
                                "determine a. Kept as given: a = 10 mm."),
                  qPrintable(text));
-        QCOMPARE(measuredText(Parameter::A, found), QString("–"));
-        QCOMPARE(measuredText(Parameter::B, found), QString("30.00000 ± 0.00002 mm"));
+        QCOMPARE(measuredText(Parameter::A, found, notation()), QString("–"));
+        QCOMPARE(measuredText(Parameter::B, found, notation()), QString("30.00000 ± 0.00002 mm"));
     }
 
     void addsEachReservation()
@@ -256,6 +257,36 @@ private slots:
         const QString spanish = changed(Parameter::B, 60.5);
         QLocale::setDefault(QLocale::c());
         QVERIFY2(spanish.contains("60,5 mm instead of 65 mm"), qPrintable(spanish));
+    }
+
+    void writesLengthsInTheUnitOfTheFileUnlessOneIsChosen()
+    {
+        Identification found = identified();
+        found.lengthUnit = 25.4;
+        found.parameters.a = 50.7999;
+        found.rounded.a = 50.8;
+        found.standardError[indexOf(Parameter::A)] = 2.54e-4;
+        found.change = {Parameter::B, 152.4};
+        const auto allTexts = [&found] {
+            return QStringList{summaryText(found), roundNumbersText(found), changeText(found, Parameters())};
+        };
+        QStringList texts = allTexts();
+        QVERIFY2(texts[0].contains("a = 2.00000 ± 0.00001 in, "), qPrintable(texts[0]));
+        QVERIFY2(texts[1].contains("a = 2 in, "), qPrintable(texts[1]));
+        QVERIFY2(texts[2].contains("b = 6 in instead of 2.55906 in, "), qPrintable(texts[2]));
+        found.identifiable[indexOf(Parameter::A)] = false;
+        QVERIFY2(summaryText(found).contains("Kept as given: a = 2 in."), qPrintable(summaryText(found)));
+        found.identifiable[indexOf(Parameter::A)] = true;
+
+        setNotation({.units = {.length = LengthUnit::Centimetre}});
+        texts = allTexts();
+        setNotation({});
+        QVERIFY2(texts[0].contains("a = 5.07999 ± 0.00003 cm, "), qPrintable(texts[0]));
+        QVERIFY2(texts[1].contains("a = 5.08 cm, "), qPrintable(texts[1]));
+        QVERIFY2(texts[2].contains("b = 15.24 cm instead of 6.5 cm, "), qPrintable(texts[2]));
+
+        found.lengthUnit = 304.8; // feet are not shown
+        QVERIFY2(summaryText(found).contains("a = 50.7999 ± 0.0003 mm, "), qPrintable(summaryText(found)));
     }
 
     void namesInJsonAreFrozen()
