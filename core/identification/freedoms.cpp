@@ -28,8 +28,8 @@ double usualValue(const Observations &observations, const Model &model, Unknown 
     return halfTurn * std::rint(valueOf(model, unknown) / halfTurn);
 }
 
-/// Fits with `unknown` fixed at a value. The others start where the curvature of the misfit lets them move to, or where
-/// they are.
+/// Fits with `unknown` fixed at a value. The other unknowns start at the values that their covariance with it predicts,
+/// and at those that they have in `fit`. Returns the better fit.
 Fit withFixed(const Observations &observations, const Fit &fit, Unknown unknown, double value)
 {
     const Eigen::MatrixXd covariance = covarianceOf(fit);
@@ -77,7 +77,7 @@ bool hasSmallResiduals(const Observations &observations, const Fit &fit)
     return isSmall;
 }
 
-/// Whether an origin is so near to its usual value that a filter may have shifted the curve that much.
+/// Whether an origin is so close to its usual value that a filter may have shifted the curve by the difference.
 bool isSmallOrigin(const Observations &observations, const Model &model, Unknown unknown, double usual)
 {
     constexpr double kMaxOriginFraction = 0.02; // of the range of the column
@@ -113,9 +113,9 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
     return fit;
 }
 
-/// With a very long coupler, derivatives of R4_x hardly show their sign: the reversed crank moves the slider in the
-/// opposite direction, and the coupler in the same one. Returns the fit without a change of the sign if rounding
-/// explains its residuals, too; otherwise the same fit.
+/// With a very long coupler, R4_x with the opposite sign looks like the motion of a reversed crank, which does not
+/// change θ3. Returns the fit of the reversed crank, in which R4_x has its usual sign, if rounding explains its
+/// residuals; otherwise the same fit.
 Fit withUsualSign(const Observations &observations, Fit fit)
 {
     Model start = fit.model;

@@ -25,8 +25,9 @@ Fit withUsualReadings(const Observations &observations, Fit fit);
 ///   4. without it, the residuals of a column are larger than 1 % of its range. This is required if the residuals are
 ///      systematic or the origin is small (2 % of the range of its column, 1° of the crank), because a filter or an
 ///      interpolation bends the curve that much, too.
-/// `shifts`: of freedoms that were taken back before. An origin may exist nevertheless if it is no larger than the
-/// rounding steps (an encoder truncates) or the misfit speaks for it (by two standard errors).
+/// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
+/// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are added to
+/// `shifts`, which are those of the freedoms that were taken back before.
 ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &shifts = {});
 
 } // namespace slidercrank

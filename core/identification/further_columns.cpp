@@ -99,7 +99,8 @@ bool isMotionOfOtherLengths(const Observations &observations, const Fit &fit, In
     if (observations.columns[k].range == 0.0) {
         return false;
     }
-    constexpr double kMinChange = 3e-3; // of b/a or c/a, relative to (b + |c|)/a; a column that lags has the same ones
+    // The smallest change of b/a or c/a, relative to (b + |c|)/a. A delayed column has the same proportions.
+    constexpr double kMinChange = 3e-3;
     const Fit alone =
         refined(observations, fit.model, {k},
                 {{Unknown::Kind::A}, {Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}});

@@ -183,7 +183,8 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
 WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &found, const ParameterErrors &standardError,
                                const Parameters &given)
 {
-    // θ2 shows the sense of rotation and the start, so that a wrong one of both would be a strange coincidence.
+    // θ2 in the file shows the direction and the start of the crank: that both of them, or one and a unit, are wrong
+    // and still lead to the given mechanism would be a coincidence.
     const std::size_t mostConventions = data.find(kCrankAngle) ? 1 : 2;
     const WholeFileReading unchanged{.parameters = found, .standardError = standardError};
     const WholeFileChange change = changeTowards(given, found, data);

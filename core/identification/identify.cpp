@@ -132,7 +132,8 @@ void useAngleAsColumn(Observations &observations, Fit &fit, const Drive &drive)
     fit.unknowns.push_back({Unknown::Kind::Origin, column});
 }
 
-/// Reads the lengths in the unit of most columns. (Until here, it is that of the column that the geometry used.)
+/// Until here, the lengths are in the unit of the column from which the geometry was found. Converts them to the unit
+/// of most columns, so that only the others are said to be in a wrong unit.
 void chooseLengthUnit(Findings &findings)
 {
     LastFit &last = findings.lastFit;
@@ -207,8 +208,8 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     Observations searched = thinned(clean, kSearchedRows);
     ConstrainedFit constrained = bestGeometry(clean, searched, given);
     Findings findings;
-    if (!constrained.fit.isFinite()) {
     findings.lengthUnit = lengthUnitOf(data);
+    if (!constrained.fit.isFinite()) {
         return judge(data, findings, given);
     }
     Fit fit = std::move(constrained.fit);
@@ -245,9 +246,9 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
 /// different unit.
 std::vector<Convention> possibleChanges(const ReferenceData &data, const Identification &result)
 {
+    constexpr double kMinPercent = 10.0; // of the peak: another heading changes a column by more than a filter does
     std::vector<Convention> changes;
     std::vector<Channel> unexplained;
-    constexpr double kMinPercent = 10.0; // of the peak: another heading changes a column by more than a filter does
     for (const LeftOutColumn &column : result.leftOut) {
         const bool isUnexplained =
             column.reason == LeftOutColumn::Reason::Unknown || column.reason == LeftOutColumn::Reason::OtherMotion;

@@ -98,7 +98,7 @@ Parameters parametersOf(const Model &model, const Observations &observations, co
 
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
 {
-    constexpr int kRounds = 2; // what is far off hides what is less far off
+    constexpr int kRounds = 2; // large outliers bend the first fit, so that smaller ones show only in the second one
     LastFit result{.observations = std::move(observations)};
     Observations &rows = result.observations;
     Fit &fit = result.fit;

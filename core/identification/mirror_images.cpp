@@ -65,8 +65,8 @@ bool isTurned(double angle)
     return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
 }
 
-/// The price of an image: its readings and another assembly, then its readings, then its distance from the given
-/// mechanism.
+/// The key by which images are sorted: the number of readings and a change of the assembly, then that of readings
+/// alone, then the distance from the given mechanism.
 std::tuple<int, int, double> effortOf(const Observations &observations, const Fit &fit, const Model &model,
                                       const Parameters &given)
 {

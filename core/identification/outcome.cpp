@@ -29,7 +29,7 @@ using UnknownKind = Unknown::Kind;
 
 /// Errors above these fractions leave a parameter open: of the larger of a and |c| for c, of a radian for θ20.
 constexpr double kMaxError = 0.2;
-constexpr double kMaxErrorOfCrank = 0.03;   // of a, with which all others are uncertain: beyond it they are not linear
+constexpr double kMaxErrorOfCrank = 0.03;   // of a: with larger ones, the linear standard errors are too small
 constexpr double kMaxSystematicError = 0.1; // of every parameter, if nothing but the residuals bounds the errors
 
 ColumnResidual residualOf(const Observations &observations, const Fit &fit, Index k)

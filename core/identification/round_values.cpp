@@ -79,7 +79,9 @@ std::vector<double> unitsOfRoundValues(Parameter parameter, double lengthUnit)
 
 double roundest(double value, double standardError, std::span<const double> units)
 {
-    constexpr double kSpacing = 60.0; // standard errors between equally round numbers: 2 · 3 of 60 are 10 %
+    // Standard errors between neighbouring numbers of the same roundness. Those within the tolerance of three on either
+    // side are a tenth of them: the probability that one of these numbers is there by chance.
+    constexpr double kSpacing = 2.0 * kStandardErrors / 0.1;
     const double tolerance = kStandardErrors * standardError;
     if (!(standardError > 0.0) || std::isinf(standardError)) {
         return value;
@@ -108,7 +110,8 @@ double roundest(double value, double standardError, std::span<const double> unit
 Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, double lengthUnit)
 {
     constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
-    // Parts of the standard errors: where the parameters depend on each other, more digits of them count.
+    // Fractions of the standard errors, tried in this order. Parameters that depend on each other may each change by
+    // their standard errors only together, so that more of their digits are needed.
     constexpr std::array kFractions{1.0, 0.1, 0.01};
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;

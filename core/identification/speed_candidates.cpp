@@ -79,7 +79,7 @@ std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 {
     constexpr double kSpacing = 0.1; // a tenth of the width of a minimum of the periodogram
     constexpr double kMinTurns = 0.7;
-    constexpr double kUncounted = 1.0;    // turns at the ends of the file that have no crossing
+    constexpr double kUncounted = 1.0;    // turns at the ends of the file that may have no crossing
     constexpr double kMiscounted = 0.005; // of the crossings
     constexpr int kMaxPairsPerTurn = 5;   // of crossings; accelerations have several
     constexpr double kManyPairs = 25.0;   // of crossings: with these, the count excludes other speeds
