@@ -138,15 +138,15 @@ void appendLateStart(WholeFileReading &reading, const Parameters &given)
 }
 
 /// The value that a fit has found for a length, or a round number if that explains the file as well as `best`.
-double roundLength(const Observations &observations, const Fit &fit, Parameter length, const Fit &best,
-                   double lengthUnit)
+double roundedLength(const Observations &observations, const Fit &fit, Parameter length, const Fit &best,
+                     double lengthUnit)
 {
     const double value = valueOf(fit.model.mechanism, length);
     const Unknown unknown{static_cast<Unknown::Kind>(indexOf(length))};
     const auto position = std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
     const double error = std::sqrt(dependence(fit) * covarianceOf(fit)(position, position));
     Model model = fit.model;
-    valueOf(model.mechanism, length) = roundest(value, error, unitsOfRoundValues(length, lengthUnit));
+    valueOf(model.mechanism, length) = roundLength(value, error, lengthUnit);
     const Fit rounded = refined(observations, model, fit.columns, withoutLengths(fit));
     return explainsAsWell(observations, rounded, best) ? valueOf(model.mechanism, length) : value;
 }
@@ -174,7 +174,7 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
         unknowns.push_back({static_cast<Unknown::Kind>(indexOf(length))});
         const Fit fit = refined(observations, changed, best.columns, unknowns);
         if (explainsAsWell(observations, fit, best)) {
-            changes.push_back({length, roundLength(observations, fit, length, best, lengthUnit)});
+            changes.push_back({length, roundedLength(observations, fit, length, best, lengthUnit)});
         }
     }
     return changes.size() == 1 ? std::optional(changes[0]) : std::nullopt;

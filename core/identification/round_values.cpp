@@ -10,7 +10,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 namespace slidercrank
 {
@@ -29,6 +28,21 @@ double roundedTo(int place, double value)
 {
     const double power = std::pow(10.0, std::abs(place));
     return (place < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
+}
+
+/// A round value of a parameter, in a unit in which a person may have chosen it.
+double roundValue(Parameter parameter, double value, double standardError, double lengthUnit)
+{
+    constexpr double kDegree = std::numbers::pi / 180.0;
+    constexpr double kTurnPerMinute = std::numbers::pi / 30.0;
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return roundLength(value, standardError, lengthUnit);
+    case Parameter::Omega2: return roundest(value, standardError, std::array{1.0, kDegree, kTurnPerMinute});
+    case Parameter::Theta20: break;
+    }
+    return roundest(value, standardError, std::array{kDegree, 1.0});
 }
 
 /// The model with other parameters at t = 0 of the file.
@@ -62,21 +76,6 @@ bool isAsGood(const Observations &observations, const Fit &rounded, const Fit &f
 
 } // namespace
 
-std::vector<double> unitsOfRoundValues(Parameter parameter, double lengthUnit)
-{
-    constexpr double kDegree = std::numbers::pi / 180.0;
-    constexpr double kTurnPerMinute = std::numbers::pi / 30.0;
-    const bool isDecimal = std::fmod(std::log10(lengthUnit), 1.0) == 0.0; // a round number of m is one of mm, too
-    switch (parameter) {
-    case Parameter::A:
-    case Parameter::B:
-    case Parameter::C: return {isDecimal ? 1.0 : lengthUnit};
-    case Parameter::Omega2: return {1.0, kDegree, kTurnPerMinute};
-    case Parameter::Theta20: break;
-    }
-    return {kDegree, 1.0};
-}
-
 double roundest(double value, double standardError, std::span<const double> units)
 {
     // Standard errors between neighbouring numbers of the same roundness. Those within the tolerance of three on either
@@ -107,6 +106,16 @@ double roundest(double value, double standardError, std::span<const double> unit
     return best.value_or(roundedTo(place, value / units.front()) * units.front());
 }
 
+double roundLength(double value, double standardError, double unit)
+{
+    constexpr int kDigits = 15;                    // 6 in are 152.4 mm, and not 152.39999999999998 mm
+    if (std::fmod(std::log10(unit), 1.0) == 0.0) { // a round number of metres is one of millimetres, too
+        return roundest(value, standardError, std::array{1.0});
+    }
+    const double rounded = roundest(value, standardError, std::array{unit});
+    return rounded == 0.0 ? 0.0 : roundedTo(placeOfFirstDigit(std::abs(rounded)) + 1 - kDigits, rounded);
+}
+
 Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, double lengthUnit)
 {
     constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
@@ -124,8 +133,7 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, do
             const double standardError = lastFit.standardError[indexOf(parameter)];
             const double error = std::max(part * standardError, kArithmetic * size);
             if (std::isfinite(standardError)) {
-                valueOf(rounded, parameter) =
-                    roundest(valueOf(exact, parameter), error, unitsOfRoundValues(parameter, lengthUnit));
+                valueOf(rounded, parameter) = roundValue(parameter, valueOf(exact, parameter), error, lengthUnit);
             }
         }
         const Model model = withParameters(fit.model, rounded, observations);

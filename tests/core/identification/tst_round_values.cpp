@@ -106,6 +106,7 @@ private slots:
         QCOMPARE(found.rounded.a, 2.0 * kInch);
         QCOMPARE(found.rounded.b, 6.25 * kInch);
         QCOMPARE(found.rounded.c, 0.5 * kInch);
+        QVERIFY(roundLength(152.400001, 1e-6, kInch) == 152.4); // 6 * 25.4 is 152.39999999999998
         Parameters wrong = found.rounded;
         wrong.b = 6.0 * kInch;
         const Identification beside = identify(data, Mechanism(wrong));
