@@ -150,11 +150,7 @@ QLayout *MotionTablePanel::makeFindLine()
     row->addWidget(button);
     connect(m_quantity, &QComboBox::activated, this, &MotionTablePanel::showWantedUnit);
     connect(m_value, &NumberBox::edited, this, [this] { m_answer->hide(); });
-    connect(m_value, &NumberBox::editingFinished, this, [this] {
-        if (m_value->hasFocus()) { // Enter was pressed
-            goToNext();
-        }
-    });
+    connect(m_value, &NumberBox::enterPressed, this, &MotionTablePanel::goToNext);
     connect(m_next, &QToolButton::clicked, this, &MotionTablePanel::goToNext);
     connect(m_useAsSpeed, &QToolButton::clicked, this, &MotionTablePanel::useAsCrankSpeed);
     return row;

@@ -301,6 +301,9 @@ void NumberBox::keyPressEvent(QKeyEvent *event)
         return;
     }
     QDoubleSpinBox::keyPressEvent(event);
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        emit enterPressed();
+    }
 }
 
 void NumberBox::resizeEvent(QResizeEvent *event)

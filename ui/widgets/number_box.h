@@ -54,6 +54,7 @@ public:
 
 signals:
     void edited(double value); ///< the user entered a number or pressed an arrow key
+    void enterPressed();       ///< after the typed number has been accepted or refused
 
 protected:
     bool event(QEvent *event) override;

@@ -285,6 +285,8 @@ private slots:
         QVERIFY(std::abs(shown.session.pose().motion.R4x - 60.0) < 1e-9 && shown.session.time() != first);
         shown.click("findNext"); // continues at the start
         QVERIFY(std::abs(shown.session.time() - first) < 1e-9);
+        QTest::keyClick(child<NumberBox>(shown.panel, "findValue"), Qt::Key_Return); // as the button
+        QVERIFY(std::abs(shown.session.pose().motion.R4x - 60.0) < 1e-9 && shown.session.time() != first);
         shown.type("findValue", "90");
         shown.click("findNext");
         QVERIFY(child<QLabel>(shown.panel, "findAnswer")->text().contains("no such position"));
