@@ -39,6 +39,7 @@ std::vector<OutputChannel> derivedChannels(DerivedQuantity quantity)
 }
 
 constexpr Channel kCouplerAngle{Theta3, Order::Position};
+constexpr const char *kCouplerAngleAtB = "theta3 at B"; ///< its name in files in the notation of textbooks
 
 bool isMeasuredAtB(const OutputChannel &channel)
 {
@@ -123,9 +124,9 @@ std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
          settings.step == TableStep::Time ? QStringLiteral("time [s]") : QStringLiteral("first time [s]")},
         {titled("θ₂", angle), MotionTable::tr("Crank angle"), csvName("theta2", Measure::Angle)}};
     for (const OutputChannel &channel : settings.columns) {
-        const QString name = columnName(channel);
-        columns.push_back({titled(symbolOf(channel), shownUnit(channel)), nameText(channel),
-                           csvName(isMeasuredAtB(channel) ? name + " at B" : name, measureOf(channel))});
+        columns.push_back(
+            {titled(symbolOf(channel), shownUnit(channel)), nameText(channel),
+             csvName(isMeasuredAtB(channel) ? QString(kCouplerAngleAtB) : columnName(channel), measureOf(channel))});
     }
     return columns;
 }
@@ -169,10 +170,11 @@ QByteArray motionTableCsv(const MotionTableSettings &settings, Branch branch, st
                           const CsvStyle &style)
 {
     std::vector<TableColumn> columns = motionTableColumns(settings);
-    const auto atB = std::ranges::find_if(settings.columns, isMeasuredAtB);
-    if (atB != settings.columns.end()) {
+    if (std::ranges::any_of(settings.columns, isMeasuredAtB)) {
+        const auto angleAtB =
+            std::ranges::find(columns, csvName(kCouplerAngleAtB, Measure::Angle), &TableColumn::csvName);
+        const auto column = static_cast<std::size_t>(angleAtB - columns.begin());
         columns.push_back({.title = {}, .csvName = csvName(columnName(kCouplerAngle), Measure::Angle)});
-        const auto column = 2 + static_cast<std::size_t>(atB - settings.columns.begin()); // after t and θ2
         const double offset = shownScale(kCouplerAngle, branch).offset;
         for (TableRow &row : rows) {
             const std::optional<double> angle = row.cells[column].number;

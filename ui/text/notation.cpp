@@ -26,27 +26,43 @@ Notation &chosenNotation()
     return chosen;
 }
 
-QString derivedName(DerivedQuantity quantity, Order order)
-{
-    const auto nameOfOrder = [order](const QString &position, const QString &velocity, const QString &acceleration) {
-        return std::array{position, velocity, acceleration}[static_cast<std::size_t>(order)];
-    };
-    const auto nameOfDerivative = [nameOfOrder](const QString &name) {
-        return nameOfOrder(name, NotationText::tr("%1, first derivative").arg(name),
-                           NotationText::tr("%1, second derivative").arg(name));
-    };
-    switch (quantity) {
-    case DerivedQuantity::TransmissionAngle: return nameOfDerivative(NotationText::tr("transmission angle"));
-    case DerivedQuantity::Displacement:
-        return nameOfDerivative(NotationText::tr("displacement from the outer dead centre"));
-    case DerivedQuantity::PinX:
-        return nameOfOrder(NotationText::tr("crank pin A in x"), NotationText::tr("velocity of the crank pin A in x"),
-                           NotationText::tr("acceleration of the crank pin A in x"));
-    case DerivedQuantity::PinY:
-        return nameOfOrder(NotationText::tr("crank pin A in y"), NotationText::tr("velocity of the crank pin A in y"),
-                           NotationText::tr("acceleration of the crank pin A in y"));
+/// The names of a quantity and of its time derivatives.
+struct DerivedNames {
+    QString position;
+    QString velocity;
+    QString acceleration;
+
+    const QString &of(Order order) const
+    {
+        switch (order) {
+        case Order::Position: break;
+        case Order::Velocity: return velocity;
+        case Order::Acceleration: return acceleration;
+        }
+        return position;
     }
-    return {};
+};
+
+/// Names the derivatives of a quantity that has no velocity in the usual sense of the word.
+DerivedNames withDerivatives(const QString &name)
+{
+    return {name, NotationText::tr("%1, first derivative").arg(name),
+            NotationText::tr("%1, second derivative").arg(name)};
+}
+
+DerivedNames namesOf(DerivedQuantity quantity)
+{
+    switch (quantity) {
+    case DerivedQuantity::TransmissionAngle: return withDerivatives(NotationText::tr("transmission angle"));
+    case DerivedQuantity::Displacement:
+        return withDerivatives(NotationText::tr("displacement from the outer dead centre"));
+    case DerivedQuantity::PinX: break;
+    case DerivedQuantity::PinY:
+        return {NotationText::tr("crank pin A in y"), NotationText::tr("velocity of the crank pin A in y"),
+                NotationText::tr("acceleration of the crank pin A in y")};
+    }
+    return {NotationText::tr("crank pin A in x"), NotationText::tr("velocity of the crank pin A in x"),
+            NotationText::tr("acceleration of the crank pin A in x")};
 }
 
 /// Returns the textbook's symbol of a coordinate of the coupler's centre of mass G₃.
@@ -153,7 +169,7 @@ QString nameText(const OutputChannel &channel)
         return quantityName(*coordinate);
     }
     const auto &[quantity, order] = std::get<DerivedChannel>(channel);
-    return derivedName(quantity, order);
+    return namesOf(quantity).of(order);
 }
 
 } // namespace slidercrank
