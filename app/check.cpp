@@ -43,7 +43,7 @@ NamedValue readValue(const QString &argument, const Units &units)
     const QString number = argument.section('=', 1);
     if (number.trimmed().isEmpty()) {
         throw UsageError{
-            CommandLine::tr("%1 has no value: write it behind the = without a space, such as %1=9.74.").arg(name)};
+            CommandLine::tr("%1 has no value: write it after the = without a space, such as %1=9.74.").arg(name)};
     }
     const TypedValue typed = readTypedValue(number, channel, units);
     if (const std::optional<QuantityFault> fault = typed.written.fault) {

@@ -510,7 +510,7 @@
 <context>
     <name>slidercrank::CommandLine</name>
     <message>
-        <source>%1 has no value: write it behind the = without a space, such as %1=9.74.</source>
+        <source>%1 has no value: write it after the = without a space, such as %1=9.74.</source>
         <translation>%1 no tiene valor: escríbalo después del signo = sin espacio, como %1=9.74.</translation>
     </message>
     <message>
@@ -2471,7 +2471,7 @@ PA = %4, PB = %5</translation>
 <context>
     <name>slidercrank::Menus</name>
     <message>
-        <source>A file is still being read or written. Choose the language again when it is done; otherwise it changes with the next start.</source>
+        <source>A file is still being read or written. Choose the language again when it is done; otherwise it changes when the program is next started.</source>
         <translation>Todavía se está leyendo o escribiendo un archivo. Elija de nuevo el idioma cuando termine; de lo contrario, cambiará en el próximo inicio.</translation>
     </message>
     <message>

@@ -187,7 +187,7 @@ void Menus::addView()
         rememberLanguage(language);
         if (m_window.exports().isWriting() || m_window.session().isReading()) { // a new window would not finish it
             emit m_window.session().failed(tr("A file is still being read or written. Choose the language again when "
-                                              "it is done; otherwise it changes with the next start."));
+                                              "it is done; otherwise it changes when the program is next started."));
             return;
         }
         emit m_window.languageChosen();
