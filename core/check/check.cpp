@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/check.h"
 
-#include "core/mechanism/find_element.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>

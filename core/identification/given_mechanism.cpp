@@ -138,7 +138,7 @@ void appendLateStart(WholeFileReading &reading, const Parameters &given)
 }
 
 /// The value that a fit has found for a length, or a round number if that explains the file as well as `best`.
-double roundedLength(const Observations &observations, const Fit &fit, Parameter length, const Fit &best,
+double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, Parameter length, const Fit &best,
                      double lengthUnit)
 {
     const double value = valueOf(fit.model.mechanism, length);
@@ -174,7 +174,7 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
         unknowns.push_back({static_cast<Unknown::Kind>(indexOf(length))});
         const Fit fit = refined(observations, changed, best.columns, unknowns);
         if (explainsAsWell(observations, fit, best)) {
-            changes.push_back({length, roundedLength(observations, fit, length, best, lengthUnit)});
+            changes.push_back({length, roundIfExplainedAsWell(observations, fit, length, best, lengthUnit)});
         }
     }
     return changes.size() == 1 ? std::optional(changes[0]) : std::nullopt;

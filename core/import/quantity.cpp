@@ -26,10 +26,10 @@ const Spellings kPowerSpellings(" * 10^=@| *10^=@|* 10^=@|*10^=@");
 /// Removes the rounding error of a product such as 4.35 · 100.
 double withoutRoundingError(double value)
 {
-    constexpr int kMostDigits = 15; // of a number that a person writes
+    constexpr int kMaxDigits = 15; // of a number that a person writes
     std::array<char, 32> text{};
     const auto written =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kMostDigits);
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, kMaxDigits);
     readDouble(text.data(), written.ptr, value);
     return value;
 }
