@@ -88,8 +88,8 @@ Positions readSolutions(const OptionReader &options, const Mechanism &mechanism,
                 .arg(name, wanted.text),
             ExitStatus::NotAssemblable};
     }
-    if (orderOf(wanted.channel) == Order::Acceleration) {
-        options.refuse({"alpha2"}, CommandLine::tr("--when finds second derivatives at a constant speed: remove %1."));
+    if (orderOf(wanted.channel) == Order::Acceleration && readCrankAcceleration(options) != 0.0) {
+        throw UsageError{CommandLine::tr("--when finds second derivatives at a constant speed: set --alpha2 to 0.")};
     }
     if (mechanism.omega2() == 0.0 && angles->size() > 1) {
         throw UsageError{CommandLine::tr("The crank stands still: --when needs an --omega2 that is not 0.")};
@@ -187,8 +187,7 @@ Units readUnits(const OptionReader &options)
 
 double readCrankAcceleration(const OptionReader &options)
 {
-    constexpr Unit kRadianPerSquareSecond{Dimension::Angle, 2, kDegreesPerRadian};
-    return options.number("alpha2", 0.0, kRadianPerSquareSecond);
+    return options.number("alpha2", options.scene().alpha2, kRadianPerSquareSecond);
 }
 
 OutputChannel parseOutputChannel(const QString &name)

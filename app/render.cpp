@@ -272,7 +272,8 @@ std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<
     const Scene &scene = request.scene;
     const QPalette palette = paletteFor(request.theme);
     const bool showsMechanism = request.subject != Subject::Figure && request.subject != Subject::Plot;
-    ReportContent content{.result = result, .found = {}, .time = scene.time, .paper = request.paper};
+    ReportContent content{
+        .result = result, .found = {}, .time = scene.time, .alpha2 = scene.alpha2, .paper = request.paper};
     if (result->reference && showsMechanism) {
         content.found = identify(result->reference->data, result->mechanism);
     }

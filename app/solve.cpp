@@ -113,10 +113,10 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     const Table table{readChannels(options), readUnits(options)};
     const bool isJson = options.choice("format", OutputFormat::Csv) == OutputFormat::Json;
     const SolverSettings solver = readSolver(options);
-    const SampledChannels channels(table.channels, readCrankAcceleration(options));
     const Mechanism undriven = readMechanism(options);
     const std::optional<Positions> positions = readPositions(options, undriven, table.units, streams);
     const Mechanism &mechanism = positions ? positions->mechanism : undriven;
+    const SampledChannels channels(table.channels, positions ? readCrankAcceleration(options) : 0.0);
     const Sampling sampling = positions ? Sampling() : readSampling(options);
     if (isJson) {
         refuseLargeJson(table, positions ? positions->times.size() : static_cast<std::size_t>(sampling.steps) + 1);

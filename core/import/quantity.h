@@ -18,6 +18,7 @@ inline constexpr Unit kDegree{Dimension::Angle, 0, 1.0};
 inline constexpr Unit kRadian{Dimension::Angle, 0, kDegreesPerRadian};
 inline constexpr Unit kDegreePerSecond{Dimension::Angle, 1, 1.0};
 inline constexpr Unit kRadianPerSecond{Dimension::Angle, 1, kDegreesPerRadian};
+inline constexpr Unit kRadianPerSquareSecond{Dimension::Angle, 2, kDegreesPerRadian};
 inline constexpr Unit kTurnPerMinute{Dimension::Angle, 1, 6.0};
 inline constexpr Unit kSecond{Dimension::Time, 0, 1.0};
 

@@ -1092,8 +1092,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>No hay ninguna posición con %1 = %2: «slidercrank limits» muestra hasta dónde llega el movimiento.</translation>
     </message>
     <message>
-        <source>--when finds second derivatives at a constant speed: remove %1.</source>
-        <translation>--when busca segundas derivadas a velocidad constante: quite %1.</translation>
+        <source>--when finds second derivatives at a constant speed: set --alpha2 to 0.</source>
+        <translation>--when busca segundas derivadas a velocidad constante: ponga --alpha2 en 0.</translation>
     </message>
     <message>
         <source>The crank stands still: --when needs an --omega2 that is not 0.</source>
@@ -4352,12 +4352,12 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Guardado: %1</translation>
     </message>
     <message>
-        <source>The link is in the clipboard. It carries the mechanism, the time steps and the method, but no file.</source>
-        <translation>El enlace está en el portapapeles. Lleva el mecanismo, los pasos de tiempo y el método, pero ningún archivo.</translation>
+        <source>The link is in the clipboard. It carries the mechanism, α₂, the time steps and the method, but no file.</source>
+        <translation>El enlace está en el portapapeles. Lleva el mecanismo, α₂, los pasos de tiempo y el método, pero ningún archivo.</translation>
     </message>
     <message>
-        <source>The link is in the clipboard. It carries the mechanism, the time steps and the method.</source>
-        <translation>El enlace está en el portapapeles. Lleva el mecanismo, los pasos de tiempo y el método.</translation>
+        <source>The link is in the clipboard. It carries the mechanism, α₂, the time steps and the method.</source>
+        <translation>El enlace está en el portapapeles. Lleva el mecanismo, α₂, los pasos de tiempo y el método.</translation>
     </message>
 </context>
 <context>

@@ -137,6 +137,18 @@ private slots:
         QVERIFY(std::abs(rest.at(0, "R4_x_diff2")) > 1.0);
     }
 
+    /// A scene or a link supplies the acceleration of single positions, and has no effect on time steps.
+    void accelerationIsThatOfTheScene()
+    {
+        const QString link = "solve --scene slidercrank.html#a=40&b=120&c=20&omega2=60rpm&alpha2=-10 ";
+        const QString same = "solve --a 40 --b 120 --c 20 --omega2 60rpm ";
+        QCOMPARE(run(link + "--at-angle 60").output, run(same + "--at-angle 60 --alpha2 -10").output);
+        QCOMPARE(run(link + "--at-angle 60 --alpha2 0").output, run(same + "--at-angle 60").output);
+        QCOMPARE(run(link + "--steps 4").output, run(same + "--steps 4").output);
+        QCOMPARE(run(link + "--when R4_x=130").output, run(same + "--when R4_x=130 --alpha2 -10").output);
+        QVERIFY(run(link + "--when R4_x_diff2=60").error.contains("set --alpha2 to 0"));
+    }
+
     void findsThePositionsOfAValue()
     {
         const CsvTable table(run("solve --when R4_x=60 --channels theta2,R4_x").output);
@@ -214,7 +226,7 @@ private slots:
                                Row{"solve --when R4_x=60s", "the unit must be one of"},
                                Row{"solve --when R4_x=60 --steps 5", "remove --steps"},
                                Row{"solve --when R4_x=60 --at-angle 5", "remove one"},
-                               Row{"solve --when R4_x_diff2=60 --alpha2 5", "remove --alpha2"},
+                               Row{"solve --when R4_x_diff2=60 --alpha2 5", "set --alpha2 to 0"},
                                Row{"solve --when R4_x_diff=60 --omega2 0", "stands still"},
                                Row{"solve --omega2-for R4_x_diff=60", "add --at-angle"},
                                Row{"solve --at-angle 60 --omega2-for R4_x=60", "first derivative"},

@@ -20,6 +20,7 @@ constexpr std::chrono::seconds kSameStepWithin{1}; // longer than the delay befo
 /// Identities of edits that do not change parameters. An edit of parameters is identified by a bit for each.
 constexpr int kSamplingIdentity = 100;
 constexpr int kSolverIdentity = 101;
+constexpr int kAccelerationIdentity = 102;
 
 struct EditName {
     QString text;
@@ -52,6 +53,9 @@ EditName nameEdit(const Choices &before, const Choices &after)
             changed |= 1 << indexOf(parameter);
             symbol = symbolText(parameter);
         }
+    }
+    if (changed == 0 && after.alpha2 != before.alpha2) {
+        return {EditStack::tr("change of %1").arg(QStringLiteral("α₂")), kAccelerationIdentity};
     }
     if (changed == 0) {
         return after.sampling == before.sampling

@@ -55,7 +55,7 @@ Parameters mechanismToUse(const Identification &found)
 std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop)
 {
     auto result = std::make_shared<Result>();
-    const auto &[parameters, sampling, solver, reference, pinned] = choices;
+    const auto &[parameters, sampling, solver, reference, pinned, alpha2] = choices;
     const Mechanism mechanism(parameters);
     result->choices = choices;
     result->mechanism = mechanism;

@@ -97,6 +97,7 @@ static void describe(Scene &scene, JsonNode &node)
     scene.time = node.isReading ? scene.sampling.start : scene.time;
     node.field("view", [&](JsonNode &view) {
         view("time", scene.time, -kLargestTime, kLargestTime);
+        view("alpha2", scene.alpha2, -kLargestParameter, kLargestParameter);
         describe(scene.plots, view);
         view("zoom", scene.zoom);
         view.field("mechanism", [&](JsonNode &mechanism) {

@@ -14,7 +14,7 @@
 //       "unit"}],
 //                             "conventions": [{"kind", "channels": […], "amount"}]},
 //       "kept":      [{as "mechanism"}, …],                                                             at most 4
-//       "view":      {"time", "error": "percent"|"absolute"|"of-peak", "logarithmicError", "roundingBand",
+//       "view":      {"time", "alpha2", "error": "percent"|"absolute"|"of-peak", "logarithmicError", "roundingBand",
 //                     "abscissa": "time"|"crank-angle",
 //                     "zoom": {"time": null or [from, to], "plot_theta3": null or [from, to], …},
 //                     "mechanism": {"velocity", "acceleration", "path", "names", "dimensions": whether shown,
@@ -48,6 +48,7 @@ struct Scene {
     std::optional<ReferenceSource> reference;
     std::vector<Parameters> pinned; ///< pinned motions
     double time = 0.0;              ///< current time, s
+    double alpha2 = 0.0;            ///< acceleration of the crank in the table and the polygons, rad/s²
     PlotSettings plots;
     PlotZoom zoom;
     MechanismSettings mechanism;

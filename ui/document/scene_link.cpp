@@ -49,6 +49,7 @@ QList<NamedUnit> unitsOf(const QString &field)
         {"start", {{"", kSecond}}},
         {"duration", {{"", kSecond}}},
         {"time", {{"", kSecond}}},
+        {"alpha2", {{"", kRadianPerSquareSecond}}},
     };
     return kUnits.value(field);
 }

@@ -89,6 +89,11 @@ void Session::setSolver(const SolverSettings &solver)
     edit(with(m_choices, &Choices::solver, solver));
 }
 
+void Session::setAlpha2(double alpha2)
+{
+    edit(with(m_choices, &Choices::alpha2, alpha2));
+}
+
 void Session::pinMotion()
 {
     std::vector<Parameters> pinned = m_choices.pinned;
@@ -149,6 +154,9 @@ void Session::applyChoices(const Choices &choices)
     }
     if (m_choices.parameters != before.parameters) {
         emit parametersChanged(m_choices.parameters);
+    }
+    if (m_choices.alpha2 != before.alpha2) {
+        emit alpha2Changed(m_choices.alpha2);
     }
     if (m_choices.sampling != before.sampling || m_choices.solver != before.solver) {
         emit settingsChanged(m_choices.sampling, m_choices.solver);

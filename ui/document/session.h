@@ -34,6 +34,7 @@ public:
     const Parameters &parameters() const { return m_choices.parameters; }
     const Sampling &sampling() const { return m_choices.sampling; }
     const SolverSettings &solver() const { return m_choices.solver; }
+    double alpha2() const { return m_choices.alpha2; } ///< acceleration of the crank in table and polygons, rad/s²
     double time() const { return m_time; }
     Pose pose() const { return poseAt(m_choices.parameters, m_time); }
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
@@ -65,6 +66,7 @@ public slots:
     void setParameter(slidercrank::Parameter parameter, double value);
     void setSampling(const slidercrank::Sampling &sampling);
     void setSolver(const slidercrank::SolverSettings &solver);
+    void setAlpha2(double alpha2); ///< rad/s²
 
     void pinMotion();    ///< pins the current motion, in place of the oldest one if kMaxPinned motions are pinned
     void unpinMotions(); ///< removes all pinned motions
@@ -106,6 +108,7 @@ public slots:
 
 signals:
     void parametersChanged(const slidercrank::Parameters &parameters);
+    void alpha2Changed(double alpha2); ///< rad/s²
     void settingsChanged(const slidercrank::Sampling &sampling, const slidercrank::SolverSettings &solver);
     void resultChanged(const std::shared_ptr<const slidercrank::Result> &result);
     void timeChanged(const slidercrank::Pose &pose);

@@ -131,9 +131,10 @@ std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
     return columns;
 }
 
-TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &mechanism, const TablePlace &place)
+TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &mechanism, double alpha2,
+                        const TablePlace &place)
 {
-    const OutputState state = outputStateAt(withCrankAt(mechanism, place.theta2), 0.0, settings.alpha2);
+    const OutputState state = outputStateAt(withCrankAt(mechanism, place.theta2), 0.0, alpha2);
     TableRow row;
     row.time = place.time;
     row.cells.push_back(place.time ? tableNumber(*place.time) : TableCell{.text = dash()});
@@ -142,7 +143,7 @@ TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &me
     row.cells.push_back(tableNumber(isInFirstTurn ? shownValue(Measure::Angle, place.theta2, notation().units)
                                                   : shownCrankAngle(place.theta2)));
     for (const OutputChannel &channel : settings.columns) {
-        const double value = withoutNoise(state.valueOf(channel), channel, mechanism, settings.alpha2);
+        const double value = withoutNoise(state.valueOf(channel), channel, mechanism, alpha2);
         row.cells.push_back(tableNumber(shownChannel(channel, mechanism.branch(), value)));
     }
     return row;

@@ -20,7 +20,6 @@ struct MotionTableSettings {
     double angleStep = 15.0; ///< °
     double timeStep = 0.05;  ///< s
     std::vector<OutputChannel> columns;
-    double alpha2 = 0.0; ///< rad/s²: acceleration of the crank in each row
 
     friend bool operator==(const MotionTableSettings &, const MotionTableSettings &) = default;
 };
@@ -47,8 +46,10 @@ std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const M
 /// the order of time.
 std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings);
 
-/// Returns the row of a place. A value that is only a rounding error is 0.
-TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &mechanism, const TablePlace &place);
+/// Returns the row of a place, at which the crank has the acceleration alpha2 (rad/s²). A value that is only a rounding
+/// error is 0.
+TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &mechanism, double alpha2,
+                        const TablePlace &place);
 
 /// How numbers are written to a file.
 struct CsvStyle {

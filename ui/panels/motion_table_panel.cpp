@@ -76,6 +76,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
             refresh();
         }
     });
+    connect(session, &Session::alpha2Changed, this, &MotionTablePanel::showAlpha2);
     connect(session, &Session::resultChanged, this, &MotionTablePanel::refresh);
     connect(session, &Session::timeChanged, this, &MotionTablePanel::showPresent);
 }
@@ -99,7 +100,7 @@ QLayout *MotionTablePanel::makeControls()
     m_alpha2->setToolTip(
         tr("Acceleration of the crank in each row of the table. The curves are for a constant speed."));
     m_alpha2->setSuffix(tr(" rad/s²"));
-    m_alpha2->setUnit(Unit{Dimension::Angle, 2, kDegreesPerRadian});
+    m_alpha2->setUnit(kRadianPerSquareSecond);
     label->setBuddy(m_alpha2);
     row->addWidget(m_alpha2);
     m_constantSpeed->hide();
@@ -115,11 +116,7 @@ QLayout *MotionTablePanel::makeControls()
         settings.step = static_cast<TableStep>(m_stepKind->currentData().toInt());
         setSettings(settings);
     });
-    connect(m_alpha2, &NumberBox::edited, this, [this](double alpha2) {
-        MotionTableSettings settings = m_settings;
-        settings.alpha2 = alpha2;
-        setSettings(settings);
-    });
+    connect(m_alpha2, &NumberBox::edited, m_session, &Session::setAlpha2);
     return row;
 }
 
@@ -199,13 +196,10 @@ void MotionTablePanel::setSettings(const MotionTableSettings &settings)
 {
     const bool hasOtherColumns = settings.columns != m_settings.columns;
     m_settings = settings;
-    emit alpha2Changed(settings.alpha2);
     const bool isTime = settings.step == TableStep::Time;
     m_stepKind->setCurrentIndex(m_stepKind->findData(static_cast<int>(settings.step)));
     m_step->setValue(isTime ? settings.timeStep : settings.angleStep);
     m_step->setUnit(isTime ? kSecond : kDegree);
-    m_alpha2->setValue(settings.alpha2);
-    m_constantSpeed->setVisible(settings.alpha2 != 0.0);
     if (hasOtherColumns) {
         makeTables();
     }
@@ -310,17 +304,24 @@ void MotionTablePanel::showRows()
     m_places = tablePlaces(m_settings, mechanism, m_session->result()->sampling);
     m_rows.clear();
     for (const TablePlace &place : m_places) {
-        m_rows.push_back(motionTableRow(m_settings, mechanism, place));
+        m_rows.push_back(motionTableRow(m_settings, mechanism, m_session->alpha2(), place));
     }
     m_table->setRows(m_rows);
     showPresent();
     fitColumns();
 }
 
+void MotionTablePanel::showAlpha2()
+{
+    m_alpha2->setValue(m_session->alpha2());
+    m_constantSpeed->setVisible(m_session->alpha2() != 0.0);
+}
+
 void MotionTablePanel::showPresent()
 {
     if (isVisible()) {
-        TableRow row = motionTableRow(m_settings, Mechanism(m_session->parameters()), presentPlace());
+        TableRow row =
+            motionTableRow(m_settings, Mechanism(m_session->parameters()), m_session->alpha2(), presentPlace());
         row.cells.front().tone = Tone::Normal;
         row.time.reset();
         m_present->setRows({row, myValues()});
@@ -334,7 +335,7 @@ TableRow MotionTablePanel::myValues()
                  .explanation = tr(
                      "Type values of your calculation: they are compared with the exact ones, each to its last digit")};
     const CrankPosition position{withCrankAt(Mechanism(m_session->parameters()), presentPlace().theta2),
-                                 m_settings.alpha2};
+                                 m_session->alpha2()};
     std::vector<TypedValue> values;
     std::vector<GivenValue> given;
     QStringList sentences;

@@ -50,7 +50,6 @@ public:
 
 signals:
     void timeRequested(double seconds);
-    void alpha2Changed(double alpha2);                ///< rad/s²
     void symbolsChosen(slidercrank::Symbols symbols); ///< the answer to the offer
     void placeHovered(std::optional<double> theta2);  ///< rad, of the row under the pointer
 
@@ -68,6 +67,7 @@ private:
     void refresh();
     void showRows();
     void showPresent();
+    void showAlpha2();
     TableRow myValues();
     void fitColumns();
     TablePlace presentPlace() const;

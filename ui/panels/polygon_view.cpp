@@ -251,9 +251,9 @@ private:
     std::function<Polygons()> m_polygons;
 };
 
-Polygons presentPolygons(const Session &session, double alpha2)
+Polygons presentPolygons(const Session &session)
 {
-    return polygonsAt(Mechanism(session.parameters()), session.time(), alpha2);
+    return polygonsAt(Mechanism(session.parameters()), session.time(), session.alpha2());
 }
 
 } // namespace
@@ -275,7 +275,7 @@ void drawPolygons(QPainter &painter, const QRectF &area, const Polygons &polygon
 PolygonView::PolygonView(Session *session, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
-    , m_canvas(new PolygonCanvas([this] { return presentPolygons(*m_session, m_alpha2); }))
+    , m_canvas(new PolygonCanvas([this] { return presentPolygons(*m_session); }))
 {
     named("polygonView", this, tr("Velocity and acceleration polygons"));
     auto *head = new QHBoxLayout;
@@ -298,12 +298,6 @@ PolygonView::PolygonView(Session *session, QWidget *parent)
     connect(session, &Session::timeChanged, this, &PolygonView::refresh);
 }
 
-void PolygonView::setCrankAcceleration(double alpha2)
-{
-    m_alpha2 = alpha2;
-    refresh();
-}
-
 void PolygonView::refresh()
 {
     if (isVisible()) {
@@ -316,14 +310,15 @@ QString PolygonView::positionText() const
 {
     const double theta2 = shownCrankAngle(m_session->pose().motion.theta2);
     const QString position = QStringLiteral("θ₂ = %1").arg(withUnit(numberText(theta2), shownUnit(Measure::Angle)));
-    return m_alpha2 == 0.0 ? position : QStringLiteral("%1, α₂ = %2 rad/s²").arg(position, numberText(m_alpha2));
+    const double alpha2 = m_session->alpha2();
+    return alpha2 == 0.0 ? position : QStringLiteral("%1, α₂ = %2 rad/s²").arg(position, numberText(alpha2));
 }
 
 FigureSubject PolygonView::figure() const
 {
     const Mechanism mechanism(m_session->parameters());
     const QPalette light = paletteFor(Theme::Light);
-    const FigureDrawing drawing = [light, polygons = presentPolygons(*m_session, m_alpha2),
+    const FigureDrawing drawing = [light, polygons = presentPolygons(*m_session),
                                    position = positionText()](QPainter &painter, const QSize &size) {
         const QRectF area({0.0, 0.0}, QSizeF(size));
         const double heading = 1.5 * QFontMetricsF(painter.font()).height();

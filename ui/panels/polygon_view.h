@@ -21,9 +21,6 @@ class PolygonView : public QWidget
 public:
     explicit PolygonView(Session *session, QWidget *parent = nullptr);
 
-    /// Sets the crank acceleration (rad/s²).
-    void setCrankAcceleration(double alpha2);
-
     /// Returns the polygons as a figure, which states their position and the parameters.
     FigureSubject figure() const;
 
@@ -38,7 +35,6 @@ private:
     void copy();
 
     Session *m_session;
-    double m_alpha2 = 0.0;
     QWidget *m_canvas;
 };
 

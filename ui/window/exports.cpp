@@ -161,7 +161,7 @@ void Exports::chooseReport()
 
 void Exports::writeReport(const QString &path, PaperSize paper)
 {
-    ReportContent content{m_session->result(), {}, m_session->time(), m_views.table->settings().alpha2, paper};
+    ReportContent content{m_session->result(), {}, m_session->time(), m_session->alpha2(), paper};
     if (const auto &reference = content.result->choices.reference) {
         const auto &identification = m_session->identification();
         if (!identification || identification->reference != reference ||

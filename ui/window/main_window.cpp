@@ -276,7 +276,6 @@ QWidget *MainWindow::makeLimitsPanel()
     panel->addPage(tr("Response"), response);
     auto *polygons = new PolygonView(m_session);
     panel->addPage(tr("Polygons"), polygons);
-    connect(m_views.table, &MotionTablePanel::alpha2Changed, polygons, &PolygonView::setCrankAcceleration);
     panel->addPage(tr("Design"), new DesignForm(m_session));
     connect(m_views.parameters, &ParameterPanel::responseRequested, panel,
             [this, panel, response](Parameter parameter) {

@@ -62,6 +62,7 @@ Scene SceneFile::scene() const
                 m_session->reference() ? std::optional<ReferenceSource>(m_session->reference()->source) : m_missing,
             .pinned = m_session->pinned(),
             .time = m_session->time(),
+            .alpha2 = m_session->alpha2(),
             .plots = m_views.plots->settings(),
             .zoom = m_views.plots->zoom(),
             .mechanism = m_views.mechanism->settings(),
@@ -137,7 +138,8 @@ void SceneFile::takeOver(const SceneFile &other)
 void SceneFile::show(const Scene &scene, const QString &path, const std::shared_ptr<const Reference> &loaded)
 {
     const std::optional<ReferenceSource> missing = loaded ? std::nullopt : scene.reference;
-    m_session->open({scene.parameters, scene.sampling, scene.solver, loaded, scene.pinned}, scene.time, missing);
+    m_session->open({scene.parameters, scene.sampling, scene.solver, loaded, scene.pinned, scene.alpha2}, scene.time,
+                    missing);
     m_path = path;
     m_version = versionOf(path);
     m_missing = missing;
@@ -180,8 +182,9 @@ void SceneFile::copyLink()
     QApplication::clipboard()->setText(sceneLink(scene()));
     emit m_session->confirmed(
         m_session->reference()
-            ? tr("The link is in the clipboard. It carries the mechanism, the time steps and the method, but no file.")
-            : tr("The link is in the clipboard. It carries the mechanism, the time steps and the method."));
+            ? tr("The link is in the clipboard. It carries the mechanism, α₂, the time steps and the method, but no "
+                 "file.")
+            : tr("The link is in the clipboard. It carries the mechanism, α₂, the time steps and the method."));
 }
 
 bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed)

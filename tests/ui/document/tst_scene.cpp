@@ -49,6 +49,7 @@ Scene sceneNumber(int i, RandomMechanisms &random, const QString &folder)
     scene.time = random.uniform(-10.0, 10.0);
     scene.plots = {static_cast<ErrorMeasure>(i % 3), flag(0), flag(2), static_cast<Abscissa>(flag(5))};
     scene.mechanism = {flag(0), flag(1), flag(2), flag(3), flag(4), flag(5), flag(6)};
+    scene.alpha2 = flag(1) ? random.uniform(-1e3, 1e3) : 0.0;
     if (flag(3)) {
         scene.zoom.time = interval();
         scene.zoom.values[static_cast<std::size_t>(i) % kPlotCount] = interval();
@@ -73,7 +74,7 @@ Scene sceneNumber(int i, RandomMechanisms &random, const QString &folder)
 
 Choices toChoices(const Scene &scene)
 {
-    return {scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned};
+    return {scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned, scene.alpha2};
 }
 
 QJsonObject toObject(const Scene &scene)

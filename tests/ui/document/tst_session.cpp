@@ -195,6 +195,7 @@ private slots:
              },
              "change of the time range"},
             {[&] { useNewton(session); }, "change of the method"},
+            {[&] { session.setAlpha2(-10.0); }, "change of α₂"},
             {[&] { session.setReference(std::make_shared<Reference>()); }, "opening of "},
             {[&] { session.pinMotion(); }, "pinning of the motion"},
             {[&] { session.unpinMotions(); }, "removal of the pinned motions"}};

@@ -441,7 +441,7 @@ private slots:
             const double theta2 = parameters.theta20 + parameters.omega2 * session.time();
             const double alpha2 = between(-300.0, 300.0);
             PolygonView view(&session);
-            view.setCrankAcceleration(alpha2);
+            session.setAlpha2(alpha2);
             QCOMPARE(exportFigure(path, view.figure(), {}), std::nullopt);
             QFile file(path);
             QVERIFY(file.open(QIODevice::ReadOnly));

@@ -125,7 +125,7 @@ private slots:
     void theCrankAngleIsWithinARevolution()
     {
         for (const auto &[degrees, shown] : {std::pair{-30.0, 330.0}, {-300.0, 60.0}, {360.0, 360.0}, {4321.0, 1.0}}) {
-            const TableRow row = motionTableRow({}, Mechanism(), {degrees / kDegreesPerRadian, 0.0});
+            const TableRow row = motionTableRow({}, Mechanism(), 0.0, {degrees / kDegreesPerRadian, 0.0});
             QVERIFY(std::abs(*row.cells[1].number - shown) < 1e-11);
         }
     }
@@ -134,11 +134,11 @@ private slots:
     {
         MotionTableSettings settings;
         settings.columns = {Channel{R4x, Order::Velocity}, DerivedChannel{DerivedQuantity::PinY, Order::Position}};
-        const TableRow row = motionTableRow(settings, Mechanism({.c = 0.0}), {std::numbers::pi, {}});
+        const TableRow row = motionTableRow(settings, Mechanism({.c = 0.0}), 0.0, {std::numbers::pi, {}});
         QCOMPARE(row.cells[2].text, QStringLiteral("0"));
         QCOMPARE(row.cells[3].text, QStringLiteral("0"));
         QVERIFY(row.cells[0].text != u"0"); // the crank is never there
-        const TableRow impossible = motionTableRow(settings, Mechanism({.b = 40.0}), {-1.5, {}});
+        const TableRow impossible = motionTableRow(settings, Mechanism({.b = 40.0}), 0.0, {-1.5, {}});
         QVERIFY(!impossible.cells[2].number);
     }
 
@@ -166,7 +166,7 @@ private slots:
                 settings.columns = {Channel{R4x, Order::Velocity}, Channel{Theta3, Order::Position}};
                 std::vector<TableRow> rows;
                 for (const TablePlace &place : tablePlaces(settings, mechanism, {0.0, 1.0, 100})) {
-                    rows.push_back(motionTableRow(settings, mechanism, place));
+                    rows.push_back(motionTableRow(settings, mechanism, 0.0, place));
                 }
                 const QByteArray text = motionTableCsv(settings, branch, rows, {.hasEveryDigit = true});
                 QCOMPARE(
@@ -310,8 +310,7 @@ private:
             const Parameters p{7.0 * kInch, 25.0 * kInch, 10.0 * kInch, 100.0, 330.0 / kDegreesPerRadian, branch};
             MotionTableSettings settings;
             settings.columns = usualTableChannels();
-            settings.alpha2 = kAlpha2;
-            const TableRow row = motionTableRow(settings, Mechanism(p), {p.theta20, 0.0});
+            const TableRow row = motionTableRow(settings, Mechanism(p), kAlpha2, {p.theta20, 0.0});
             const ExactOutputs exact = exactMotion(p, kAlpha2);
             for (std::size_t i = 0; i < settings.columns.size(); ++i) {
                 const OutputChannel &channel = settings.columns[i];

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/suite.h"
 #include "tests/ui/window/window_fixture.h"
-#include "ui/panels/motion_table_panel.h"
 #include "ui/text/language.h"
 #include "ui/widgets/folding_tabs.h"
+#include "ui/widgets/number_box.h"
 #include "ui/window/scene_file.h"
 
 #include <QMenuBar>
@@ -47,10 +47,7 @@ private slots:
         session().pinMotion();
         setB(61.25);
         session().setTime(0.3);
-        auto *table = view<MotionTablePanel>();
-        MotionTableSettings settings = table->settings();
-        settings.alpha2 = 12.5;
-        table->setSettings(settings);
+        session().setAlpha2(12.5);
         showTab(ReferenceTab);
         const Choices before = session().result()->choices;
         QVERIFY(m_window->isWindowModified());
@@ -63,7 +60,7 @@ private slots:
         QCOMPARE(part<QTabBar>("tabBar")->tabText(TableTab), QString("Tabla"));
         QVERIFY(session().result()->choices == before); // with the same reference, which is not read again
         QCOMPARE(session().time(), 0.3);
-        QCOMPARE(view<MotionTablePanel>()->settings().alpha2, 12.5);
+        QCOMPARE(part<NumberBox>("tableAlpha2")->value(), 12.5);
         QCOMPARE(shownTab(), static_cast<int>(ReferenceTab));
         QCOMPARE(m_window->scene().path(), scene);
         QVERIFY(m_window->isWindowModified() && session().isModified());
