@@ -3060,6 +3060,10 @@ PA = %4, PB = %5</translation>
         <translation>Las filas están en el portapapeles, como CSV con encabezados.</translation>
     </message>
     <message>
+        <source>Accelerations are found for a constant crank speed only: set α₂ to 0.</source>
+        <translation>Las aceleraciones solo se buscan a velocidad constante de la manivela: ponga α₂ en 0.</translation>
+    </message>
+    <message>
         <source>There is no such position.</source>
         <translation>No existe tal posición.</translation>
     </message>

@@ -421,7 +421,9 @@ void MotionTablePanel::goToNext()
     const Mechanism mechanism(m_session->parameters());
     std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, channel, wantedValue());
     QString answer;
-    if (!angles || angles->empty()) {
+    if (orderOf(channel) == Order::Acceleration && m_session->alpha2() != 0.0) {
+        answer = tr("Accelerations are found for a constant crank speed only: set α₂ to 0.");
+    } else if (!angles || angles->empty()) {
         answer = tr("There is no such position.");
     } else if (mechanism.omega2() == 0.0) {
         m_session->setParameter(Parameter::Theta20, angles->front());

@@ -300,6 +300,22 @@ private slots:
                                         2.0 * std::numbers::pi)) < 1e-9);
     }
 
+    /// The table would show another acceleration at the positions that have it at constant speed.
+    void findsNoAccelerationOfACrankThatAccelerates()
+    {
+        ShownTable shown;
+        shown.choose("R4_x_diff2");
+        shown.type("findValue", "100");
+        shown.session.setAlpha2(5.0);
+        const double before = shown.session.time();
+        shown.click("findNext");
+        QVERIFY(child<QLabel>(shown.panel, "findAnswer")->text().contains("set α₂ to 0"));
+        QCOMPARE(shown.session.time(), before);
+        shown.session.setAlpha2(0.0);
+        shown.click("findNext");
+        QVERIFY(std::abs(shown.session.pose().motion.R4xDDot - 100.0) < 1e-6);
+    }
+
 private:
     void showsTheTextbooksValuesIn(AngleUnit unit)
     {
