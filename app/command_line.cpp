@@ -6,7 +6,6 @@
 #include "app/output.h"
 #include "ui/text/printable_text.h"
 
-#include <algorithm>
 #include <array>
 
 namespace slidercrank
@@ -55,8 +54,13 @@ ExitStatus runCommand(const QStringList &arguments, const Streams &streams)
 ExitStatus moreSevere(ExitStatus x, ExitStatus y)
 {
     constexpr std::array kMostSevereFirst{ExitStatus::UsageError, ExitStatus::FileError, ExitStatus::NotAssemblable,
-                                          ExitStatus::NotSolved,  ExitStatus::Differs,   ExitStatus::Success};
-    return *std::ranges::find_if(kMostSevereFirst, [x, y](ExitStatus status) { return status == x || status == y; });
+                                          ExitStatus::NotSolved, ExitStatus::Differs};
+    for (const ExitStatus status : kMostSevereFirst) {
+        if (status == x || status == y) {
+            return status;
+        }
+    }
+    return ExitStatus::Success;
 }
 
 void Streams::report(const QString &message) const
