@@ -94,8 +94,11 @@ bool mayBeTime(const RawColumn &column)
     constexpr double kHalfTurn = 180.0;
     Values values = column.values;
     std::erase_if(values, [](double value) { return std::isinf(value); });
-    const bool isQuantity =
-        column.meaning.kind != Kind::Nothing || column.meaning.reason == ColumnReason::UnknownBody; // "J1_x"
+    const NameMeaning &meaning = column.meaning;
+    const bool isUnknown =
+        meaning.kind == Kind::Nothing ||
+        (meaning.kind == Kind::Quantity && meaning.hasUnknownWords && meaning.doubt == NameMeaning::Doubt::None);
+    const bool isQuantity = !isUnknown || meaning.reason == ColumnReason::UnknownBody; // "X_Value", but "J1_x"
     if (column.isUsed() || isQuantity || !column.unitAs(ColumnRole::Time) || values.size() < 2 ||
         !(values[0] < values[1]) || findReversal(values)) {
         return false;
@@ -116,10 +119,17 @@ bool countsRows(const RawColumn &column)
     return counts;
 }
 
+/// Returns whether the column may be the crank angle by its name and values.
+bool turns(const RawColumn &column)
+{
+    return column.meaning.kind == Kind::Quantity && column.meaning.channel == Channel{Theta3, Order::Position} &&
+           isTurningAngle(column);
+}
+
 /// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
 /// the same heading. Otherwise it is the first column that is no row number or parameter, if it has an unknown name and
-/// only rises, but not as a count of the rows beside a named crank angle; else the crank angle; else the first one that
-/// is not of words, if it is an angle that does not change its direction, as in "theta, x, v".
+/// only rises, but not as a count of the rows beside a crank angle; else the crank angle; else the first one that is
+/// not of words, if it is an angle that does not change its direction, as in "theta, x, v".
 void guessAbscissa(RawTable &table, const TableFile &file)
 {
     const auto find = [columns = table.columnsOf(file)](const auto &suits) { return findElement(columns, suits); };
@@ -137,25 +147,25 @@ void guessAbscissa(RawTable &table, const TableFile &file)
         })) {
         return setAbscissa(table, *chosen, ColumnRole::CrankAngle, ColumnReason::Chosen);
     }
-    const auto isLeading = [&](const RawColumn &column) {
-        const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
-        return !isChosen(column) && !isConstant(column) && (!isNumber || mayBeTime(column));
-    };
-    RawColumn *const leading = find(isLeading);
     RawColumn *const named = find([&](const RawColumn &column) {
         return !isChosen(column) && column.meaning.kind > Kind::Quantity && column.meaning.channel == kCrankAngle &&
                column.unitAs(ColumnRole::CrankAngle);
     });
-    if (leading && mayBeTime(*leading) && !(named && countsRows(*leading))) {
+    const bool hasCrankAngle = named || find(turns);
+    const auto isLeading = [&](const RawColumn &column) {
+        const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
+        const bool isCount = hasCrankAngle && !turns(column) && countsRows(column);
+        return !isChosen(column) && !isConstant(column) && !isCount && (!isNumber || mayBeTime(column));
+    };
+    RawColumn *const leading = find(isLeading);
+    if (leading && mayBeTime(*leading)) {
         return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
     }
     RawColumn *const readable =
         find([&](const RawColumn &column) { return isLeading(column) && rangeOf(column.values).count > 0; });
-    const bool isAngle = readable && readable->meaning.kind == Kind::Quantity &&
-                         readable->meaning.channel == Channel{Theta3, Order::Position} && isTurningAngle(*readable);
     if (named) {
         setAbscissa(table, *named, ColumnRole::CrankAngle, named->meaning.reason);
-    } else if (isAngle) {
+    } else if (readable && turns(*readable)) {
         setAbscissa(table, *readable, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     }
 }
@@ -271,6 +281,16 @@ void removeWords(std::vector<RawColumn *> &candidates)
     }
 }
 
+/// Replaces the coupler's angle at B, which Norton calls θ3, by the one at A, which differs by half a turn.
+void measureAtA(RawColumn &column)
+{
+    constexpr double kHalfTurn = 180.0;
+    column.values = unwrapped(std::move(column.values));
+    const ValueRange range = rangeOf(column.values);
+    column.origin = range.low + range.high > kHalfTurn ? kHalfTurn : -kHalfTurn; // from -90° to 270° at A
+    std::ranges::for_each(column.values, [&column](double &value) { value -= column.origin; });
+}
+
 /// Returns the columns that could be channels according to their names and units, in the default unit and with
 /// the channel that they would be. Sets the reason of columns with unsuitable units.
 std::vector<RawColumn *> findCandidates(RawTable &table)
@@ -290,6 +310,9 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
             continue;
         }
         convert(column, *unit);
+        if (meaning.isAtB) {
+            measureAtA(column);
+        }
         column.use.channel = meaning.channel;
         if (isFixed(meaning.channel.coordinate)) { // whose values nobody needs
             std::ranges::replace_if(
@@ -309,7 +332,8 @@ void assignChannels(RawTable &table)
     for (RawColumn *const column : candidates) {
         const Kind evidence = column->meaning.kind;
         const auto *const rival = findElement(candidates, [&](const RawColumn *other) {
-            return other != column && other->use.channel == column->use.channel && other->meaning.kind >= evidence;
+            return other != column && other->use.channel == column->use.channel &&
+                   compareEvidence(other->meaning, column->meaning) >= 0;
         });
         if (!rival) {
             column->use.role = ColumnRole::Channel;

@@ -33,6 +33,8 @@ enum class ColumnReason {
     // Guessed: a person should confirm them.
     QuantityInName, ///< the heading and its unit denote a quantity, but not of which body: the usual one is assumed
     WideAngle,    ///< an angle that spans more than half a turn is that of the crank; or a derivative of such an angle
+    StraightPath, ///< of several points it is the only one whose y does not change, or a derivative of its x or y
+    UnknownWords, ///< some words of the heading are unknown, but no other column is the quantity
     RisingValues, ///< no column is named as the time; this is the first one, and its values only rise
     PathInSi,     ///< the heading is a path of a program that uses m, rad and s, such as Modelica and ROS
     AngleForTime, ///< no column is the time; this is the crank angle, which does not change its direction

@@ -55,8 +55,10 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
         const bool isLast = end + 1 == text.size();
         const bool isUnit = parseUnit(unit) || unit.empty() || unit == "px";
         const NameMeaning whole = meaningOf(text, {});
-        const bool isKnown = whole.kind != Kind::Nothing && whole.doubt != Doubt::IsOfCrank;
-        const bool isPart = kind > 1 || (kind == 0 && looksNumeric(unit)) || isKnown;
+        const bool isKnown = whole.kind != Kind::Nothing && !whole.hasUnknownWords;
+        constexpr std::size_t kShortestRemark = 6; // bytes: "(filtered)", but "(bar)" is a unit
+        const bool isRemark = kind == 1 && unit.size() >= kShortestRemark && unit.find('/') == unit.npos;
+        const bool isPart = kind > 1 || (kind == 0 && looksNumeric(unit)) || isKnown || isRemark;
         if (isUnit || (isLast && !isPart)) {
             heading.name = trimmed(text.substr(0, begin));
             heading.name.erase(heading.name.find_last_not_of("/ ") + 1); // "x/(mm)"

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 namespace slidercrank
 {
@@ -55,6 +56,8 @@ std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> 
         order = static_cast<int>(*name.order) + name.derivatives;
     } else if (unit && !name.derivatives) {
         order = unit->order;
+    } else if (unit && !name.unknown.empty()) { // "dλ/dt (mm/s)"
+        order = unit->order;
     } else if (name.hasSymbol || name.derivatives || (name.body && name.body != Body::Coupler)) {
         order = name.derivatives;
     }
@@ -77,34 +80,43 @@ Coordinate coordinateOf(const NameReading &name, bool isAngle)
     return isY ? R4y : R4x;
 }
 
-/// Returns the channel or quantity of a name with known words.
+/// Returns the channel or quantity of a name. Where no word is known, the unit tells the quantity.
 NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
 {
     const std::optional<Unit> unit = parseUnit(unitText);
     const bool isOfRevoluteJoint = path.isInSi && name.body == Body::Coupler; // "/joint_states/rod/position"
     const Dimension usual = unit ? unit->dimension : isOfRevoluteJoint ? Dimension::Angle : Dimension::Length;
     const bool isAngle = name.dimension.value_or(usual) == Dimension::Angle;
-    const bool says = name.order || name.hasSymbol || name.body;
-    const std::optional<Order> knownOrder = says ? orderOf(name, unit) : std::nullopt;
-    const Order order = knownOrder.value_or(Order::Position);
-    const bool isUnknownBody = name.isUnknownBody && !isAngle;
+    const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ';
+    const bool says = namesQuantity || name.body;
+    const bool hasUnknown = !name.unknown.empty();
+    const bool isOpen = hasUnknown && !(unit ? unit->dimension != Dimension::Time : namesQuantity);
+    const std::optional<Order> knownOrder = (says || hasUnknown) && !isOpen ? orderOf(name, unit) : std::nullopt;
     const bool isOfTurningBody = (name.body == Body::Crank || name.body == Body::Coupler) && !isAngle;
     const bool isCentre = name.isCentre && name.axis != ' '; // the only point of these bodies that has channels
-    const bool isNoChannel = isUnknownBody || (isOfTurningBody && !isCentre);
-    if (!knownOrder || isNoChannel) {
-        return {.channel = {R4x, order},
-                .reason = isUnknownBody ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
+    if (!knownOrder || (isOfTurningBody && !isCentre)) {
+        return {};
     }
-    NameMeaning meaning{.owner = path.owner + name.joints};
+    const Order order = *knownOrder;
+    const bool isShort = hasUnknown && !name.hasUnknownWord && !name.isNumbered; // "x_G", "γ"
+    const bool isOfIndex = name.isUnknownBody || (isShort && !name.body && (says || isAngle));
     const bool isCertain = (name.body || name.isFrame) && name.isBodyNamed &&
                            (name.order || name.hasSymbol || name.axis != ' ' || isAngle);
-    meaning.kind = isCertain ? Kind::Words : Kind::Quantity;
-    meaning.channel = {coordinateOf(name, isAngle), order};
+    const bool isAlpha = isAmong(name.symbol, "alpha alfa al") && !name.body && !unit && !name.derivatives;
+    NameMeaning meaning{.kind = isCertain && !isOfIndex ? Kind::Words : Kind::Quantity,
+                        .channel = {coordinateOf(name, isAngle), order},
+                        .owner = hasUnknown && !name.body ? name.unknown : path.owner + name.joints,
+                        .hasUnknownWords = hasUnknown || isOfIndex,
+                        .isAtB = name.isAtB && order == Order::Position};
     meaning.reason = path.isInSi && unitText.empty() ? ColumnReason::PathInSi
+                     : meaning.hasUnknownWords       ? ColumnReason::UnknownWords
                      : isCertain                     ? ColumnReason::KnownName
                                                      : ColumnReason::QuantityInName;
-    const bool isAlpha = isAmong(name.symbol, "alpha alfa al") && !name.body && !unit && !name.derivatives;
-    meaning.doubt = name.isUnknownBody ? Doubt::IsOfCrank : isAlpha ? Doubt::IsAngle : unit ? Doubt::None : name.doubt;
+    meaning.doubt = isOfIndex                                   ? (isAngle ? Doubt::IsOfCrank : Doubt::IsOfPoint)
+                    : name.isNumbered && !name.body && !isAngle ? Doubt::IsOfPart
+                    : isAlpha                                   ? Doubt::IsAngle
+                    : unit                                      ? Doubt::None
+                                                                : name.doubt;
     return meaning;
 }
 
@@ -155,27 +167,12 @@ int takeCalls(std::string_view &name)
     return count;
 }
 
-/// Returns the order of the quantity in which an unknown name ends: "J1_x", "part 7 velocity"; nullopt if it is none.
-std::optional<Order> orderAtEnd(Words words)
-{
-    std::erase_if(words, isDigits);
-    if (words.size() < 2) {
-        return std::nullopt;
-    }
-    const WordMeaning *const word = findWord(words.back(), WordUse::Word);
-    const WordMeaning *const symbol = findWord(words.back(), WordUse::Symbol);
-    const bool isQuantity = word && !word->body && (word->order || word->dimension);
-    return isQuantity                      ? word->order.value_or(Order::Position)
-           : symbol && symbol->axis != ' ' ? std::optional(Order::Position)
-                                           : std::nullopt;
-}
-
 /// Whether a name ends with a number in brackets: "x(4)", an element of a list without names.
 bool isElement(std::string_view name)
 {
     const std::size_t bracket = name.rfind('(');
     return bracket != name.npos && bracket > 0 &&
-           name.substr(bracket + 1).find_first_not_of("0123456789)") == name.npos;
+           name.substr(bracket + 1).find_first_not_of(" 0123456789)") == name.npos;
 }
 
 /// Returns the meaning of the name of a time or of a row number; nullopt if it is neither.
@@ -191,18 +188,6 @@ std::optional<NameMeaning> meaningOfCount(const Words &words, std::string_view l
     }
     const bool isTorque = lastPart == "T" && !unit.empty() && !parseColumnUnit(unit, ColumnRole::Time, {});
     return isTorque ? NameMeaning{.reason = ColumnReason::UnknownUnit} : NameMeaning{Kind::Time};
-}
-
-/// Returns what is known of a name that has no meaning: an angle by its unit, as "Phase [°]", may be that of the crank;
-/// and "J1_x" is the position of an unknown body.
-NameMeaning meaningOfUnknown(const Words &words, const NamePath &path, const std::string &unit)
-{
-    if (!unit.empty() && parseColumnUnit(unit, ColumnRole::CrankAngle, {})) {
-        return {Kind::Quantity, {Theta3, Order::Position}, ColumnReason::WideAngle, path.owner, Doubt::IsOfCrank};
-    }
-    const std::optional<Order> order = orderAtEnd(words);
-    return {.channel = {R4x, order.value_or(Order::Position)},
-            .reason = order ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
 }
 
 } // namespace
@@ -222,9 +207,6 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (path.parts.empty()) {
         return {};
     }
-    if (isElement(name)) {
-        return {.reason = ColumnReason::UnknownBody};
-    }
     const std::string_view lastPart = path.parts.back();
     Words words = path.isOfModelica ? Words{'.' + std::string(lastPart)} : wordsOf(lastPart);
     if (const std::optional<NameMeaning> meaning = meaningOfCount(words, lastPart, unit)) {
@@ -234,8 +216,12 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
-    const Words allWords = wordsOf(name);
     std::optional<NameReading> reading = readName(path, derivatives, words);
+    if (reading && isElement(name)) {
+        reading->isUnknownBody = true;
+        reading->unknown = name.substr(name.rfind('('));
+    }
+    const Words allWords = wordsOf(name);
     const bool isAboutZ = std::ranges::count(allWords, "z") > 0; // the motion is in x and y, and z is only an axis
     if (reading && isAboutZ && reading->dimension != Dimension::Angle) {
         reading.reset();
@@ -243,9 +229,15 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (reading && isAboutZ && !reading->body && unit.empty()) { // "Z_AngVel", of any body
         return {.reason = ColumnReason::UnknownBody};
     }
-    const NameMeaning meaning = reading ? meaningOfReading(*reading, path, unit) : NameMeaning();
-    const bool isUnknown = meaning.kind == Kind::Nothing && meaning.reason == ColumnReason::UnknownName;
-    return isUnknown ? meaningOfUnknown(allWords, path, unit) : meaning;
+    return reading ? meaningOfReading(*reading, path, unit) : NameMeaning();
+}
+
+std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second)
+{
+    const auto evidenceOf = [](const NameMeaning &meaning) {
+        return std::tuple(meaning.kind, !meaning.hasUnknownWords, !meaning.isAtB);
+    };
+    return evidenceOf(first) <=> evidenceOf(second);
 }
 
 } // namespace slidercrank

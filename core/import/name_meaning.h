@@ -6,6 +6,7 @@
 
 #include "core/import/file_layout.h"
 
+#include <compare>
 #include <string>
 #include <string_view>
 
@@ -30,15 +31,22 @@ struct NameMeaning {
         IsDerivative,   ///< "x_d", "xp" or "dx" may be a derivative of x
         IsPistonsIndex, ///< "x_p" may be a derivative, or the x of the piston
         IsAngle,        ///< "α" is an angle or an angular acceleration
+        IsOfPoint,      ///< "x_A", "X(3)" or "P1X" is the slider's only if the y of that point does not change
+        IsOfPart,       ///< likewise "PART_4.X", but also if it is the only part, and no other column is the slider's
         IsOfCrank       ///< an angle of an unknown body, which is a channel only if it is that of the crank
     };
 
     Kind kind = Kind::Nothing;
     Channel channel{};
     ColumnReason reason = ColumnReason::UnknownName; ///< why a column with this name is used, or not
-    std::string owner{};                             ///< "3.1" in "P[3.1]", "slider" in "slider.s"; empty: none
+    std::string owner{}; ///< "3.1" in "P[3.1]", "slider" in "slider.s", "massa" in "mass_A x"; empty: none
     Doubt doubt = Doubt::None;
+    bool hasUnknownWords = false;
+    bool isAtB = false; ///< the angle of the coupler is measured at B, half a turn from that at A
 };
+
+/// Compares how certain it is that names denote their channels.
+std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second);
 
 /// Returns what a name with that unit means by itself. The unit decides what the name leaves open: the order, and
 /// whether it is an angle or a length.

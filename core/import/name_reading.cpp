@@ -42,11 +42,20 @@ bool merge(NameReading &all, const WordMeaning &entry)
     return merge(all.dimension, entry.dimension) && merge(all.body, entry.body);
 }
 
+/// Which entries of the vocabulary a word may be.
+enum class Entries {
+    WithoutSymbols, ///< in the part of a path that only names the body: "x" is no position there
+    All
+};
+
 /// Includes the number of a link after a symbol: the crank is link 2, the coupler 3 and the slider 4. Returns false if
-/// the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1").
-bool includeNumber(NameReading &all, std::string_view digits)
+/// the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1"), but it belongs to
+/// an unknown name ("PART_4").
+bool includeNumber(NameReading &all, std::string_view digits, Entries entries)
 {
-    if (!all.hasSymbol) {
+    if (!all.hasSymbol || entries == Entries::WithoutSymbols) {
+        all.isNumbered = all.isNumbered || all.isLabelled || all.hasUnknownWord;
+        all.unknown += all.isLabelled || !all.unknown.empty() ? digits : std::string_view();
         return true;
     }
     const bool isAngle = all.dimension == Dimension::Angle;
@@ -72,26 +81,38 @@ bool isOfOrder(const WordMeaning &symbol, std::optional<Order> order)
     return !order || !symbol.order || symbol.order == order || (isAlpha && order == Order::Position);
 }
 
-/// Which entries of the vocabulary a word may be.
-enum class Entries {
-    WithoutSymbols, ///< in the part of a path that only names the body: "x" is no position there
-    All
-};
-
 /// Includes the letter of a joint: "joint B", "velocity of B".
 bool includeJoint(NameReading &all, std::string_view letter)
 {
     const WordMeaning *const index = findWord(letter, WordUse::Index);
     all.isUnknownBody = all.isUnknownBody || !index;
+    all.unknown += index ? std::string_view() : letter;
     return !index || merge(all, *index);
+}
+
+/// Includes the joint behind "at": "velocity at B", but an angle there is that of the coupler, "θ3 at B".
+bool includePlace(NameReading &all, std::string_view joint)
+{
+    if (all.dimension != Dimension::Angle) {
+        return includeJoint(all, joint);
+    }
+    all.isAtB = joint == "b";
+    all.isBodyNamed = true;
+    return merge(all.body, std::optional(Body::Coupler));
+}
+
+/// Returns whether "at A" or "at B" stands at that word.
+bool isPlace(const Words &words, std::size_t at)
+{
+    return isAmong(words[at], "at en bei in an") && at + 1 < words.size() && isAmong(words[at + 1], "a b");
 }
 
 /// Returns the meaning of a word as the index of what stands before it: "x_s", "velocity B", "ω_BC", but not the Bp of
 /// "xBp". Null if it is none.
 const WordMeaning *indexNamed(const NameReading &before, std::string_view word)
 {
-    const bool mayFollow = before.hasSymbol || (before.order && isAmong(word, "b c"));
     const bool isOfLink = word.size() > 1 && before.dimension == Dimension::Angle;
+    const bool mayFollow = before.hasSymbol || isOfLink || (before.order && isAmong(word, "b c"));
     return mayFollow && (word.size() == 1 || isOfLink) ? findWord(word, WordUse::Index) : nullptr;
 }
 
@@ -121,7 +142,7 @@ bool includeSymbol(NameReading &all, std::string_view word, WordMeaning symbol)
 bool includeEntry(NameReading &all, std::string_view word, Entries entries)
 {
     if (isDigits(word)) {
-        return includeNumber(all, word);
+        return includeNumber(all, word, entries);
     }
     if (const WordMeaning *const entry = findWord(word, WordUse::Word)) {
         all.isLabelled = false;
@@ -229,6 +250,40 @@ bool includeWord(NameReading &all, std::string_view word, Entries entries)
     return includeCompound(all, word, entries) || includeStem(all, word);
 }
 
+/// Returns whether a word makes a name that of another quantity: "error", "force", "Messabweichung".
+bool isOfOtherQuantity(std::string_view word)
+{
+    constexpr std::size_t kShortestPart = 4; // bytes
+    bool isOther = findWord(word, WordUse::OtherQuantity);
+    for (std::size_t begin = 1; begin + kShortestPart <= word.size(); ++begin) {
+        isOther = isOther || findWord(word.substr(begin), WordUse::OtherQuantity) ||
+                  findWord(word.substr(0, word.size() - begin), WordUse::OtherQuantity);
+    }
+    return isOther;
+}
+
+/// Includes a word that is unknown behind the words before it. Returns false if it contradicts them, or makes the name
+/// that of another quantity.
+bool includeUnknown(NameReading &all, std::string_view word)
+{
+    constexpr std::size_t kShortestWord = 3; // bytes: shorter ones are indices
+    NameReading alone;
+    const bool isKnown = word.size() >= kShortestWord && includeWord(alone, word, Entries::All);
+    if (isKnown || isOfOtherQuantity(word)) {
+        return false;
+    }
+    all.isNumbered = all.isNumbered || (all.hasUnknownWord && word.size() == 1);
+    all.unknown += word;
+    all.hasUnknownWord = all.hasUnknownWord || word.size() >= kShortestWord;
+    return true;
+}
+
+/// Returns whether a word is the letter behind an unknown word or a symbol: the A of "mass_A x".
+bool isLetterOfUnknown(const NameReading &before, const Words &words, std::size_t at)
+{
+    return words[at] == "a" && at > 0 && before.unknown.ends_with(words[at - 1]);
+}
+
 /// Removes the differentials of "dx/dt" and "d^2x/dt^2", whose words are "dxdt" and "d", "2", "xdt", "2". Returns the
 /// number of derivatives.
 int takeDifferentials(Words &words)
@@ -261,23 +316,35 @@ int takeDifferentials(Words &words)
     return isQuotient ? 1 : 0;
 }
 
-/// Returns the body that the words name; nullopt if it is none or several, as in "slider_crank".
-std::optional<Body> bodyAmong(const Words &words)
+/// Returns whether a word names the quantity or its axis, and not only the body.
+bool namesQuantity(const Words &words)
 {
-    std::optional<Body> body;
-    for (const std::string &word : words) {
-        const WordMeaning *const entry = findWord(word, WordUse::Word);
-        if (entry && !merge(body, entry->body)) {
-            return std::nullopt;
-        }
-    }
-    return body;
+    return isTime(words) || std::ranges::any_of(words, [](const std::string &word) {
+               const WordMeaning *const entry = findWord(word, WordUse::Word);
+               const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
+               return (entry && entry->order && !entry->body) || (symbol && symbol->axis != ' ');
+           });
 }
 
-/// Returns whether a joint or link follows as NX numbers it: "J003".
-bool isJointOfNx(const Words &words, std::size_t at)
+/// Includes the words of one part of a path. Returns false if they contradict each other or those before.
+bool includeWords(NameReading &all, const Words &words, Entries entries)
 {
-    return isAmong(words[at], "j l") && at + 1 < words.size() && words[at + 1].size() == 3 && isDigits(words[at + 1]);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string two = i + 1 < words.size() ? words[i] + '_' + words[i + 1] : std::string();
+        const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler); // "link 3", "O2"
+        if (isPlace(words, i)) {
+            if (!includePlace(all, words[++i])) {
+                return false;
+            }
+        } else if (isLetterOfUnknown(all, words, i) || !includeWord(all, isPair ? two : words[i], entries)) {
+            if (!includeUnknown(all, words[i])) {
+                return false;
+            }
+        } else {
+            i += isPair ? 1 : 0;
+        }
+    }
+    return true;
 }
 
 } // namespace
@@ -290,8 +357,8 @@ NamePath splitPath(std::string_view name)
     const std::string_view mark = isOfRecurDyn ? "-" : usualMark;
     if (const std::size_t at = name.find(mark); at != name.npos && at > 0) {
         const std::string_view before = name.substr(0, at);
-        const std::string_view owner = name.substr(at + mark.size());                    // "Slider@Model1"
-        if (mark == " - " && bodyAmong(wordsOf(before)) && !bodyAmong(wordsOf(owner))) { // "Slider - X"
+        const std::string_view owner = name.substr(at + mark.size());                            // "Slider@Model1"
+        if (mark == " - " && !namesQuantity(wordsOf(before)) && namesQuantity(wordsOf(owner))) { // "Slider - X"
             return {{before, owner}, std::string(before)};
         }
         return {{owner.substr(0, owner.find('@')), before}, std::string(owner)};
@@ -331,7 +398,8 @@ int takeDerivatives(Words &words)
     for (std::size_t i = 0; i < words.size();) {
         const bool hasNext = i + 1 < words.size();
         const WordMeaning *const two = hasNext ? findWord(words[i] + '_' + words[i + 1], WordUse::Derivative) : nullptr;
-        const bool isLabel = i == 0 && hasNext && findWord(words[0], WordUse::Label); // "Punto B", but "x punto"
+        const bool isOfSymbol = i > 0 && findWord(words[i - 1], WordUse::Symbol);
+        const bool isLabel = !isOfSymbol && hasNext && findWord(words[i], WordUse::Label); // "Punto B", but "x punto"
         const WordMeaning *const entry = two ? two : findWord(words[i], WordUse::Derivative);
         if (entry && !isLabel) {
             count += static_cast<int>(*entry->order);
@@ -347,36 +415,21 @@ int takeDerivatives(Words &words)
 std::optional<NameReading> readName(const NamePath &path, int derivatives, const Words &lastWords)
 {
     NameReading all{.derivatives = derivatives};
-    bool hasUnknownPart = false;
     for (std::size_t i = path.parts.size(); i-- > 0;) {
         const bool isLast = i + 1 == path.parts.size();
-        Words words = isLast ? lastWords : wordsOf(path.parts[i]);
-        std::erase_if(words, [&](const std::string &word) { return !isLast && isDigits(word) && words.size() == 2; });
-        const Entries entries = isLast ? Entries::All : Entries::WithoutSymbols;
+        const Words words = isLast ? lastWords : wordsOf(path.parts[i]);
         NameReading with = all;
-        bool isKnown = true;
-        for (std::size_t k = 0; k < words.size() && isKnown; ++k) {
-            const std::string two = k + 1 < words.size() ? words[k] + '_' + words[k + 1] : std::string();
-            const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler); // "link 3", "O2"
-            if (isJointOfNx(words, k) && bodyAmong(words)) {
-                ++k;
-                continue;
+        if (includeWords(with, words, isLast ? Entries::All : Entries::WithoutSymbols)) {
+            if (path.isOfModelica && !isLast) { // whose components may have any name
+                with.unknown = all.unknown;
+                with.hasUnknownWord = all.hasUnknownWord;
+                with.isNumbered = all.isNumbered;
             }
-            isKnown = includeWord(with, isPair ? two : words[k], entries);
-            k += isPair ? 1 : 0;
-        }
-        if (!isKnown && isLast) {
+            all = with;
+        } else if (isLast) {
             return std::nullopt;
         }
-        if (isKnown) {
-            all = with;
-        } else if (!all.body) { // "Slider_J004"
-            all.body = bodyAmong(words);
-            all.isBodyNamed = all.body.has_value();
-        }
-        hasUnknownPart = hasUnknownPart || !isKnown;
     }
-    all.isUnknownBody = all.isUnknownBody || (hasUnknownPart && !all.body && !path.isOfModelica);
     const bool hasBoth = !all.body || all.body == Body::Coupler || all.isCentre; // an angle and lengths
     const Dimension ofBody = all.body == Body::Crank ? Dimension::Angle : Dimension::Length;
     return hasBoth || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;

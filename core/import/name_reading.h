@@ -43,18 +43,25 @@ struct NameReading {
     bool isCentre = false;      ///< it names the centre of mass
     bool isFrame = false;       ///< it has the number 1, as the frame if the links are numbered from there
     bool isUnknownBody = false; ///< it has an index that denotes none of the three bodies
+    bool isAtB = false;         ///< the angle of the coupler is measured at B: "θ3 at B"
     NameMeaning::Doubt doubt = NameMeaning::Doubt::None;
     std::string symbol{};
     std::string joints{}; ///< the ends of a link: "bc" in "ω_BC"
+
+    /// The unknown words, one after the other, with the letter or number after one of them or after "joint": "massa" in
+    /// "mass_A x". They may be the name of a point or body, or say nothing.
+    std::string unknown{};
+    bool hasUnknownWord = false; ///< one of at least three letters
+    bool isNumbered = false;     ///< a number or letter follows an unknown word or "joint"
 };
 
 /// Removes the words that stand for a derivative, wherever they are: the dot of "theta3_dot", the d and dt of
 /// "d^2x/dt^2". Returns the number of derivatives.
 int takeDerivatives(std::vector<std::string> &words);
 
-/// Returns what the parts of a path say together, from the last one; nullopt if the last one has unknown words, or
-/// such that contradict each other, as in "linear velocity of the crank". Parts before it that are unknown or
-/// name two bodies, as in "/slider_crank/slider/position", are ignored if another part names the body.
+/// Returns what the parts of a path say together, from the last one; nullopt if it has words that contradict each
+/// other, as in "linear velocity of the crank", or one that makes it another quantity, as in "position error". Parts
+/// before the last one that name two bodies, as in "/slider_crank/slider/position", are ignored.
 std::optional<NameReading> readName(const NamePath &path, int derivatives, const std::vector<std::string> &lastWords);
 
 } // namespace slidercrank

@@ -93,9 +93,9 @@ SplitLine countNames(Cells cells, char delimiter)
 {
     SplitLine names{std::move(cells), delimiter};
     for (const std::string_view cell : names.cells) {
-        const Kind kind = looksNumeric(cell) ? Kind::Nothing : parseHeading(cell).meaning.kind;
-        names.times += kind == Kind::Time ? 1 : 0;
-        names.quantities += kind >= Kind::Quantity ? 1 : 0;
+        const NameMeaning meaning = looksNumeric(cell) ? NameMeaning() : parseHeading(cell).meaning;
+        names.times += meaning.kind == Kind::Time ? 1 : 0;
+        names.quantities += meaning.kind >= Kind::Quantity && !meaning.hasUnknownWords ? 1 : 0;
     }
     return names;
 }

@@ -25,7 +25,8 @@ struct NamedUnit {
 /// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points,
 /// one is the Greek letter.
 const Spellings kUnitSpellings(
-    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| par =/|"
+    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|.per.=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| "
+    "par =/|"
     " al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
     "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
     "|^\\circ=deg|\\circ=deg|\\=|"
@@ -147,6 +148,9 @@ std::string lowered(std::string_view text)
 std::optional<Unit> parseUnit(std::string_view text)
 {
     constexpr int kLargestOrder = 2;
+    if (text == "kW") { // a power, and no angle of the crankshaft as "°KW"
+        return std::nullopt;
+    }
     const std::string plain = lowered(kUnitSpellings.replacedIn(text));
     std::optional<Unit> unit;
     bool isDivided = false;

@@ -159,6 +159,56 @@ void findBodyOfPosition(std::vector<RawColumn *> &candidates)
     }
 }
 
+/// Returns whether the column is a length of a point whose name is unknown.
+bool isOfPoint(const RawColumn *column)
+{
+    return isOfUnnamedBody(column) && column->meaning.hasUnknownWords && !isAngle(column->use.channel.coordinate);
+}
+
+/// Returns the only owner of columns of numbered parts, if no other column is the slider's; else an empty text.
+std::string onlyPart(const std::vector<RawColumn *> &candidates)
+{
+    std::string part;
+    for (const RawColumn *const column : candidates) {
+        const Coordinate coordinate = column->use.channel.coordinate;
+        const bool isPart = column->meaning.doubt == Doubt::IsOfPart;
+        const bool isOther = isPart ? !part.empty() && part != column->meaning.owner
+                                    : column->meaning.doubt != Doubt::IsOfPoint && coordinate == R4x;
+        if (isOther) {
+            return {};
+        }
+        part = isPart ? column->meaning.owner : part;
+    }
+    return part;
+}
+
+/// Finds the slider among points with x and y: it is the only one whose y does not change. Removes the others, and
+/// points that only this could tell.
+void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
+{
+    constexpr double kStraightness = 0.02; // of the travel, for points that were followed in a video
+    const std::string part = onlyPart(candidates);
+    std::vector<std::string> sliders;
+    for (const RawColumn *const x : candidates) {
+        const RawColumn *const y = findUnnamed(candidates, {R4y, Order::Position}, x->meaning.owner);
+        if (isOfPoint(x) && x->use.channel == Channel{R4x, Order::Position} && y &&
+            rangeOf(y->values).width() <= kStraightness * rangeOf(x->values).width() && !isConstant(*x)) {
+            sliders.push_back(x->meaning.owner);
+        }
+    }
+    std::erase_if(candidates, [&](RawColumn *column) {
+        const NameMeaning &meaning = column->meaning;
+        const bool isSlider = sliders.size() == 1 && meaning.owner == sliders.front();
+        const bool isDoubtful = meaning.doubt == Doubt::IsOfPoint || (meaning.doubt == Doubt::IsOfPart && part.empty());
+        const bool isOther = isOfPoint(column) && !isSlider && (sliders.size() == 1 || isDoubtful);
+        if (isOfPoint(column) && isSlider) {
+            column->meaning.reason = ColumnReason::StraightPath;
+        }
+        column->use.reason = isOther ? ColumnReason::UnknownBody : column->use.reason;
+        return isOther;
+    });
+}
+
 } // namespace
 
 bool isConstant(const RawColumn &column)
@@ -206,6 +256,7 @@ void correctMeanings(RawTable &table)
 
 void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
 {
+    findSliderAmongPoints(candidates);
     removeConstants(candidates);
     findCrank(table, candidates);
     findBodyOfPosition(candidates);

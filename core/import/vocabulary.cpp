@@ -130,6 +130,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
         WordMeaning{Symbol, "y", Length, kOpen, kOpen, 'y'},
         WordMeaning{Symbol, "s d r", Length},
+        WordMeaning{Symbol, "q"}, // a generalized coordinate
         WordMeaning{Symbol, "v", kOpen, Velocity},
         WordMeaning{Symbol, "a", kOpen, Acceleration},
         WordMeaning{Symbol, "theta th tita phi fi psi psiz beta", Angle},
@@ -180,6 +181,14 @@ std::span<const WordMeaning> vocabulary()
                     "tourne probe rel relative relativo relativa placement base z yer video analysis serie jt kol "
                     "kolu open crossed abierta cruzada offen gekreuzt o gemessen measured medido medida measure "
                     "mea meas pin obrotu поворота"},
+        WordMeaning{OtherQuantity,
+                    "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
+                    "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
+                    "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint "
+                    "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
+                    "сила 力 torque par couple coppia moment momento drehmoment moment pressure presion pression "
+                    "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
+                    "transmissao ubertragungswinkel przeniesienia ratio jerk offset limit tilt lift"},
         WordMeaning{Label, "joint pin gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
@@ -224,6 +233,10 @@ Words wordsOf(std::string_view name)
     char before = ' ';
     for (const char c : kLetterSpellings.replacedIn(name)) {
         const bool startsWithCapital = lowerCase(c) != c && lowerCase(before) == before;
+        const bool isApostrophe = before == '\'' && isLetter(c) && !words.empty(); // "d'entrée", but "x'"
+        if (isApostrophe) {
+            words.pop_back();
+        }
         const bool continues = isLetter(c) ? isLetter(before) && !startsWithCapital : isDigit(c) && isDigit(before);
         if (isLetter(c) || isDigit(c) || c == '\'') {
             words.resize(words.size() + (continues ? 0 : 1));

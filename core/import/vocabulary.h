@@ -25,6 +25,7 @@ enum class WordUse {
     Derivative,      ///< anywhere: the dot of "x_dot"; `order` is the number of derivatives
     AmbiguousLetter, ///< after a symbol, where it may stand for a derivative: the p of "x_p" may also be the piston
     Filler,          ///< anywhere, says nothing: "of"
+    OtherQuantity,   ///< anywhere, makes the name that of another quantity: "error", "force"
     Label            ///< before a letter that names a joint: "joint B"
 };
 

@@ -419,6 +419,14 @@
         <translation>supuesto por sus valores: un ángulo que abarca más de media vuelta o crece uniformemente, o su derivada</translation>
     </message>
     <message>
+        <source>assumed from its values: of several points, only this one has a y that does not change</source>
+        <translation>supuesto por sus valores: de varios puntos, solo la y de este no cambia</translation>
+    </message>
+    <message>
+        <source>assumed: some words are unknown, but no other column is this quantity</source>
+        <translation>supuesto: algunas palabras son desconocidas, pero ninguna otra columna es esta magnitud</translation>
+    </message>
+    <message>
         <source>assumed: the first column, whose values only increase</source>
         <translation>supuesta: la primera columna, cuyos valores solo crecen</translation>
     </message>

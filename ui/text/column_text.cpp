@@ -26,6 +26,10 @@ public:
         {ColumnReason::WideAngle,
          QT_TR_NOOP("assumed from its values: an angle that spans more than half a turn or rises evenly, or its "
                     "derivative")},
+        {ColumnReason::StraightPath,
+         QT_TR_NOOP("assumed from its values: of several points, only this one has a y that does not change")},
+        {ColumnReason::UnknownWords,
+         QT_TR_NOOP("assumed: some words are unknown, but no other column is this quantity")},
         {ColumnReason::RisingValues, QT_TR_NOOP("assumed: the first column, whose values only increase")},
         {ColumnReason::PathInSi, QT_TR_NOOP("assumed from the heading: named as in Modelica or ROS, in m, rad and s")},
         {ColumnReason::AngleForTime, QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank")},

@@ -154,15 +154,14 @@ private slots:
             return text;
         };
         QCOMPARE(adviceIn("0,80\n0.1,70\n0.2,60\n"), std::string("#1=time ;#2=R4_x ;"));
-        QCOMPARE(adviceIn("time,foo [mm]\n0,80\n0.1,70\n0.2,60\n"), std::string("foo [mm]=R4_x ;"));
+        QCOMPARE(adviceIn("time,foo\n0,80\n0.1,70\n0.2,60\n"), std::string("foo=R4_x ;"));
         QCOMPARE(adviceIn("time,theta3 [ell]\n0,80\n1,70\n"), std::string("theta3 [ell]=theta3 °;"));
         QCOMPARE(adviceIn("time [days],R4_x\n0,80\n1,70\n"), std::string("time [days]=time s;"));
         QCOMPARE(adviceIn("time,R4_x,r4x [mm]\n0,80,1\n1,70,1\n"), std::string("r4x [mm]=ignored ;"));
         QCOMPARE(adviceIn("stage,R4_x\n0,80\n90,70\n180,60\n270,50\n"), std::string("stage=angle ;"));
-        QCOMPARE(adviceIn("p [deg],q [mm]\n0,80\n90,70\n180,60\n"), std::string("p [deg]=angle ;q [mm]=R4_x ;"));
+        QCOMPARE(adviceIn("p [gon],foo\n0,80\n90,70\n170,60\n"), std::string("foo=R4_x ;"));
         QCOMPARE(adviceIn("time,J3_x,J4_x\n0,80,7\n1,70,8\n"), std::string("J4_x=R4_x ;")); // the last joint
-        QCOMPARE(adviceIn("time,part 4 velocity\n0,80\n1,70\n"), std::string("part 4 velocity=R4_x_diff ;"));
-        QCOMPARE(adviceIn("time,load [N],q\n0,80,7\n1,70,8\n"), std::string("q=R4_x ;"));
+        QCOMPARE(adviceIn("time,load [N],foo\n0,80,7\n1,70,8\n"), std::string("foo=R4_x ;"));
     }
 
     /// An angle that turns by more than half a turn in one direction is that of the crank, whatever its name.
@@ -195,6 +194,60 @@ private slots:
         QCOMPARE(rolesIn("Tiempo,Posición X,Posición Y,Rotación", "0"), QString("time R4_x R4_y theta4"));
         QCOMPARE(rolesIn("Time (s),Position (x) (m),Position (y) (m),Angle (rad)", "1e-9"),
                  QString("time R4_x R4_y theta4"));
+    }
+
+    /// Of several points, the slider's is the one whose y does not change. Norton measures θ3 at B.
+    void findsTheSliderByItsPath()
+    {
+        const auto rolesIn = [](const QByteArray &headings) {
+            QByteArray text = headings + '\n';
+            for (int row = 0; row < 12; ++row) { // time, the crank pin, the slider
+                const double angle = row / 4.0;
+                const double slider = 20.0 * std::cos(angle) + 60.0;
+                for (const double value : {row / 10.0, 20.0 * std::cos(angle), 20.0 * std::sin(angle), slider, 25.0}) {
+                    text += QByteArray::number(value, 'g', 9) + ';';
+                }
+                text.back() = '\n';
+            }
+            const Outcome outcome = read(text);
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            return data ? QString::fromStdString(rolesOf(data->layout)) : QString("refused");
+        };
+        const QString sliderSecond = "time - - R4_x? R4_y?";
+        QCOMPARE(rolesIn("time;X( 2) [mm];Y( 2) [mm];X( 3) [mm];Y( 3) [mm]"), sliderSecond);
+        QCOMPARE(rolesIn("t (s);P1X (mm);P1Y (mm);P2X (mm);P2Y (mm)"), sliderSecond);
+        QCOMPARE(rolesIn("t;mass_A x;mass_A y;mass_B x;mass_B y"), sliderSecond);
+        QCOMPARE(rolesIn("t;PART_3.CM_Position.X;PART_3.CM_Position.Y;PART_4.CM_Position.X;PART_4.CM_Position.Y"),
+                 sliderSecond);
+        QCOMPARE(rolesIn("t;x_D;y_D;slider x;slider y"), QString("time - - R4_x R4_y"));
+        QCOMPARE(rolesIn("t;X(2);F1;X(3);F2"), QString("refused")); // only the y could tell
+        QCOMPARE(rolesIn("t;F1;F2;PART_4.X;F3"), QString("time - - R4_x? -"));
+    }
+
+    void readsTheAngleAtB()
+    {
+        for (const char *const name : {"theta3 at B", "θ₃ at B [deg]", "θ3 (at B)", "angle at B", "ángulo en B (°)"}) {
+            const Outcome outcome = read(QByteArray("time;") + name + "\n0;190,5\n1;180\n2;185\n3;-179\n");
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->find({Theta3, Order::Position}), name);
+            QVERIFY2(data->find({Theta3, Order::Position})->values == (std::vector{10.5, 0.0, 5.0, 1.0}), name);
+        }
+        QCOMPARE(described(read("time;theta3 at B;theta3\n0;190;10\n1;180;0\n")), std::string("time 0 1; theta3 10 0"));
+    }
+
+    /// A table in an unknown language is read where the units leave one meaning, but not beside the quantity itself.
+    void readsUnknownWordsByTheirUnits()
+    {
+        const auto rolesIn = [](const QByteArray &headings) {
+            const Outcome outcome = read(headings + "\n0;80;7;3\n1;70;8;1\n2;75;6;2\n");
+            return rolesOf(std::get<ReferenceData>(outcome).layout);
+        };
+        QCOMPARE(rolesIn("čas (s);pomik bata (mm);hitrost bata (mm/s);sila (N)"),
+                 std::string("time R4_x? R4_x_diff? -"));
+        QCOMPARE(rolesIn("t;slider position filtered;slider position error;x_err"), std::string("time R4_x? - -"));
+        QCOMPARE(rolesIn("t;slider position;slider position raw;foo (mm)"), std::string("time R4_x - -"));
+        QCOMPARE(rolesIn("t;foo (mm);bar (mm);v"), std::string("time - - R4_x_diff?"));
+        QCOMPARE(rolesIn("t;Battery (V);power (kW);v"), std::string("time - - R4_x_diff?"));
     }
 
     /// Words that only contain the letters of symbols denote nothing.
