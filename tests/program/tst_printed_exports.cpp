@@ -185,6 +185,22 @@ private slots:
         QVERIFY(!contentOf(file).contains("4.780"));
     }
 
+    /// A former defect: in a narrow figure the time lay over a curve.
+    void theTimeStandsAboveThePlots()
+    {
+        const QString file = path("x.svg");
+        for (const char *width : {"160mm", "85mm"}) {
+            QCOMPARE(run(QStringLiteral("render --at 0.25 --width %1 -o ").arg(width) + file).status, 0);
+            const QString svg = QString::fromUtf8(contentOf(file));
+            const auto heightOf = [&svg](const QString &text) {
+                const QRegularExpression element(" y=\"([0-9.]+)\"[^>]*>[^<]*" + text);
+                return element.match(svg).captured(1).toDouble();
+            };
+            QVERIFY(heightOf("t = 0.2500 s") > 0.0);
+            QVERIFY(heightOf("t = 0.2500 s") < heightOf("angle "));
+        }
+    }
+
     void reportsStayWithinTheirMargins_data()
     {
         QTest::addColumn<bool>("hasFile");

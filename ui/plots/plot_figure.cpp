@@ -250,6 +250,22 @@ QSize PlotFigure::placeLegend(QPainter *painter)
     return {place.x(), place.y() + height + kLabelGap};
 }
 
+/// Draws a text at the right end of the last line of the legend. Returns false if there is no space for it.
+bool PlotFigure::drawBesideLegend(QPainter &painter, const QString &text) const
+{
+    constexpr int kApart = 12; // px, from the edge
+    const QFontMetrics metrics(m_fonts.tick);
+    const int left = m_drawing->viewport().width() - kApart - metrics.horizontalAdvance(text);
+    if (left < m_legendSize.width()) {
+        return false;
+    }
+    const int baseline = m_legendSize.height() - kLabelGap - QFontMetrics(m_fonts.title).descent();
+    painter.setFont(m_fonts.tick);
+    painter.setPen(m_colours.text);
+    painter.drawText(left, baseline, text);
+    return true;
+}
+
 /// Chooses as many ticks as there is space for labels. Only the bottom row has labels.
 void PlotFigure::setTimeScale()
 {
@@ -365,12 +381,14 @@ void PlotFigure::paint(QPainter &painter, const std::optional<double> &cursorTim
     if (!cursorTime) {
         return;
     }
+    const QString time = timeText(*cursorTime);
+    const bool isBesideLegend = drawBesideLegend(painter, time);
     const auto hasNoNote = [this](std::size_t index) { return m_plots[index].note.isEmpty(); };
     const auto firstFree = std::ranges::find_if(plots(), hasNoNote); // the time would cover the note
     const std::size_t withTime = firstFree == plots().end() ? plots().front() : *firstFree;
     for (const std::size_t index : plots()) {
         const QRectF axes = m_plots[index].axes->rect();
-        const QStringList heading = index == withTime ? QStringList(timeText(*cursorTime)) : QStringList();
+        const QStringList heading = !isBesideLegend && index == withTime ? QStringList(time) : QStringList();
         std::vector<PlotCursor> cursors;
         if (const std::optional<PlotCursor> cursor = cursorAt(index, *cursorTime, heading)) {
             cursors.push_back(*cursor);

@@ -198,6 +198,7 @@ private:
     Interval withSpaceForNote(const Plot &plot, const Interval &values) const;
     void chooseTitles();
     QSize placeLegend(QPainter *painter = nullptr);
+    bool drawBesideLegend(QPainter &painter, const QString &text) const;
     QPen addCurve(const Plot &plot, const PlotCurve &curve);
     void drawTexts(QPainter &painter);
 
