@@ -44,7 +44,7 @@ void countFromFirstRow(RawColumn &column)
     constexpr double kHalfDay = 43'200.0;  // s: a clock may have twelve hours
     constexpr double kHour = 3'600.0;      // s: below, without a date, the file counts from its start
     constexpr double kLatestSecond = 1e11; // since 1970: larger numbers are in a smaller unit
-    if (column.isClock) {
+    if (column.cells.isClock) {
         column.values = unwrapped(std::move(column.values), kHalfDay);
     }
     const double first = rangeOf(column.values).low;
@@ -52,7 +52,7 @@ void countFromFirstRow(RawColumn &column)
     while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * scale) {
         scale *= 1000.0;
     }
-    if (scale > 1.0 || (column.isClock && (column.hasDate || first >= kHour))) {
+    if (scale > 1.0 || (column.cells.isClock && (column.cells.hasDate || first >= kHour))) {
         column.origin = first / scale;
         column.factor /= scale;
         std::ranges::for_each(column.values, [&](double &value) { value = (value - first) / scale; });
@@ -88,7 +88,7 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
 }
 
 /// Returns whether the values of a column only rise, but are no row numbers, and its name is unknown. Whole numbers
-/// that rise evenly to 180 or more may be degrees.
+/// that rise evenly to 180 or more may be degrees, unless they have the unit of a time.
 bool mayBeTime(const RawColumn &column)
 {
     constexpr double kHalfTurn = 180.0;
@@ -105,7 +105,7 @@ bool mayBeTime(const RawColumn &column)
     }
     const bool isWhole = std::ranges::all_of(values, [](double value) { return value == std::rint(value); });
     const bool mayBeNumber = column.use.heading.empty() || column.meaning.reason == ColumnReason::RowNumber;
-    return !isWhole || (!mayBeNumber && values.back() < kHalfTurn);
+    return !isWhole || !column.use.unit.empty() || (!mayBeNumber && values.back() < kHalfTurn);
 }
 
 /// Returns whether the values are 0, 1, 2, … or 1, 2, 3, …
@@ -179,7 +179,7 @@ void assignAbscissas(RawTable &table)
             return column.meaning.kind == Kind::Time && column.isUndecided();
         };
         const auto isNumeric = [&](const RawColumn &column) {
-            return isTime(column) && !column.isClock && rangeOf(column.values).count > 0;
+            return isTime(column) && !column.cells.isClock && rangeOf(column.values).count > 0;
         };
         const auto hasTimeUnit = [&](const RawColumn &column) {
             return isTime(column) && column.unitAs(ColumnRole::Time);

@@ -8,7 +8,6 @@
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <utility>
 
@@ -88,7 +87,11 @@ void splitAtEnd(std::string_view text, Heading &heading)
         if (unit.empty() || (!isClear && isAmong(lowered(unit), kAlsoWords)) || !parseUnit(unit)) {
             continue;
         }
-        if (const std::string unitText(unit); suits(meaningOf(name, unitText), unitText)) {
+        const std::string unitText(unit);
+        const NameMeaning meaning = meaningOf(name, unitText);
+        const bool isTimeOfUnknown =
+            meaning.kind == Kind::Nothing && unit.size() > 1 && parseColumnUnit(unitText, ColumnRole::Time, {});
+        if (isTimeOfUnknown || suits(meaning, unitText)) { // "ticks_ms"
             heading.name = name;
             heading.use.unit = unit;
             return;
@@ -173,13 +176,23 @@ void recognizeTextbook(std::span<Heading> row)
     }
 }
 
+/// Returns what is appended to the unit of a position for that of its derivative.
+std::string_view divisorOf(Order order)
+{
+    switch (order) {
+    case Order::Position: break;
+    case Order::Velocity: return "/s";
+    case Order::Acceleration: return "/s2";
+    }
+    return "";
+}
+
 /// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Paths of some programs imply
 /// m, rad and s; ω and α are in rad/s and rad/s²; and another derivative is in the unit of its position.
 std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
 {
-    constexpr std::array kPerTime{"", "/s", "/s2"};
     const NameMeaning &meaning = heading.meaning;
-    const std::string perTime = kPerTime[static_cast<std::size_t>(meaning.channel.order)];
+    const std::string perTime(divisorOf(meaning.channel.order));
     if (meaning.reason == ColumnReason::PathInSi) {
         return (isAngle(meaning.channel.coordinate) ? "rad" : "m") + perTime;
     }

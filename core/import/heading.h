@@ -13,14 +13,19 @@
 namespace slidercrank
 {
 
+/// How the cells of a column are written.
+struct CellForm {
+    std::string_view unit{}; ///< after the number in each cell
+    bool isClock = false;    ///< the cells contain times of a clock
+    bool hasDate = false;    ///< before the time of the clock
+};
+
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".
 struct Heading {
     FileColumn use{}; ///< heading and unit; assignColumns() sets the role
     std::string name{};
-    std::string_view cellUnit{}; ///< after the number in each cell
-    bool isClock = false;        ///< the cells contain times of a clock
-    bool hasDate = false;        ///< before the time of the clock
-    NameMeaning meaning{};       ///< set by interpretHeadings()
+    CellForm cells{};
+    NameMeaning meaning{}; ///< set by interpretHeadings()
 };
 
 /// Splits a cell, given without surrounding quotation marks, into name and unit, and sets the meaning that it has

@@ -18,11 +18,11 @@ constexpr std::size_t kFewestCells = 2; // in a row: other missing cells at the 
 
 CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign decimalSign)
 {
-    const std::string_view unit = column.cellUnit;
+    const std::string_view unit = column.cells.unit;
     if (!unit.empty() && cell.ends_with(unit)) {
         cell = trimmed(cell.substr(0, cell.size() - unit.size()));
     }
-    return column.isClock ? parseClock(cell, decimalSign) : parseNumber(cell, decimalSign);
+    return column.cells.isClock ? parseClock(cell, decimalSign) : parseNumber(cell, decimalSign);
 }
 
 /// Reads the cells of a row into its columns. Returns the number of cells.
@@ -95,7 +95,8 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
     file.rows = std::move(lines);
     file.width = headings.size();
     for (const Heading &heading : headings) {
-        RawColumn &column = table.columns.emplace_back(RawColumn{heading, table.columns.size()});
+        RawColumn &column = table.columns.emplace_back(
+            RawColumn{heading.use, heading.name, heading.cells, heading.meaning, table.columns.size()});
         column.use.file = table.files.size() - 1;
         column.values.assign(file.rows.size(), kNone);
     }

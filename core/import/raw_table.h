@@ -18,7 +18,13 @@
 namespace slidercrank
 {
 
-struct RawColumn : Heading {
+/// A column of numbers, which begins with what its heading says.
+struct RawColumn {
+    FileColumn use{};
+    std::string name{};
+    CellForm cells{};
+    NameMeaning meaning{};
+
     std::size_t index = 0; ///< in the table
     std::optional<ColumnChoice> choice{};
 

@@ -33,6 +33,7 @@ struct ReadFault {
         Markup, ///< HTML or XML
         Json,
         NotText,
+        NotATable, ///< text without rows of numbers
         LineTooLong,
         UnitsContradict, ///< the line of units contradicts `heading`
         NamesMissing,    ///< there are numbers but no headings

@@ -5,6 +5,7 @@
 #include "core/import/column_assignment.h"
 #include "core/import/crank_angles.h"
 #include "core/import/difference.h"
+#include "core/import/file_text.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -247,6 +248,32 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
     }
 }
 
+/// Returns whether the fault of a table may only mean that the text is none.
+bool mayBeOfProse(Fault fault)
+{
+    switch (fault) {
+    case Fault::UnitsContradict:
+    case Fault::NamesMissing:
+    case Fault::MoreHeadings:
+    case Fault::FewerHeadings:
+    case Fault::AnotherTable:
+    case Fault::TimeTwice:
+    case Fault::NoTime:
+    case Fault::NoChannel:
+    case Fault::NoCertainChannel:
+    case Fault::NoNumbers:
+    case Fault::NoRow: return true;
+    default: return false;
+    }
+}
+
+/// Returns whether the file in which a fault was found is no table at all.
+bool isNoTable(const FileBytes &file, Fault fault)
+{
+    std::string converted;
+    return mayBeOfProse(fault) && isProse(decodeText(file.bytes, converted));
+}
+
 /// Returns the data of a table whose columns have their roles.
 ReferenceData toData(RawTable &table)
 {
@@ -313,6 +340,10 @@ try {
         data.layout = takeLayout(table);
         return data;
     } catch (ReadError &error) {
+        const std::size_t faulty = error.file.value_or(std::min(file, files.size() - 1));
+        if (!files.empty() && isNoTable(files[faulty], error.fault.kind)) {
+            error = ReadError{.fault = {Fault::NotATable}, .file = faulty};
+        }
         error.file = files.size() == 1 ? std::nullopt : file < files.size() ? std::optional(file) : error.file;
         error.advice = adviceFor(error, table);
         error.layout = takeLayout(table);

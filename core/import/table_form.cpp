@@ -398,6 +398,28 @@ bool isRemark(std::string_view line)
     });
 }
 
+bool isProse(std::string_view text)
+{
+    constexpr std::size_t kFewestLines = 10; // below, the fault of a line tells more
+    constexpr std::size_t kFewestRows = 3;   // in succession
+    const std::vector<Line> lines = splitLines(text);
+    for (const char delimiter : std::string_view("\t;,|& ")) {
+        std::size_t rows = 0;
+        std::size_t cellsBefore = 0;
+        for (const Line &line : lines) {
+            const Cells cells = splitCells(line.text, delimiter);
+            const auto numbers = static_cast<std::size_t>(std::ranges::count_if(cells, isData));
+            const bool isTableRow = delimiter == ' ' ? isRow(cells) : numbers > 1 && 2 * numbers >= cells.size();
+            rows = isTableRow && (rows == 0 || cells.size() == cellsBefore) ? rows + 1 : 0;
+            cellsBefore = cells.size();
+            if (rows == kFewestRows) {
+                return false;
+            }
+        }
+    }
+    return lines.size() >= kFewestLines;
+}
+
 std::string_view unitIn(std::string_view cell)
 {
     constexpr std::string_view kUnit = "Unit:";
@@ -435,19 +457,19 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         rows = rows.subspan(readAnnotations(firstLines(rows), row, headings));
     }
     for (std::size_t i = 0; row && i < std::min(row->cells.size(), headings.size()); ++i) {
-        headings[i].cellUnit = splitUnit(row->cells[i]).unit;
-        setUnit(headings, i, headings[i].cellUnit, lines[row->line].number);
+        headings[i].cells.unit = splitUnit(row->cells[i]).unit;
+        setUnit(headings, i, headings[i].cells.unit, lines[row->line].number);
     }
     interpretHeadings(headings);
     const Cells cells = rows.empty() ? Cells() : splitCells(rows.front().text, layout.delimiter);
     for (std::size_t i = 0; i < std::min(cells.size(), headings.size()) && headings[i].meaning.kind < Kind::Quantity;
          ++i) {
         const std::size_t colon = cells[i].find(':');
-        headings[i].isClock = colon != cells[i].npos; // not behind a quantity, like the times of a race
-        headings[i].hasDate = cells[i].find_first_of("-/.") < colon;
+        headings[i].cells.isClock = colon != cells[i].npos; // not behind a quantity, like the times of a race
+        headings[i].cells.hasDate = cells[i].find_first_of("-/.") < colon;
     }
     for (Heading &heading : headings) {
-        if (!heading.isClock && isTimeOfDay(wordsOf(heading.name))) {
+        if (!heading.cells.isClock && isTimeOfDay(wordsOf(heading.name))) {
             heading.meaning = {};
         }
     }

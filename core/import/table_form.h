@@ -23,6 +23,9 @@ struct Line {
 /// Splits a text at LF, CR LF and CR. Throws ReadError if one of the first lines is too long.
 std::vector<Line> splitLines(std::string_view text);
 
+/// Returns whether a text of at least ten lines has no rows of numbers, so that it is no table.
+bool isProse(std::string_view text);
+
 /// Returns the unit that fills a cell below the headings, "mm" or "(mm)", or which Simulink writes there: "Type: double
 /// Unit: rad". Empty if there is none.
 std::string_view unitIn(std::string_view cell);

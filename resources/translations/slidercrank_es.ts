@@ -3785,6 +3785,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>el archivo contiene bytes que no son texto: exporte la tabla como CSV.</translation>
     </message>
     <message>
+        <source>The file is a text without rows of numbers: export the motion as a table, with a line of headings and one row for each time stamp.</source>
+        <translation>El archivo es un texto sin filas de números: exporte el movimiento como tabla, con una línea de encabezados y una fila por cada instante.</translation>
+    </message>
+    <message>
         <source>Reading was stopped.</source>
         <translation>Se detuvo la lectura.</translation>
     </message>

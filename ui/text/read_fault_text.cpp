@@ -30,6 +30,9 @@ public:
         {FaultKind::Markup, QT_TR_NOOP("The file is HTML or XML, not a table of text: export the table as CSV.")},
         {FaultKind::Json, QT_TR_NOOP("The file is JSON, not a table of text: export the table as CSV.")},
         {FaultKind::NotText, QT_TR_NOOP("the file holds bytes that are not text: export the table as CSV.")},
+        {FaultKind::NotATable,
+         QT_TR_NOOP("The file is a text without rows of numbers: export the motion as a table, with a line of headings "
+                    "and one row for each time stamp.")},
         {FaultKind::LineTooLong,
          QT_TR_NOOP("the line has more than a million characters: export the table as CSV, with one row per line.")},
         {FaultKind::UnitsContradict,

@@ -158,6 +158,7 @@ const std::vector<Refusal> kRefused{
     {"numbers without headings", "\n0.0,74.5\n0.1,74.8\n", "2:0 ", {Kind::NamesMissing}},
     {"no time", "n,R4_x\n1,5\n2,6\n", "1:0 ", {Kind::NoTime}},
     {"prose", "Lorem ipsum\ndolor\n", "1:0 ", {Kind::NoTime}},
+    {"a long text", QByteArray("Lorem ipsum, dolor 7\n").repeated(12), "0:0 ", {Kind::NotATable}},
     {"no channel", "time,pressure\n0,1\n", "1:0 ", {Kind::NoChannel}},
     {"an unknown unit", "time,theta3,R4_x [ell]\n0,1,2\n", "1:3 R4_x [ell]", {Kind::UnknownUnit, kX}},
     {"the unit of another derivative", "time,R4_x_diff [m]\n0,1\n", "1:2 R4_x_diff [m]", {Kind::UnknownUnit, kV}},
