@@ -56,7 +56,7 @@ std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> 
         order = static_cast<int>(*name.order) + name.derivatives;
     } else if (unit && !name.derivatives) {
         order = unit->order;
-    } else if (unit && !name.unknown.empty()) { // "dλ/dt (mm/s)"
+    } else if (unit && name.unknown.isAny()) { // "dλ/dt (mm/s)"
         order = unit->order;
     } else if (name.hasSymbol || name.derivatives || (name.body && name.body != Body::Coupler)) {
         order = name.derivatives;
@@ -89,7 +89,7 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     const bool isAngle = name.dimension.value_or(usual) == Dimension::Angle;
     const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ';
     const bool says = namesQuantity || name.body;
-    const bool hasUnknown = !name.unknown.empty();
+    const bool hasUnknown = name.unknown.isAny();
     const bool isOpen = hasUnknown && !(unit ? unit->dimension != Dimension::Time : namesQuantity);
     const std::optional<Order> knownOrder = (says || hasUnknown) && !isOpen ? orderOf(name, unit) : std::nullopt;
     const bool isOfTurningBody = (name.body == Body::Crank || name.body == Body::Coupler) && !isAngle;
@@ -98,25 +98,28 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
         return {};
     }
     const Order order = *knownOrder;
-    const bool isShort = hasUnknown && !name.hasUnknownWord && !name.isNumbered; // "x_G", "γ"
-    const bool isOfIndex = name.isUnknownBody || (isShort && !name.body && (says || isAngle));
+    const bool isOfIndex = name.isUnknownBody || (name.unknown.areIndices() && !name.body && (says || isAngle));
     const bool isCertain = (name.body || name.isFrame) && name.isBodyNamed &&
                            (name.order || name.hasSymbol || name.axis != ' ' || isAngle);
     const bool isAlpha = isAmong(name.symbol, "alpha alfa al") && !name.body && !unit && !name.derivatives;
     NameMeaning meaning{.kind = isCertain && !isOfIndex ? Kind::Words : Kind::Quantity,
                         .channel = {coordinateOf(name, isAngle), order},
-                        .owner = hasUnknown && !name.body ? name.unknown : path.owner + name.joints,
                         .hasUnknownWords = hasUnknown || isOfIndex,
                         .isAtB = name.isAtB && order == Order::Position};
+    if (name.unknown.isAny() && !name.body) {
+        meaning.owner = name.unknown.point.empty() ? name.unknown.text : name.unknown.point;
+    } else {
+        meaning.owner = path.owner + name.joints;
+    }
     meaning.reason = path.isInSi && unitText.empty() ? ColumnReason::PathInSi
                      : meaning.hasUnknownWords       ? ColumnReason::UnknownWords
                      : isCertain                     ? ColumnReason::KnownName
                                                      : ColumnReason::QuantityInName;
-    meaning.doubt = isOfIndex                                   ? (isAngle ? Doubt::IsOfCrank : Doubt::IsOfPoint)
-                    : name.isNumbered && !name.body && !isAngle ? Doubt::IsOfPart
-                    : isAlpha                                   ? Doubt::IsAngle
-                    : unit                                      ? Doubt::None
-                                                                : name.doubt;
+    meaning.doubt = isOfIndex ? (isAngle ? Doubt::IsOfCrank : Doubt::IsOfPoint)
+                    : !name.unknown.point.empty() && !name.body && !isAngle ? Doubt::IsOfPart
+                    : isAlpha                                               ? Doubt::IsAngle
+                    : unit                                                  ? Doubt::None
+                                                                            : name.doubt;
     return meaning;
 }
 
@@ -219,7 +222,7 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     std::optional<NameReading> reading = readName(path, derivatives, words);
     if (reading && isElement(name)) {
         reading->isUnknownBody = true;
-        reading->unknown = name.substr(name.rfind('('));
+        reading->unknown.point = name.substr(name.rfind('('));
     }
     const Words allWords = wordsOf(name);
     const bool isAboutZ = std::ranges::count(allWords, "z") > 0; // the motion is in x and y, and z is only an axis

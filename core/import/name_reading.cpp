@@ -49,13 +49,10 @@ enum class Entries {
 };
 
 /// Includes the number of a link after a symbol: the crank is link 2, the coupler 3 and the slider 4. Returns false if
-/// the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1"), but it belongs to
-/// an unknown name ("PART_4").
+/// the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1").
 bool includeNumber(NameReading &all, std::string_view digits, Entries entries)
 {
     if (!all.hasSymbol || entries == Entries::WithoutSymbols) {
-        all.isNumbered = all.isNumbered || all.isLabelled || all.hasUnknownWord;
-        all.unknown += all.isLabelled || !all.unknown.empty() ? digits : std::string_view();
         return true;
     }
     const bool isAngle = all.dimension == Dimension::Angle;
@@ -86,7 +83,7 @@ bool includeJoint(NameReading &all, std::string_view letter)
 {
     const WordMeaning *const index = findWord(letter, WordUse::Index);
     all.isUnknownBody = all.isUnknownBody || !index;
-    all.unknown += index ? std::string_view() : letter;
+    all.joints = letter;
     return !index || merge(all, *index);
 }
 
@@ -125,7 +122,7 @@ bool includeIndex(NameReading &all, std::string_view word, const WordMeaning &in
         return false;
     }
     all.hasIndex = true;
-    all.joints = !index.body && word.size() > 1 ? word : "";
+    all.joints = word;
     return isOfSlider || merge(all, index);
 }
 
@@ -272,16 +269,23 @@ bool includeUnknown(NameReading &all, std::string_view word)
     if (isKnown || isOfOtherQuantity(word)) {
         return false;
     }
-    all.isNumbered = all.isNumbered || (all.hasUnknownWord && word.size() == 1);
-    all.unknown += word;
-    all.hasUnknownWord = all.hasUnknownWord || word.size() >= kShortestWord;
+    all.unknown.text += word;
+    all.unknown.hasWord = all.unknown.hasWord || word.size() >= kShortestWord;
     return true;
 }
 
-/// Returns whether a word is the letter behind an unknown word or a symbol: the A of "mass_A x".
-bool isLetterOfUnknown(const NameReading &before, const Words &words, std::size_t at)
+/// Returns whether a word is the number or letter of a point, behind "joint" or an unknown word: "P1X", "mass_A x".
+bool isNumberOfPoint(const NameReading &before, const Words &words, std::size_t at)
 {
-    return words[at] == "a" && at > 0 && before.unknown.ends_with(words[at - 1]);
+    if (at == 0) {
+        return false;
+    }
+    const std::string &name = words[at - 1];
+    const bool isLabel = findWord(name, WordUse::Label) && !findWord(name, WordUse::Filler);
+    const bool isUnknown = before.unknown.text.ends_with(name);
+    const bool isLetter = words[at].size() == 1 && (words[at] == "a" || !findWord(words[at], WordUse::Symbol));
+    const bool isLast = at + 1 == words.size(); // "επιτάχυνση a"
+    return isDigits(words[at]) ? isLabel || isUnknown : isLetter && !isLast && isUnknown && before.unknown.hasWord;
 }
 
 /// Removes the differentials of "dx/dt" and "d^2x/dt^2", whose words are "dxdt" and "d", "2", "xdt", "2". Returns the
@@ -331,17 +335,21 @@ bool includeWords(NameReading &all, const Words &words, Entries entries)
 {
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string two = i + 1 < words.size() ? words[i] + '_' + words[i + 1] : std::string();
-        const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler); // "link 3", "O2"
+        const bool isPair = // "link 3", "O2", but not the B x of "joint B x"
+            !(all.isLabelled && (two.ends_with("_x") || two.ends_with("_y"))) &&
+            (findWord(two, WordUse::Word) || findWord(two, WordUse::Filler));
+        bool isIncluded = true;
         if (isPlace(words, i)) {
-            if (!includePlace(all, words[++i])) {
-                return false;
-            }
-        } else if (isLetterOfUnknown(all, words, i) || !includeWord(all, isPair ? two : words[i], entries)) {
-            if (!includeUnknown(all, words[i])) {
-                return false;
-            }
-        } else {
+            isIncluded = includePlace(all, words[++i]);
+        } else if (isNumberOfPoint(all, words, i)) {
+            all.unknown.point = all.unknown.point.empty() ? words[i - 1] + words[i] : all.unknown.point;
+        } else if (includeWord(all, isPair ? two : words[i], entries)) {
             i += isPair ? 1 : 0;
+        } else {
+            isIncluded = includeUnknown(all, words[i]);
+        }
+        if (!isIncluded) {
+            return false;
         }
     }
     return true;
@@ -422,8 +430,6 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
         if (includeWords(with, words, isLast ? Entries::All : Entries::WithoutSymbols)) {
             if (path.isOfModelica && !isLast) { // whose components may have any name
                 with.unknown = all.unknown;
-                with.hasUnknownWord = all.hasUnknownWord;
-                with.isNumbered = all.isNumbered;
             }
             all = with;
         } else if (isLast) {

@@ -28,6 +28,16 @@ struct NamePath {
 /// Splits a name into the parts of its path. The parts refer to the name.
 NamePath splitPath(std::string_view name);
 
+/// The words of a name that the vocabulary does not contain. They may name a point or body, or say nothing.
+struct UnknownWords {
+    std::string text{};   ///< one after the other
+    bool hasWord = false; ///< one of at least three letters, and not only indices
+    std::string point{}; ///< one with the number or letter behind it, or "joint" with its number: "massa" in "mass_A x"
+
+    bool isAny() const { return !text.empty() || !point.empty(); }
+    bool areIndices() const { return !text.empty() && !hasWord && point.empty(); } ///< as in "x_G"
+};
+
 /// What the words of a name say together.
 struct NameReading {
     std::optional<Dimension> dimension{};
@@ -48,11 +58,7 @@ struct NameReading {
     std::string symbol{};
     std::string joints{}; ///< the ends of a link: "bc" in "ω_BC"
 
-    /// The unknown words, one after the other, with the letter or number after one of them or after "joint": "massa" in
-    /// "mass_A x". They may be the name of a point or body, or say nothing.
-    std::string unknown{};
-    bool hasUnknownWord = false; ///< one of at least three letters
-    bool isNumbered = false;     ///< a number or letter follows an unknown word or "joint"
+    UnknownWords unknown{};
 };
 
 /// Removes the words that stand for a derivative, wherever they are: the dot of "theta3_dot", the d and dt of

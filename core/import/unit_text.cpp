@@ -31,7 +31,7 @@ const Spellings kUnitSpellings(
     "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
     "|^\\circ=deg|\\circ=deg|\\=|"
     "°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
-    " atdc=| ATDC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=");
+    " cw=| ccw=| CW=| CCW=| atdc=| ATDC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=");
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
@@ -46,7 +46,7 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"in inch inches pulgada pulgadas zoll", {Length, 0, 25.4}},
         {"ft foot feet", {Length, 0, 304.8}},
         {"g", {Length, 2, 9806.65}},
-        {"deg град 度 도 fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
+        {"deg град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
          "gradi grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw "
          "degkw",
          {Angle, 0, 1.0}},

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 namespace slidercrank
 {
@@ -159,10 +161,10 @@ void findBodyOfPosition(std::vector<RawColumn *> &candidates)
     }
 }
 
-/// Returns whether the column is a length of a point whose name is unknown.
+/// Returns whether the column is a length of a point that only has a letter, a number or an unknown name.
 bool isOfPoint(const RawColumn *column)
 {
-    return isOfUnnamedBody(column) && column->meaning.hasUnknownWords && !isAngle(column->use.channel.coordinate);
+    return isOfUnnamedBody(column) && !column->meaning.owner.empty() && !isAngle(column->use.channel.coordinate);
 }
 
 /// Returns the only owner of columns of numbered parts, if no other column is the slider's; else an empty text.
@@ -182,28 +184,52 @@ std::string onlyPart(const std::vector<RawColumn *> &candidates)
     return part;
 }
 
-/// Finds the slider among points with x and y: it is the only one whose y does not change. Removes the others, and
-/// points that only this could tell.
-void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
+/// The path of a point with the name of an owner, as far as its x and y are in the table.
+enum class Path { Unknown, Straight, Curved };
+
+Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner)
 {
     constexpr double kStraightness = 0.02; // of the travel, for points that were followed in a video
+    constexpr double kCurvedness = 0.3;    // of the travel: a camera may be inclined
+    const RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, owner);
+    const RawColumn *const y = findUnnamed(candidates, {R4y, Order::Position}, owner);
+    if (!x || !y || isConstant(*x)) {
+        return Path::Unknown;
+    }
+    const double width = rangeOf(x->values).width();
+    const double height = rangeOf(y->values).width();
+    const bool isCurved = height > kCurvedness * width && width > kCurvedness * height;
+    if (height <= kStraightness * width) {
+        return Path::Straight;
+    }
+    return isCurved ? Path::Curved : Path::Unknown;
+}
+
+/// Finds the slider among points with x and y: it is the only one whose y does not change. Removes the others, those
+/// whose paths are curved, and those that only the path could tell.
+void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
+{
     const std::string part = onlyPart(candidates);
-    std::vector<std::string> sliders;
-    for (const RawColumn *const x : candidates) {
-        const RawColumn *const y = findUnnamed(candidates, {R4y, Order::Position}, x->meaning.owner);
-        if (isOfPoint(x) && x->use.channel == Channel{R4x, Order::Position} && y &&
-            rangeOf(y->values).width() <= kStraightness * rangeOf(x->values).width() && !isConstant(*x)) {
-            sliders.push_back(x->meaning.owner);
+    std::set<std::string> straight;
+    std::set<std::string> curved;
+    for (const RawColumn *const column : candidates) {
+        const std::string &owner = column->meaning.owner;
+        const Path path = isOfPoint(column) ? pathOf(candidates, owner) : Path::Unknown;
+        if (path != Path::Unknown) {
+            (path == Path::Straight ? straight : curved).insert(owner);
         }
     }
     std::erase_if(candidates, [&](RawColumn *column) {
-        const NameMeaning &meaning = column->meaning;
-        const bool isSlider = sliders.size() == 1 && meaning.owner == sliders.front();
-        const bool isDoubtful = meaning.doubt == Doubt::IsOfPoint || (meaning.doubt == Doubt::IsOfPart && part.empty());
-        const bool isOther = isOfPoint(column) && !isSlider && (sliders.size() == 1 || isDoubtful);
-        if (isOfPoint(column) && isSlider) {
-            column->meaning.reason = ColumnReason::StraightPath;
+        if (!isOfPoint(column)) {
+            return false;
         }
+        NameMeaning &meaning = column->meaning;
+        if (straight.size() == 1 && straight.contains(meaning.owner)) {
+            meaning.reason = ColumnReason::StraightPath;
+            return false;
+        }
+        const bool isDoubtful = meaning.doubt == Doubt::IsOfPoint || (meaning.doubt == Doubt::IsOfPart && part.empty());
+        const bool isOther = straight.size() == 1 || curved.contains(meaning.owner) || isDoubtful;
         column->use.reason = isOther ? ColumnReason::UnknownBody : column->use.reason;
         return isOther;
     });

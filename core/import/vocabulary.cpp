@@ -176,11 +176,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
         WordMeaning{Filler,
                     "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
-                    "component componente comp latest run set data body field plot channel out yout output result "
-                    "results simout instantaneous smart red blue green box object amplitude sensor girado gedreht "
-                    "tourne probe rel relative relativo relativa placement base z yer video analysis serie jt kol "
-                    "kolu open crossed abierta cruzada offen gekreuzt o gemessen measured medido medida measure "
-                    "mea meas pin obrotu поворота"},
+                    "component comp field out output instantaneous relative measured z open crossed o pin"},
         WordMeaning{OtherQuantity,
                     "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
                     "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
@@ -188,8 +184,8 @@ std::span<const WordMeaning> vocabulary()
                     "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
                     "сила 力 torque par couple coppia moment momento drehmoment moment pressure presion pression "
                     "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
-                    "transmissao ubertragungswinkel przeniesienia ratio jerk offset limit tilt lift"},
-        WordMeaning{Label, "joint pin gelenk point punkt punto node marker of de del von du di do"},
+                    "transmissao ubertragungswinkel przeniesienia ratio jerk limit tilt"},
+        WordMeaning{Label, "body part joint pin gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
 }

@@ -219,7 +219,9 @@ private slots:
         QCOMPARE(rolesIn("t;mass_A x;mass_A y;mass_B x;mass_B y"), sliderSecond);
         QCOMPARE(rolesIn("t;PART_3.CM_Position.X;PART_3.CM_Position.Y;PART_4.CM_Position.X;PART_4.CM_Position.Y"),
                  sliderSecond);
+        QCOMPARE(rolesIn("t;Joint B x;Joint B y;Joint C x;Joint C y"), sliderSecond);
         QCOMPARE(rolesIn("t;x_D;y_D;slider x;slider y"), QString("time - - R4_x R4_y"));
+        QCOMPARE(rolesIn("t;Maneton x;Maneton y;F1;F2"), QString("refused"));
         QCOMPARE(rolesIn("t;X(2);F1;X(3);F2"), QString("refused")); // only the y could tell
         QCOMPARE(rolesIn("t;F1;F2;PART_4.X;F3"), QString("time - - R4_x? -"));
     }
