@@ -54,9 +54,7 @@ std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> 
         order = name.derivatives; // "velocity ẋ"
     } else if (name.order && !isAlpha) {
         order = static_cast<int>(*name.order) + name.derivatives;
-    } else if (unit && !name.derivatives) {
-        order = unit->order;
-    } else if (unit && name.unknown.isAny()) { // "dλ/dt (mm/s)"
+    } else if (unit && (!name.derivatives || name.unknown.isAny())) { // "dλ/dt (mm/s)"
         order = unit->order;
     } else if (name.hasSymbol || name.derivatives || (name.body && name.body != Body::Coupler)) {
         order = name.derivatives;
@@ -80,46 +78,71 @@ Coordinate coordinateOf(const NameReading &name, bool isAngle)
     return isY ? R4y : R4x;
 }
 
+/// Returns whether the name or its unit denotes an angle.
+bool isOfAngle(const NameReading &name, const std::optional<Unit> &unit, const NamePath &path)
+{
+    const bool isOfRevoluteJoint = path.isInSi && name.body == Body::Coupler; // "/joint_states/rod/position"
+    const Dimension withoutUnit = isOfRevoluteJoint ? Dimension::Angle : Dimension::Length;
+    return name.dimension.value_or(unit ? unit->dimension : withoutUnit) == Dimension::Angle;
+}
+
+/// Returns whether the name, with its unit, says enough for a quantity: beside unknown words, the body alone does not.
+bool saysQuantity(const NameReading &name, const std::optional<Unit> &unit)
+{
+    const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ';
+    if (name.unknown.isAny()) {
+        return unit ? unit->dimension != Dimension::Time : namesQuantity;
+    }
+    return namesQuantity || name.body;
+}
+
+/// Returns what only the other columns can tell about a name, which is marked by an index such as the A of "x_A".
+NameMeaning::Doubt doubtOf(const NameReading &name, const std::optional<Unit> &unit, bool isAngle, bool hasIndex)
+{
+    if (hasIndex) {
+        return isAngle ? Doubt::IsOfCrank : Doubt::IsOfPoint;
+    }
+    if (!name.unknown.point.empty() && !name.body && !isAngle) {
+        return Doubt::IsOfPart;
+    }
+    if (isAmong(name.symbol, "alpha alfa al") && !name.body && !unit && !name.derivatives) {
+        return Doubt::IsAngle;
+    }
+    return unit ? Doubt::None : name.doubt;
+}
+
 /// Returns the channel or quantity of a name. Where no word is known, the unit tells the quantity.
 NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
 {
     const std::optional<Unit> unit = parseUnit(unitText);
-    const bool isOfRevoluteJoint = path.isInSi && name.body == Body::Coupler; // "/joint_states/rod/position"
-    const Dimension usual = unit ? unit->dimension : isOfRevoluteJoint ? Dimension::Angle : Dimension::Length;
-    const bool isAngle = name.dimension.value_or(usual) == Dimension::Angle;
-    const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ';
-    const bool says = namesQuantity || name.body;
-    const bool hasUnknown = name.unknown.isAny();
-    const bool isOpen = hasUnknown && !(unit ? unit->dimension != Dimension::Time : namesQuantity);
-    const std::optional<Order> knownOrder = (says || hasUnknown) && !isOpen ? orderOf(name, unit) : std::nullopt;
+    const bool isAngle = isOfAngle(name, unit, path);
+    const std::optional<Order> knownOrder = saysQuantity(name, unit) ? orderOf(name, unit) : std::nullopt;
     const bool isOfTurningBody = (name.body == Body::Crank || name.body == Body::Coupler) && !isAngle;
     const bool isCentre = name.isCentre && name.axis != ' '; // the only point of these bodies that has channels
     if (!knownOrder || (isOfTurningBody && !isCentre)) {
         return {};
     }
     const Order order = *knownOrder;
-    const bool isOfIndex = name.isUnknownBody || (name.unknown.areIndices() && !name.body && (says || isAngle));
-    const bool isCertain = (name.body || name.isFrame) && name.isBodyNamed &&
+    const bool isSymbolAlone = name.unknown.areIndices() && !name.body; // "x_G", but "λ (mm)" is no index
+    const bool hasIndex =
+        name.isUnknownBody || (isSymbolAlone && (name.order || name.hasSymbol || name.axis != ' ' || isAngle));
+    const bool namesBody = (name.body || name.isFrame) && name.isBodyNamed &&
                            (name.order || name.hasSymbol || name.axis != ' ' || isAngle);
-    const bool isAlpha = isAmong(name.symbol, "alpha alfa al") && !name.body && !unit && !name.derivatives;
-    NameMeaning meaning{.kind = isCertain && !isOfIndex ? Kind::Words : Kind::Quantity,
+    NameMeaning meaning{.kind = namesBody && !hasIndex ? Kind::Words : Kind::Quantity,
                         .channel = {coordinateOf(name, isAngle), order},
-                        .hasUnknownWords = hasUnknown || isOfIndex,
+                        .reason = namesBody ? ColumnReason::KnownName : ColumnReason::QuantityInName,
+                        .owner = path.owner + name.joints,
+                        .doubt = doubtOf(name, unit, isAngle, hasIndex),
+                        .hasUnknownWords = name.unknown.isAny() || hasIndex,
                         .isAtB = name.isAtB && order == Order::Position};
     if (name.unknown.isAny() && !name.body) {
         meaning.owner = name.unknown.point.empty() ? name.unknown.text : name.unknown.point;
-    } else {
-        meaning.owner = path.owner + name.joints;
     }
-    meaning.reason = path.isInSi && unitText.empty() ? ColumnReason::PathInSi
-                     : meaning.hasUnknownWords       ? ColumnReason::UnknownWords
-                     : isCertain                     ? ColumnReason::KnownName
-                                                     : ColumnReason::QuantityInName;
-    meaning.doubt = isOfIndex ? (isAngle ? Doubt::IsOfCrank : Doubt::IsOfPoint)
-                    : !name.unknown.point.empty() && !name.body && !isAngle ? Doubt::IsOfPart
-                    : isAlpha                                               ? Doubt::IsAngle
-                    : unit                                                  ? Doubt::None
-                                                                            : name.doubt;
+    if (path.isInSi && unitText.empty()) {
+        meaning.reason = ColumnReason::PathInSi;
+    } else if (meaning.hasUnknownWords) {
+        meaning.reason = ColumnReason::UnknownWords;
+    }
     return meaning;
 }
 

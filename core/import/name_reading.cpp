@@ -16,10 +16,6 @@ namespace
 using Words = std::vector<std::string>;
 using Doubt = NameMeaning::Doubt;
 
-/// Last parts of paths that say nothing: "slider_tx/value", "Piston/Bâti" (relative to the frame).
-constexpr std::string_view kIgnoredEnds =
-    "value series data signal ground frame base bâti bati bastidor telaio gestell";
-
 /// Parts of names that programs with m, rad and s give: OpenSim, MuJoCo and Gazebo.
 constexpr std::array<std::string_view, 7> kNamesInSi{"_tx",        "qpos",       "qvel",      "qacc",
                                                      "_joint_pos", "_joint_vel", "_joint_acc"};
@@ -386,9 +382,6 @@ NamePath splitPath(std::string_view name)
             begin = i + 1;
             separator = isEnd ? separator : name[i];
         }
-    }
-    while (path.parts.size() > 1 && isAmong(lowered(path.parts.back()), kIgnoredEnds)) {
-        path.parts.pop_back();
     }
     path.isOfModelica = path.parts.size() > 1 && separator == '.' && name.find_first_of(" ,;:/") == name.npos &&
                         findWord('.' + std::string(path.parts.back()), WordUse::Symbol);

@@ -37,9 +37,6 @@ constexpr std::string_view kTimeCompanions =
     "latest data set ch mechanism kin";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
-/// Words before a number that says nothing about the quantity.
-constexpr std::string_view kNumberedWords =
-    "run set dataset ch ai channel trial test series serie versuch messung ensayo essai";
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
 constexpr std::string_view kRowNumberCompanions =
@@ -239,12 +236,6 @@ Words wordsOf(std::string_view name)
             words.back() += lowerCase(c);
         }
         before = c;
-    }
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        if (isDigits(words[i]) && isAmong(words[i - 1], kNumberedWords)) {
-            const auto number = words.begin() + static_cast<std::ptrdiff_t>(i);
-            words.erase(number - 1, number + 1);
-        }
     }
     return words;
 }

@@ -47,7 +47,6 @@ const WordMeaning *findWord(std::string_view word, WordUse use);
 
 /// Splits a name into runs of letters, runs of digits, and primes, in lower case and without accents. A capital letter
 /// after a small one begins a word: "SliderPosition". Dots above a letter become primes: "ẍ" is x, ', '.
-/// A numbered run or sensor is left out: "Position Run #1".
 std::vector<std::string> wordsOf(std::string_view name);
 
 bool isDigits(std::string_view word);
