@@ -125,16 +125,17 @@ QJsonValue jsonMechanism(bool exists, const Parameters &parameters)
 QJsonArray jsonConventions(const std::vector<ConventionFinding> &findings)
 {
     return jsonList(findings, [](const ConventionFinding &finding) {
-        const std::optional<QString> unit = amountUnit(finding);
+        const Convention &convention = finding.convention;
+        const std::optional<QString> unit = amountUnit(convention);
         QStringList channels;
-        for (const Channel channel : finding.channels) {
+        for (const Channel channel : convention.channels) {
             channels += columnName(channel);
         }
-        return QJsonObject{{"name", conventionName(finding.kind)},
+        return QJsonObject{{"name", conventionName(convention.kind)},
                            {"channel", jsonText(channels.join(','))},
-                           {"amount", unit ? QJsonValue(finding.amount) : QJsonValue()},
+                           {"amount", unit ? QJsonValue(convention.amount) : QJsonValue()},
                            {"unit", jsonText(unit.value_or(QString()))},
-                           {"explanation", explanationText(finding)},
+                           {"explanation", explanationText(convention)},
                            {"standardError", jsonNumber(finding.standardError)},
                            {"before", jsonNumber(finding.before)},
                            {"after", jsonNumber(finding.after)}};

@@ -87,7 +87,9 @@ std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 ReferenceData applied(const Convention &convention, ReferenceData data);
 
 /// A convention that was found in a file.
-struct ConventionFinding : Convention {
+struct ConventionFinding {
+    Convention convention;
+
     /// The largest error without and with the convention, in percent of the motion's peak, after all other conventions
     /// are applied: of the columns that it changes, or of all if it changes the times, the axes or the model. 0 without
     /// values.

@@ -23,7 +23,7 @@ using Kind = Convention::Kind;
 /// Appends a convention, or its column to an equal one. Each origin is a finding of its own.
 void append(std::vector<ConventionFinding> &conventions, Kind kind, Channel channel, double amount)
 {
-    for (ConventionFinding &convention : conventions) {
+    for (auto &[convention, before, after, standardError] : conventions) {
         if (convention.kind == kind && convention.amount == amount && kind != Kind::ZeroPoint) {
             convention.channels.push_back(channel);
             return;
@@ -135,8 +135,8 @@ std::vector<ConventionFinding> conventionsOf(const LastFit &lastFit)
 
 ReferenceData allApplied(const std::vector<ConventionFinding> &conventions, ReferenceData data)
 {
-    for (const ConventionFinding &convention : conventions) {
-        data = applied(convention, std::move(data));
+    for (const ConventionFinding &finding : conventions) {
+        data = applied(finding.convention, std::move(data));
     }
     return data;
 }
@@ -160,7 +160,7 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
     const std::vector<ChannelComparison> after =
         conventions.empty() ? std::vector<ChannelComparison>() : compareWith(conventions, mechanism);
     for (std::size_t i = 0; i < conventions.size(); ++i) {
-        ConventionFinding &convention = conventions[i];
+        const Convention &convention = conventions[i].convention;
         std::vector<ConventionFinding> others = conventions;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
         Parameters without = mechanism;
@@ -168,8 +168,8 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
         const bool concernsAll =
             convention.kind == Kind::TimeUnit || convention.kind == Kind::Axis || concerns(convention, kCrankAngle);
         const std::vector<Channel> channels = concernsAll ? std::vector<Channel>() : convention.channels;
-        convention.before = largestPercent(compareWith(others, without), channels);
-        convention.after = largestPercent(after, channels);
+        conventions[i].before = largestPercent(compareWith(others, without), channels);
+        conventions[i].after = largestPercent(after, channels);
     }
 }
 

@@ -40,7 +40,7 @@ template <class Predicate>
 void append(std::vector<ConventionFinding> &conventions, const ReferenceData &data, Kind kind, double amount,
             const Predicate &concerns)
 {
-    ConventionFinding &convention = conventions.emplace_back(ConventionFinding{{kind, {}, amount}});
+    Convention &convention = conventions.emplace_back(ConventionFinding{{kind, {}, amount}}).convention;
     for (const ReferenceSeries &series : data.series) {
         if (concerns(series.channel)) {
             convention.channels.push_back(series.channel);

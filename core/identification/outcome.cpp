@@ -221,7 +221,8 @@ ReferenceData usedData(ReferenceData data, const std::optional<Convention> &chan
 /// A whole turn that is added to θ3 before and again after a change of its sign is none.
 void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 {
-    const auto isTurn = [&](const ConventionFinding &convention) {
+    const auto isTurn = [](const ConventionFinding &finding) {
+        const Convention &convention = finding.convention;
         return convention.kind == Convention::Kind::WholeTurns && convention.amount == kTurn * kDegreesPerRadian;
     };
     if (std::ranges::count_if(conventions, isTurn) == 2) {

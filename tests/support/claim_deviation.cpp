@@ -34,8 +34,9 @@ double unitFactor(const Claim &claim, Channel channel)
 {
     double factor = 1.0;
     for (const ConventionFinding &finding : claim.found.conventions) {
-        const bool isUnit = finding.kind == Kind::AngleUnit || finding.kind == Kind::LengthUnit;
-        factor *= isUnit && concerns(finding, channel) ? finding.amount : 1.0;
+        const Convention &convention = finding.convention;
+        const bool isUnit = convention.kind == Kind::AngleUnit || convention.kind == Kind::LengthUnit;
+        factor *= isUnit && concerns(convention, channel) ? convention.amount : 1.0;
     }
     return factor;
 }

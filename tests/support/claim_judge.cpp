@@ -97,16 +97,16 @@ std::string falseConvention(const Claim &claim)
     const bool hidesDeviations = table.isSystematic && explainsExactly(claim, claim.found.parameters);
     std::size_t count = 0;
     for (const ConventionFinding &finding : claim.found.conventions) {
-        const bool isOrigin = finding.kind == ZeroPoint;
-        const ClaimColumn *column =
-            finding.channels.empty() ? nullptr : table.find(std::string(nameOf(finding.channels.front())));
+        const auto &[kind, channels, amount] = finding.convention;
+        const bool isOrigin = kind == ZeroPoint;
+        const ClaimColumn *column = channels.empty() ? nullptr : table.find(std::string(nameOf(channels.front())));
         if (isOrigin && column && column->content == ClaimColumn::Content::Systematic && !column->hasOrigin) {
             if (!hidesDeviations) {
                 return "an invented origin of " + column->heading;
             }
             continue;
         }
-        count += finding.kind != WholeTurns ? 1U : 0U;
+        count += kind != WholeTurns ? 1U : 0U;
     }
     return count < table.fewestConventions || count > table.mostConventions ? std::to_string(count) + " conventions"
                                                                             : "";
@@ -159,7 +159,7 @@ Claim::Claim(const ClaimTable &claimTable, const ReferenceData &data)
     , read(data)
 {
     for (const ConventionFinding &finding : found.conventions) {
-        read = applied(finding, std::move(read));
+        read = applied(finding.convention, std::move(read));
     }
 }
 

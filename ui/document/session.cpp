@@ -314,9 +314,9 @@ void Session::useFoundMechanism()
     const Identification &found = m_identification->found;
     const Parameters parameters = mechanismToUse(found);
     std::shared_ptr<const Reference> reference = m_choices.reference;
-    for (const ConventionFinding &convention : found.conventions) {
-        if (convention.kind != Convention::Kind::Branch) { // the assembly is one of the parameters
-            reference = applied(convention, reference);
+    for (const ConventionFinding &finding : found.conventions) {
+        if (finding.convention.kind != Convention::Kind::Branch) { // the assembly is one of the parameters
+            reference = applied(finding.convention, reference);
         }
     }
     const auto use = [this, parameters](const std::shared_ptr<const Reference> &with) {

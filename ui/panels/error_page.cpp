@@ -197,8 +197,8 @@ void offerMechanism(Finding &finding, const Identification &found, const Paramet
     finding.remedy = Remedy::UseFoundMechanism;
     finding.remedyText = ErrorPage::tr("Use this mechanism");
     QStringList details{ErrorPage::tr("Sets %1.").arg(mechanismText(Mechanism(parameters), kDigits))};
-    for (const Convention &convention : found.conventions) {
-        details << explanationText(convention);
+    for (const ConventionFinding &conventionFinding : found.conventions) {
+        details << explanationText(conventionFinding.convention);
     }
     details << shownDriveText(found, parameters.omega2);
     details.removeAll(QString());

@@ -164,8 +164,8 @@ QString explanationText(const Convention &convention)
 
 QString findingText(const ConventionFinding &finding)
 {
-    const QString explanation = explanationText(finding);
-    return finding.kind == Kind::NotDerivative // the column is left out, and has no error afterwards
+    const QString explanation = explanationText(finding.convention);
+    return finding.convention.kind == Kind::NotDerivative // the column is left out, and has no error afterwards
                ? explanation
                : ConventionText::tr("%1 Largest error: %2 → %3 % of peak.")
                      .arg(explanation, errorText(finding.before), errorText(finding.after));

@@ -41,7 +41,7 @@ std::vector<Explanation> explanationsOf(const Identification &found, const Param
         }
     };
     for (const ConventionFinding &finding : found.conventions) {
-        explanations.push_back({findingText(finding), Cause::Convention, Action::Apply, finding});
+        explanations.push_back({findingText(finding), Cause::Convention, Action::Apply, finding.convention});
     }
     if (!found.hasMechanism() || found.leftOut.empty()) { // otherwise the result names these columns, too
         add(differenceSentence(layout), Cause::LeftOut);

@@ -115,11 +115,12 @@ QByteArray described(const std::vector<ConventionFinding> &findings)
 {
     QByteArray text;
     for (const ConventionFinding &finding : findings) {
-        text += "kind " + QByteArray::number(static_cast<int>(finding.kind));
-        for (const Channel channel : finding.channels) {
+        const Convention &convention = finding.convention;
+        text += "kind " + QByteArray::number(static_cast<int>(convention.kind));
+        for (const Channel channel : convention.channels) {
             text += ' ' + std::string(nameOf(channel));
         }
-        text += " by " + QByteArray::number(finding.amount) + ": " + QByteArray::number(finding.before) + " % to " +
+        text += " by " + QByteArray::number(convention.amount) + ": " + QByteArray::number(finding.before) + " % to " +
                 QByteArray::number(finding.after) + " %; ";
     }
     return text.isEmpty() ? "nothing" : text;
@@ -137,7 +138,8 @@ bool areFound(const std::vector<ConventionFinding> &findings, const std::vector<
 {
     return findings.size() == expected.size() && std::ranges::all_of(findings, [&](const ConventionFinding &finding) {
                return finding.before > 1.0 && finding.after < 0.1 &&
-                      std::ranges::any_of(expected, [&](const Convention &one) { return isSame(finding, one); });
+                      std::ranges::any_of(expected,
+                                          [&](const Convention &one) { return isSame(finding.convention, one); });
            });
 }
 
@@ -334,21 +336,21 @@ private slots:
                 const auto found = findConventions(data, p);
                 const QByteArray title = QByteArray(row.name) + ": " + described(found);
                 const bool hasOrigin = row.angleAdded == 40.0;
-                QVERIFY2(found.size() == (hasOrigin ? 2U : 1U) && isSame(found[0], axis), title);
+                QVERIFY2(found.size() == (hasOrigin ? 2U : 1U) && isSame(found[0].convention, axis), title);
                 QVERIFY2(found[0].before > 1.0 && found[0].after < 0.1, title);
-                QVERIFY2(!hasOrigin ||
-                             (found[1].kind == Kind::ZeroPoint && std::abs(found[1].amount + row.angleAdded) < 1e-3),
+                QVERIFY2(!hasOrigin || (found[1].convention.kind == Kind::ZeroPoint &&
+                                        std::abs(found[1].convention.amount + row.angleAdded) < 1e-3),
                          title);
                 // After these conventions are applied, the file agrees with the mechanism. They are also found if
                 // another mechanism is given.
                 ReferenceData read = data;
                 for (const ConventionFinding &finding : found) {
-                    read = applied(finding, std::move(read));
+                    read = applied(finding.convention, std::move(read));
                 }
                 QVERIFY(std::ranges::count(compareExactly(Mechanism(p), read).channels, Verdict::Differs,
                                            &ChannelComparison::verdict) == 0);
                 const auto beside = findConventions(data, Parameters());
-                QVERIFY2(!beside.empty() && isSame(beside[0], axis), described(beside));
+                QVERIFY2(!beside.empty() && isSame(beside[0].convention, axis), described(beside));
             }
         }
     }
@@ -378,7 +380,7 @@ private slots:
         const ReferenceData data = applied({Kind::TimeShift, {}, 0.137}, printedData(Parameters()));
         const auto found = findConventions(data, Parameters());
         QCOMPARE(found.size(), std::size_t(1));
-        QVERIFY(found[0] == (Convention{Kind::TimeShift, {}, -0.137}));
+        QVERIFY(found[0].convention == (Convention{Kind::TimeShift, {}, -0.137}));
     }
 
     void convertsTheRoundingStepToo()

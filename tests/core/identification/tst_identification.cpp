@@ -135,7 +135,7 @@ private slots:
         const Convention halfTurn{Convention::Kind::HalfTurn, {kTheta3}, 180.0};
         const Identification turned = identified(applied(halfTurn, data));
         QCOMPARE(turned.conventions.size(), std::size_t{1});
-        QVERIFY(turned.conventions[0] == (Convention{Convention::Kind::HalfTurn, {kTheta3}, -180.0}));
+        QVERIFY(turned.conventions[0].convention == (Convention{Convention::Kind::HalfTurn, {kTheta3}, -180.0}));
     }
 
     void findsRandomMechanisms()
@@ -252,7 +252,8 @@ private slots:
             const Identification found = identified(data, p);
             const std::size_t largest = largestAllocation;
             QCOMPARE(found.conventions.size(), std::size_t{1});
-            QVERIFY(found.conventions[0] == (Convention{Convention::Kind::AngleUnit, angles, kDegreesPerRadian}));
+            QVERIFY(found.conventions[0].convention ==
+                    (Convention{Convention::Kind::AngleUnit, angles, kDegreesPerRadian}));
             QVERIFY(found.conventions[0].before > 1.0 && found.conventions[0].after < 0.1);
             // Applying a convention copies the file column by column, so no allocation exceeds one column.
             QVERIFY2(largest <= sizeof(double) * data.time.size(), QByteArray::number(largest));

@@ -48,7 +48,7 @@ bool hasLengths(const Identification &found, double a, double b, double c, doubl
 bool hasFinding(const Identification &found, Convention::Kind kind, Channel channel)
 {
     return std::ranges::any_of(found.conventions, [=](const ConventionFinding &finding) {
-        return finding.kind == kind && concerns(finding, channel);
+        return finding.convention.kind == kind && concerns(finding.convention, channel);
     });
 }
 

@@ -180,8 +180,8 @@ private slots:
         QVERIFY(!allAgree(session.result()->comparison));
         const std::vector<ConventionFinding> findings = session.identification()->found.conventions;
         QCOMPARE(findings.size(), std::size_t(1));
-        QCOMPARE(findings.front().amount, 30.0);
-        session.apply(findings.front());
+        QCOMPARE(findings.front().convention.amount, 30.0);
+        session.apply(findings.front().convention);
         QVERIFY(allAgree(session.result()->comparison));
         QVERIFY(session.isModified());
         session.setParameter(Parameter::Omega2, 100.0);

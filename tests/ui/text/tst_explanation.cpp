@@ -56,7 +56,7 @@ private slots:
         const std::vector<Explanation> explanations = explanationsOf(found);
         QCOMPARE(causesOf(explanations), (std::vector{Cause::Convention, Cause::Agreement}));
         QCOMPARE(explanations[0].action, Action::Apply);
-        QCOMPARE(explanations[0].convention, Convention(kInDegrees));
+        QCOMPARE(explanations[0].convention, kInDegrees.convention);
         QVERIFY(explanations[0].text.startsWith("theta3: in radians, but read as degrees. Largest error: 98.0 → "));
         QCOMPARE(explanations[1].text, QString("With these corrections, the file agrees with this mechanism."));
         QCOMPARE(explanations[1].action, Action::None);
