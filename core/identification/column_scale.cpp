@@ -12,8 +12,8 @@ namespace slidercrank
 
 double largestFurtherResidual(bool othersAreExact)
 {
-    constexpr double kNextToNothing = 1e-3;
-    return othersAreExact ? kNextToNothing : kLargestNoise;
+    constexpr double kLargestBesideExactColumns = 1e-3;
+    return othersAreExact ? kLargestBesideExactColumns : kLargestNoise;
 }
 
 std::span<const double> unitFactors(Channel channel)

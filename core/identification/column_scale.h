@@ -10,8 +10,8 @@
 namespace slidercrank
 {
 
-/// The largest residual (rms, of its range) with which a mechanism explains a further column: next to nothing beside
-/// columns whose residuals are rounding.
+/// The largest residual with which a mechanism explains a further column: rms, relative to the range of the column. If
+/// the mechanism explains the other columns exactly (within rounding), the further column may have hardly any residual.
 double largestFurtherResidual(bool othersAreExact);
 
 /// The factors by which a column may be in a different unit than its heading says; the first is 1.

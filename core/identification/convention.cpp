@@ -43,13 +43,14 @@ void change(const Convention &convention, int timePower, std::vector<double> &va
     }
     if (unwraps || kind == Kind::ZeroPoint || kind == Kind::TimeShift) {
         shift(values, rounding, convention.amount);
-    } else { // the amount is 1 unless it is a factor
+    } else { // kinds without a factor have the amount 1
         multiply(values, rounding, kind == Kind::TimeUnit ? std::pow(convention.amount, timePower) : convention.amount);
     }
 }
 
-/// Turns a column by -90 degrees.
-void turn(ReferenceSeries &series)
+/// Rotates the axes of a column, so that a slider that moves along y moves along x: y becomes x, x becomes -y, and
+/// angles are measured from the new x axis.
+void rotateAxes(ReferenceSeries &series)
 {
     constexpr double kQuarterTurn = 90.0;
     if (isAngle(series.channel.coordinate)) {
@@ -118,7 +119,7 @@ ReferenceData applied(const Convention &convention, ReferenceData data)
         if (convention.kind == Kind::SwappedColumns) {
             series.channel = convention.channels[series.channel == convention.channels[0] ? 1 : 0];
         } else if (convention.kind == Kind::Axis) {
-            turn(series);
+            rotateAxes(series);
         } else {
             change(convention, -static_cast<int>(series.channel.order), series.values, series.rounding);
         }

@@ -44,7 +44,7 @@
 namespace slidercrank
 {
 
-// The units that occur in files, in the default unit.
+// The units that occur in files, as multiples of the default unit (°, mm, s).
 inline constexpr std::array kAngleFactors{1.0, kDegreesPerRadian};
 inline constexpr std::array kLengthFactors{1.0, 10.0, 25.4, 1000.0};
 inline constexpr std::array kTimeFactors{1.0, 1e-3};

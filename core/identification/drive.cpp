@@ -29,7 +29,7 @@ struct Polynomial {
 Polynomial fitPolynomial(const Observations &observations, const Values &angles, double halfStep, Index terms)
 {
     constexpr double kMaxBounds = 2.5;   // of the largest error: an encoder truncates
-    constexpr double kArithmetic = 1e-9; // rad: angles with all digits of a double
+    constexpr double kArithmetic = 1e-9; // rad: rounding errors of angles that are printed with all digits
     constexpr double kMaxNoise = 0.1;    // rad
     const double half = 0.5 * observations.span();
     Eigen::MatrixXd basis(angles.size(), terms);

@@ -98,7 +98,9 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
         if (!observations.columns[k].containsAngles() || unit == 1.0) {
             continue;
         }
-        for (const double offsetScale : {1.0, 1.0 / unit}) { // of a horizontal coupler, and of a slanted one
+        // θ3 ≈ (c - a sin θ2) / b. The coupler becomes `unit` times shorter. If θ3 changes around 0, c remains. If it
+        // changes around another angle, c becomes shorter by the same factor.
+        for (const double offsetScale : {1.0, 1.0 / unit}) {
             Model start = fit.model;
             start.readings[k].factor /= unit;
             start.mechanism.b /= unit;

@@ -36,7 +36,8 @@ Model mirroredInX(const Model &model, const Observations &observations)
         const bool isY = coordinate == R2y || coordinate == R3y || coordinate == R4y;
         image.readings[k].factor *= isAngle(coordinate) || isY ? -1.0 : 1.0;
         if (observations.columns[k].channel == Channel{Theta3, Order::Position} &&
-            image.mechanism.branch == Branch::Crossed) { // θ3 is between a quarter and three quarters of a turn, always
+            image.mechanism.branch == Branch::Crossed) {
+            // The model has θ3 of the crossed assembly between 90° and 270°, and not between -270° and -90°.
             image.readings[k].origin += kTurn * model.readings[k].factor;
         }
     }
@@ -59,14 +60,14 @@ Model mirroredInY(const Model &model, const Observations &observations)
     return image;
 }
 
-/// Whether an origin that is a multiple of half a turn is half a turn. Whole turns change nothing.
-bool isTurned(double angle)
+/// Whether a multiple of half a turn, with some error, is an odd one: half a turn and any number of whole turns.
+bool isOddHalfTurn(double angle)
 {
     return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
 }
 
-/// The key by which images are sorted: the number of readings and a change of the assembly, then that of readings
-/// alone, then the distance from the given mechanism.
+/// The key by which images are sorted. First, the number of readings, where another assembly than the given one counts
+/// as one more. Among equal ones, the number of readings without that, and then the distance from the given mechanism.
 std::tuple<int, int, double> effortOf(const Observations &observations, const Fit &fit, const Model &model,
                                       const Parameters &given)
 {
@@ -112,7 +113,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
     if (model.followsAngle) {
         const bool hasOrigin = fit.changes({Unknown::Kind::CrankAngle});
         count += model.angleFactor < 0.0 ? 1 : 0;
-        count += !hasOrigin && isTurned(model.mechanism.theta20) ? 1 : 0;
+        count += !hasOrigin && isOddHalfTurn(model.mechanism.theta20) ? 1 : 0;
     }
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
@@ -130,7 +131,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
                 ++kind.columns;
                 kind.reversed += isReversed ? 1 : 0;
             }
-            count += !isLength && !hasOrigin && isTurned(reading.origin / reading.factor) ? 1 : 0;
+            count += !isLength && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor) ? 1 : 0;
         }
     }
     count += lengths.readings() + angles.readings();

@@ -44,7 +44,8 @@ ObservedColumn observedColumn(const ReferenceData &data, const ReferenceSeries &
     Rounding rounding = series.rounding;
     const bool hadJumps = isAnAngle && series.channel.order == Order::Position && removeJumps(values, kTurn);
     if (hadJumps) {
-        rounding = rounding.withDecimalsAt(kTurn * kDegreesPerRadian); // its size when it was rounded
+        // The values were rounded before the turns were added: they have the decimals of angles within one turn.
+        rounding = rounding.withDecimalsAt(kTurn * kDegreesPerRadian);
     }
     const ValueRange range = rangeOf(values);
     ObservedColumn column{
@@ -52,9 +53,10 @@ ObservedColumn observedColumn(const ReferenceData &data, const ReferenceSeries &
     column.range = range.count > 0 ? range.width() : 0.0;
     column.values = Eigen::Map<const Values>(values.data(), std::ssize(values));
     column.halfSteps = Values::Constant(column.values.size(), 0.5 * kStepOfZeros);
-    for (Index i = 0; range.size() > 0.0 && i < column.values.size(); ++i) {
+    const bool hasOnlyZeros = !(range.size() > 0.0);
+    for (Index i = 0; i < column.values.size() && !hasOnlyZeros; ++i) {
         const double step = rounding.stepAt(series.values[rows[i]]) * unit;
-        column.halfSteps[i] = std::isfinite(step) ? 0.5 * step : 0.0;
+        column.halfSteps[i] = std::isfinite(step) ? 0.5 * step : 0.0; // 0 in a gap
     }
     column.halfSteps = column.halfSteps.max(
         std::max(kSmallestFractionOfLargestStep * column.halfSteps.maxCoeff(), 0.5 * kArithmeticStep * range.size()));
@@ -95,7 +97,8 @@ Indices rowsWithValues(const ReferenceData &data)
 }
 
 /// The time stamps before they were rounded: multiples of one spacing, some of which may be missing. Of all such grids,
-/// the one whose distances from the time stamps exceed half of their rounding steps least.
+/// returns the one that rounding explains best: the largest excess of a distance from a printed time stamp over half of
+/// its rounding step is least.
 Values evenlySpaced(const Values &time, const Values &halfSteps)
 {
     constexpr int kBits = 26; // of the result; more are lost in rounding errors

@@ -39,7 +39,8 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index k)
 {
     const ObservedColumn &column = observations.columns[fit.columns[k]];
     Values bound = roundingBounds(observations, fit, k);
-    // The fit of rounded values is no worse than the values with the largest step.
+    // Each bound grows by the error of the fitted mechanism, but at most by the bound of a value with the largest
+    // rounding step: a fit of many values is no less exact than the least exact of them.
     bound += (bound + (column.halfSteps.maxCoeff() - column.halfSteps)).min(fit.fittedMechanism().errorOf(fit.rms[k]));
     const Values errors = finite(fit.residuals.col(k)).abs();
     const double within = fit.counts[k] - static_cast<double>((errors > bound).count());

@@ -109,7 +109,7 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     constexpr int kCrossingsOfOneTurn = 2;
     constexpr double kMaxTurnsOfArc = 1.5;  // turns in the file, if there may be less than one
     constexpr double kMinTurnsOfArc = 0.05; // a shorter arc has no recognizable shape
-    constexpr double kRatio = 1.3;          // of two speeds; a fit bridges half of it
+    constexpr double kRatio = 1.3;          // of neighbouring speeds; a fit finds the speed between them
     const double speedOfOneTurn = kTurn / observations.span();
     int maxCrossings = 0;
     for (const Index column : columns) {
@@ -133,9 +133,10 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     for (std::size_t i = 0; i < std::min(kCandidates, minima.size()); ++i) {
         speeds.push_back(minima[i].second);
     }
-    for (double turns = kMaxTurnsOfArc; maxCrossings <= kCrossingsOfOneTurn && turns > kMinTurnsOfArc;
-         turns /= kRatio) {
-        speeds.push_back(turns * speedOfOneTurn);
+    if (maxCrossings <= kCrossingsOfOneTurn) {
+        for (double turns = kMaxTurnsOfArc; turns > kMinTurnsOfArc; turns /= kRatio) {
+            speeds.push_back(turns * speedOfOneTurn);
+        }
     }
     return speeds;
 }
