@@ -106,9 +106,14 @@ struct Identification {
     /// Whether the file can contain the parameter and determines it. All false unless hasMechanism().
     std::array<bool, kParameterCount> identifiable{};
 
-    /// The file contains no length but θ3, which determines only b/a and c/a. a is that of the given mechanism, and b
-    /// and c and their standard errors are for this a. None of the three is identifiable.
-    bool onlyRatios = false;
+    /// What determines the scale of the lengths. Unless the file does, only b/a and c/a are found, and none of the
+    /// three lengths is identifiable.
+    enum class LengthScale {
+        Measured,
+        GivenCrank, ///< the file contains no length but θ3: a is that of the given mechanism
+        GivenSpeed  ///< derivatives over the crank angle show only a · ω2: ω2 is that of the given mechanism
+    };
+    LengthScale lengthScale = LengthScale::Measured;
 
     /// Approximate: neighbouring residuals have the same sign (filtered, interpolated or integrated values), so that
     /// nothing bounds the errors of the parameters.

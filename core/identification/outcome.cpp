@@ -170,7 +170,10 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
     const bool hasLengths = determineLengths(observations, fit.columns);
-    result.onlyRatios = !hasLengths && observations.containOnlyAngles(fit.columns);
+    if (!hasLengths) {
+        result.lengthScale = observations.containOnlyAngles(fit.columns) ? Identification::LengthScale::GivenCrank
+                                                                         : Identification::LengthScale::GivenSpeed;
+    }
     result.identifiable = {hasLengths, hasLengths, hasLengths,
                            fit.changes({UnknownKind::Omega2}) || findings.drive.isUneven(),
                            !fit.model.followsAngle || findings.drive.kind == Drive::Kind::RunUp};
@@ -300,7 +303,7 @@ void addConventions(Identification &result, const ReferenceData &data, const std
     if (change) {
         result.conventions.insert(result.conventions.begin(), {*change});
     }
-    if (!result.onlyRatios && !result.drive) {
+    if (result.lengthScale != Identification::LengthScale::GivenCrank && !result.drive) {
         const WholeFileReading reading =
             readLikeGiven(allApplied(result.conventions, used), result.rounded, result.standardError, given);
         if (!reading.conventions.empty()) {

@@ -2087,6 +2087,10 @@ difiere: lo demás</translation>
         <translation>El ángulo de la biela θ³ por sí solo determina únicamente b/a y c/a.</translation>
     </message>
     <message>
+        <source>Derivatives over the crank angle determine only b/a, c/a and the product a·ω₂: the lengths hold for the given ω₂.</source>
+        <translation>Las derivadas en función del ángulo de la manivela determinan únicamente b/a, c/a y el producto a·ω₂: las longitudes valen para la ω₂ dada.</translation>
+    </message>
+    <message>
         <source>It determines %1.</source>
         <translation>Determina %1.</translation>
     </message>

@@ -175,7 +175,7 @@ std::vector<ParameterError> parameterErrors(const Claim &claim, const Parameters
     for (const Parameter parameter : kAllParameters) {
         const std::size_t i = indexOf(parameter);
         const bool isLength = parameter <= Parameter::C;
-        const bool isRatio = claim.found.onlyRatios && isLength; // b and c are for the given a
+        const bool isRatio = claim.found.lengthScale != Identification::LengthScale::Measured && isLength;
         const bool isOfUnevenDrive = claim.table.isCrankUneven && !isLength;
         if (isRatio ? parameter != Parameter::A : claim.found.identifiable[i] && !isOfUnevenDrive) {
             const double scale = isRatio ? parameters.a / truth.a : 1.0;

@@ -26,6 +26,7 @@ using Lack = Identification::Lack;
 using Misfit = Identification::Misfit;
 using Symmetry = AlternativeMechanism::Symmetry;
 using Reason = LeftOutColumn::Reason;
+using Scale = Identification::LengthScale;
 
 constexpr int kUncertainDigits = 4; // of a parameter whose error is unknown
 constexpr int kSpeedDigits = 4;
@@ -106,13 +107,16 @@ static_assert(isCompleteTable(IdentificationText::kMisfits, Misfit::CannotBeAsse
 static_assert(isCompleteTable(IdentificationText::kSymmetries, Symmetry::OtherAssembly));
 static_assert(isCompleteTable(IdentificationText::kReasons, Reason::Unknown));
 
-/// Whether the value of the parameter follows from the data; if they contain only ratios of lengths, from the given a.
+/// Whether the value of the parameter follows from the data, if necessary together with the given a or ω₂.
 bool isMeasured(Parameter parameter, const Identification &found)
 {
+    const bool isCrank = parameter == Parameter::A;
     const bool isRatio = parameter == Parameter::B || parameter == Parameter::C;
+    const bool isScaled = (found.lengthScale == Scale::GivenCrank && isRatio) ||
+                          (found.lengthScale == Scale::GivenSpeed && (isRatio || isCrank));
     const bool isDetermined =
         found.outcome == Outcome::Insufficient && std::isfinite(found.standardError[indexOf(parameter)]);
-    return found.identifiable[indexOf(parameter)] || (found.onlyRatios && isRatio) || isDetermined;
+    return found.identifiable[indexOf(parameter)] || isScaled || isDetermined;
 }
 
 /// Returns the equation of a measured parameter: "a = 20.001 ± 0.002 mm".
@@ -212,8 +216,11 @@ QString excludedText(const std::vector<std::size_t> &lines)
 QStringList reservations(const Identification &found)
 {
     QStringList sentences{residualText(found)};
-    if (found.onlyRatios) {
+    if (found.lengthScale == Scale::GivenCrank) {
         sentences << IdentificationText::tr("The coupler angle θ³ alone determines only b/a and c/a.");
+    } else if (found.lengthScale == Scale::GivenSpeed) {
+        sentences << IdentificationText::tr("Derivatives over the crank angle determine only b/a, c/a and the product "
+                                            "a·ω₂: the lengths hold for the given ω₂.");
     }
     for (const AlternativeMechanism &alternative : found.alternatives) {
         sentences << IdentificationText::tr(rowOf(IdentificationText::kSymmetries, alternative.symmetry).text);

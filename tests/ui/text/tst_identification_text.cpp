@@ -92,7 +92,7 @@ private slots:
     void anAngleAloneDeterminesRatios()
     {
         Identification found = identified();
-        found.onlyRatios = true;
+        found.lengthScale = Identification::LengthScale::GivenCrank;
         found.parameters.a = 10.0;
         found.parameters.b = 30.0;
         found.parameters.c = 12.5;
@@ -105,6 +105,18 @@ private slots:
                  qPrintable(text));
         QCOMPARE(measuredText(Parameter::A, found, notation()), QString("–"));
         QCOMPARE(measuredText(Parameter::B, found, notation()), QString("30.00000 ± 0.00002 mm"));
+    }
+
+    void derivativesOverTheAngleDetermineTheLengthsForTheGivenSpeed()
+    {
+        Identification found = identified();
+        found.lengthScale = Identification::LengthScale::GivenSpeed;
+        found.parameters.a = 10.0;
+        found.identifiable = {};
+        const QString text = summaryText(found);
+        QVERIFY2(text.contains(": a = 10"), qPrintable(text));
+        QVERIFY2(text.contains("the lengths hold for the given ω₂. The data do not determine ω₂ and θ₂₀."),
+                 qPrintable(text));
     }
 
     void addsEachReservation()
