@@ -89,8 +89,8 @@ void splitAtEnd(std::string_view text, Heading &heading)
         }
         const std::string unitText(unit);
         const NameMeaning meaning = meaningOf(name, unitText);
-        const bool isTimeOfUnknown =
-            meaning.kind == Kind::Nothing && unit.size() > 1 && parseColumnUnit(unitText, ColumnRole::Time, {});
+        const bool isTimeOfUnknown = meaning.kind == Kind::Nothing && unit.size() > 1 && !unit.ends_with(')') &&
+                                     parseColumnUnit(unitText, ColumnRole::Time, {});
         if (isTimeOfUnknown || suits(meaning, unitText)) { // "ticks_ms"
             heading.name = name;
             heading.use.unit = unit;

@@ -86,12 +86,17 @@ bool isOfAngle(const NameReading &name, const std::optional<Unit> &unit, const N
     return name.dimension.value_or(unit ? unit->dimension : withoutUnit) == Dimension::Angle;
 }
 
-/// Returns whether the name, with its unit, says enough for a quantity: beside unknown words, the body alone does not.
-bool saysQuantity(const NameReading &name, const std::optional<Unit> &unit)
+/// Returns whether the name, with its unit, says enough for a quantity. Beside unknown words, the body alone does not,
+/// and the position of an unknown joint in a path, as in "MyModel.jnt.Pos", may be an angle or a length.
+bool saysQuantity(const NameReading &name, const std::optional<Unit> &unit, bool isPath)
 {
     const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ';
+    if (unit) {
+        return unit->dimension != Dimension::Time &&
+               (namesQuantity || name.body || name.dimension || name.unknown.isAny());
+    }
     if (name.unknown.isAny()) {
-        return unit ? unit->dimension != Dimension::Time : namesQuantity;
+        return namesQuantity && (!isPath || name.dimension || name.body);
     }
     return namesQuantity || name.body;
 }
@@ -116,11 +121,13 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
 {
     const std::optional<Unit> unit = parseUnit(unitText);
     const bool isAngle = isOfAngle(name, unit, path);
-    const std::optional<Order> knownOrder = saysQuantity(name, unit) ? orderOf(name, unit) : std::nullopt;
+    const std::optional<Order> knownOrder =
+        saysQuantity(name, unit, path.parts.size() > 2) ? orderOf(name, unit) : std::nullopt;
     const bool isOfTurningBody = (name.body == Body::Crank || name.body == Body::Coupler) && !isAngle;
     const bool isCentre = name.isCentre && name.axis != ' '; // the only point of these bodies that has channels
     if (!knownOrder || (isOfTurningBody && !isCentre)) {
-        return {};
+        const bool isOfUnknown = name.unknown.isAny() && name.order && !unit;
+        return {.reason = isOfUnknown ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
     }
     const Order order = *knownOrder;
     const bool isSymbolAlone = name.unknown.areIndices() && !name.body; // "x_G", but "λ (mm)" is no index

@@ -408,8 +408,9 @@ bool isProse(std::string_view text)
         std::size_t cellsBefore = 0;
         for (const Line &line : lines) {
             const Cells cells = splitCells(line.text, delimiter);
-            const auto numbers = static_cast<std::size_t>(std::ranges::count_if(cells, isData));
-            const bool isTableRow = delimiter == ' ' ? isRow(cells) : numbers > 1 && 2 * numbers >= cells.size();
+            const auto numbers =
+                static_cast<std::size_t>(std::ranges::count_if(cells, delimiter == ' ' ? isNumber : isData));
+            const bool isTableRow = numbers > 1 && 2 * numbers >= cells.size();
             rows = isTableRow && (rows == 0 || cells.size() == cellsBefore) ? rows + 1 : 0;
             cellsBefore = cells.size();
             if (rows == kFewestRows) {

@@ -181,7 +181,8 @@ std::span<const WordMeaning> vocabulary()
                     "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
                     "сила 力 torque par couple coppia moment momento drehmoment moment pressure presion pression "
                     "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
-                    "transmissao ubertragungswinkel przeniesienia ratio jerk limit tilt"},
+                    "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
+                    "soupape limit tilt"},
         WordMeaning{Label, "body part joint pin gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;
