@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/findings.h"
 
-#include "core/identification/round_values.h"
-
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
@@ -20,7 +18,8 @@ namespace
 
 using Kind = Convention::Kind;
 
-/// Appends a convention, or its column to an equal one. Each origin is a finding of its own.
+/// Adds a column to the convention of the same kind and amount, or appends a new convention. Each origin is one of its
+/// own, because every origin has its own standard error.
 void append(std::vector<ConventionFinding> &conventions, Kind kind, Channel channel, double amount)
 {
     for (auto &[convention, before, after, standardError] : conventions) {
@@ -58,17 +57,9 @@ void appendReading(std::vector<ConventionFinding> &conventions, Channel channel,
         if (hadJumps) {
             append(conventions, Kind::WholeTurns, channel, 0.0);
         }
-        const bool isChosen = channel == kCrankAngle; // such as 30°, and not measured
-        append(conventions, Kind::ZeroPoint, channel, isChosen ? roundest(amount, error, std::array{1.0}) : amount);
+        append(conventions, Kind::ZeroPoint, channel, amount);
         conventions.back().standardError = error;
     }
-}
-
-double errorOf(const LastFit &lastFit, Unknown unknown)
-{
-    const Unknowns &unknowns = lastFit.fit.unknowns;
-    const auto position = std::ranges::find(unknowns, unknown) - unknowns.begin();
-    return position < std::ssize(unknowns) ? lastFit.unknownErrors[position] : kNone;
 }
 
 /// The positions of a file over its θ2, rising, as a table over the crank angle.
@@ -120,14 +111,14 @@ std::vector<ConventionFinding> conventionsOf(const LastFit &lastFit)
     if (model.followsAngle) {
         // θ2 = factor · angle + origin
         const ColumnReading reading{1.0 / model.angleFactor, -wrapToPi(model.mechanism.theta20) / model.angleFactor};
-        const double error = errorOf(lastFit, {Unknown::Kind::CrankAngle}) * kDegreesPerRadian;
+        const double error = lastFit.errorOf({Unknown::Kind::CrankAngle}) * kDegreesPerRadian;
         appendReading(conventions, kCrankAngle, reading, false, error);
     }
     Indices columns = fit.columns; // in the order of the file
     std::ranges::sort(columns);
     for (const Index k : columns) {
         const ObservedColumn &column = observations.columns[k];
-        const double error = toFileUnit(column.channel, errorOf(lastFit, {Unknown::Kind::Origin, k}));
+        const double error = toFileUnit(column.channel, lastFit.errorOf({Unknown::Kind::Origin, k}));
         appendReading(conventions, column.channel, model.readings[k], column.hadJumps, error);
     }
     return conventions;
@@ -146,7 +137,10 @@ std::vector<ChannelComparison> compareRead(const Parameters &mechanism, const Re
 {
     const bool overAngle =
         drive == Drive::Kind::RunUp || drive == Drive::Kind::Uneven || (drive == Drive::Kind::OverAngle && !data.crank);
-    const Mechanism timed = overAngle ? withDrive(Mechanism(mechanism), 1.0, 0.0) : Mechanism(mechanism);
+    // A table over the angle is compared as if the crank turned by one radian per second from 0.
+    constexpr double kUnitSpeed = 1.0;
+    constexpr double kNoStart = 0.0;
+    const Mechanism timed = overAngle ? withDrive(Mechanism(mechanism), kUnitSpeed, kNoStart) : Mechanism(mechanism);
     const std::optional<ReferenceData> reference = timedBy(timed, overAngle ? tableOverAngle(data) : data);
     return reference ? compareExactly(timed, *reference, stop, fitted).channels : std::vector<ChannelComparison>();
 }

@@ -96,10 +96,11 @@ std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const 
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const auto &products = sums[k].products;
         const double variance = sums[k].meanSquare() + observations.columns[columns[k]].variance;
+        // The parameters concern all columns; an origin concerns its own.
         const auto concerns = [&](Unknown unknown) { return unknown.isParameter() || unknown.column == columns[k]; };
         shape.value += sums[k].count * std::log(variance);
         for (Index i = 0; i < size; ++i) {
-            const auto rowOfUnknown = static_cast<Index>(unknowns[i].kind);
+            const auto rowOfUnknown = static_cast<Index>(unknowns[i].kind); // of the products
             if (!concerns(unknowns[i])) {
                 continue;
             }
@@ -193,6 +194,7 @@ Fit refined(const Observations &observations, Model start, Indices columns, Unkn
     }
     Fit fit = evaluated(observations, withValues(std::move(start), unknowns, minimum->point), std::move(columns));
     fit.unknowns = std::move(unknowns);
+    fit.gradient = std::move(minimum->shape.gradient);
     fit.curvature = std::move(minimum->shape.curvature);
     fit.iterations = minimum->iterations;
     return fit;
@@ -200,7 +202,7 @@ Fit refined(const Observations &observations, Model start, Indices columns, Unkn
 
 bool isShortArc(const Observations &observations, const Model &model)
 {
-    constexpr double kShortestArc = 0.25 * kTurn;
+    constexpr double kWholeTurn = 0.9 * kTurn; // rows every 30° may end at 330°
     double least = kInfinity;
     double greatest = -kInfinity;
     for (Index row = 0; row < observations.size(); ++row) {
@@ -208,7 +210,7 @@ bool isShortArc(const Observations &observations, const Model &model)
         least = std::min(least, angle);
         greatest = std::max(greatest, angle);
     }
-    return greatest - least < kShortestArc;
+    return greatest - least < kWholeTurn;
 }
 
 double dependence(const Fit &fit)
@@ -227,6 +229,12 @@ bool isNoise(const Fit &fit)
         isNoise = isNoise && changeSignLikeNoise(fit.residuals.col(k));
     }
     return isNoise;
+}
+
+Eigen::VectorXd stepToMinimum(const Fit &fit)
+{
+    const Eigen::VectorXd step = -0.5 * covarianceOf(fit) * fit.gradient; // the covariance is 2 curvature⁻¹
+    return step.array().isFinite().select(step, 0.0);
 }
 
 Eigen::MatrixXd covarianceOf(const Fit &fit)

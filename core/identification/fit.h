@@ -55,6 +55,7 @@ struct Fit {
     std::vector<double> rms{};    ///< of the residuals of each column
     std::vector<double> counts{}; ///< number of values of each column
     double misfit = kInfinity;    ///< S; infinite if the mechanism cannot be assembled in a row that has values
+    Eigen::VectorXd gradient{};   ///< first derivatives of S by the unknowns
     Eigen::MatrixXd curvature{};  ///< second derivatives of S by the unknowns
     int iterations = 0;
 
@@ -74,9 +75,11 @@ struct Fit {
 Fit evaluated(const Observations &observations, Model model, Indices columns);
 
 /// Minimizes the misfit from a start.
-Fit refined(const Observations &observations, Model start, Indices columns, Unknowns unknowns, int iterationLimit = 50);
+Fit refined(const Observations &observations, Model start, Indices columns, Unknowns unknowns,
+            int iterationLimit = 200);
 
-/// Whether the crank turns so little that many mechanisms have nearly the same motion.
+/// Whether the crank makes less than a turn, so that nothing returns to where it was: the motions of many mechanisms,
+/// with other origins, are nearly equal on an arc.
 bool isShortArc(const Observations &observations, const Model &model);
 
 /// The largest dependence of the residuals of a column (noise.h).
@@ -84,6 +87,10 @@ double dependence(const Fit &fit);
 
 /// Whether the residuals of every column change their sign like independent errors.
 bool isNoise(const Fit &fit);
+
+/// The step from the unknowns of a fit to the minimum, as gradient and curvature predict it. It is large if the search
+/// has ended in a long and curved valley of the misfit, and 0 for unknowns that the columns do not determine.
+Eigen::VectorXd stepToMinimum(const Fit &fit);
 
 /// The covariance matrix of the unknowns; very large variances for unknowns that the columns do not determine.
 Eigen::MatrixXd covarianceOf(const Fit &fit);

@@ -92,15 +92,14 @@ Fit withUsualReading(const Observations &observations, const Fit &fit, Index k, 
     return withColumn(observations, withOrigin, model, k, areExact);
 }
 
-/// Whether a slider-crank of other proportions, with the same speed, explains the column.
+/// Whether a slider-crank of other proportions, which both are known, explains the column at the same speed.
 bool isMotionOfOtherLengths(const Observations &observations, const Fit &fit, Index k)
 {
     constexpr double kMinValues = 20.0; // fewer prove nothing
+    constexpr double kMinChange = 3e-3; // of b/a or c/a, relative to (b + |c|)/a: a delayed column changes neither
     if (observations.columns[k].range == 0.0) {
         return false;
     }
-    // The smallest change of b/a or c/a, relative to (b + |c|)/a. A delayed column has the same proportions.
-    constexpr double kMinChange = 3e-3;
     const Fit alone =
         refined(observations, fit.model, {k},
                 {{Unknown::Kind::A}, {Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}});
@@ -109,7 +108,9 @@ bool isMotionOfOtherLengths(const Observations &observations, const Fit &fit, In
         const Parameters &changed = alone.model.mechanism;
         return std::abs(length / changed.a - other / m.a) > kMinChange * (m.b + std::abs(m.c)) / m.a;
     };
-    return alone.isFinite() && alone.counts[0] >= kMinValues && isWithinRounding(observations, alone, 0) &&
+    const bool haveProportions = !hasLongCoupler(alone.model.mechanism) && !hasLongCoupler(fit.model.mechanism);
+    return alone.isFinite() && haveProportions && alone.counts[0] >= kMinValues &&
+           isWithinRounding(observations, alone, 0) &&
            (differ(alone.model.mechanism.b, fit.model.mechanism.b) ||
             differ(alone.model.mechanism.c, fit.model.mechanism.c));
 }
@@ -120,9 +121,10 @@ double percentOfPeak(const Observations &observations, const Fit &fit, Index k, 
     Model model = fit.model;
     model.readings[k] = {factor, 0.0};
     const Fit alone = evaluated(observations, model, {k});
-    const double peak = std::max(finite(observations.columns[k].values).abs().maxCoeff(),
-                                 finite(alone.residuals.col(0)).abs().maxCoeff()); // of zeros: of the prediction
-    return peak > 0.0 ? 100.0 * finite(alone.residuals.col(0)).abs().maxCoeff() / peak : kNone;
+    const double deviation = finite(alone.residuals.col(0)).abs().maxCoeff();
+    // If a column contains only zeros, its deviation is the peak of the prediction.
+    const double peak = std::max(finite(observations.columns[k].values).abs().maxCoeff(), deviation);
+    return peak > 0.0 ? 100.0 * deviation / peak : kNone;
 }
 
 /// Whether fit.columns[k], which contains difference quotients within their rounding, is nevertheless the motion:

@@ -87,7 +87,7 @@ WholeFileChange changeTowards(const Parameters &given, const Parameters &found, 
     return change;
 }
 
-/// The mechanism found, if the file is changed. No conventions yet.
+/// The mechanism that is found in the file after a change of the file. The conventions are still to be appended.
 WholeFileReading changedBy(const WholeFileChange &change, Parameters found, ParameterErrors standardError)
 {
     for (const Parameter parameter : kLengths) {
@@ -130,8 +130,9 @@ void appendLateStart(WholeFileReading &reading, const Parameters &given)
     Parameters &p = reading.parameters;
     const double angle = std::remainder(p.theta20 - given.theta20, kTurn);
     const double error = reading.standardError[indexOf(Parameter::Theta20)];
-    if (!(std::abs(angle) <= std::max(kSameAngle, kStandardErrors * error))) {
-        const double late = roundest(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0});
+    const double tolerance = std::isfinite(error) ? std::max(kSameAngle, kStandardErrors * error) : kSameAngle;
+    if (std::abs(angle) > tolerance) {
+        const double late = roundest(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0}).value;
         reading.conventions.push_back({{Kind::TimeShift, {}, late}});
         p.theta20 = std::remainder(p.theta20 - late * p.omega2, kTurn);
     }
@@ -139,14 +140,14 @@ void appendLateStart(WholeFileReading &reading, const Parameters &given)
 
 /// The value that a fit has found for a length, or a round number if that explains the file as well as `best`.
 double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, Parameter length, const Fit &best,
-                     double lengthUnit)
+                              double lengthUnit)
 {
     const double value = valueOf(fit.model.mechanism, length);
     const Unknown unknown{static_cast<Unknown::Kind>(indexOf(length))};
     const auto position = std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
     const double error = std::sqrt(dependence(fit) * covarianceOf(fit)(position, position));
     Model model = fit.model;
-    valueOf(model.mechanism, length) = roundLength(value, error, lengthUnit);
+    valueOf(model.mechanism, length) = roundLength(value, error, lengthUnit).value;
     const Fit rounded = refined(observations, model, fit.columns, withoutLengths(fit));
     return explainsAsWell(observations, rounded, best) ? valueOf(model.mechanism, length) : value;
 }
@@ -183,9 +184,9 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
 WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &found, const ParameterErrors &standardError,
                                const Parameters &given)
 {
-    // θ2 in the file shows the direction and the start of the crank: that both of them, or one and a unit, are wrong
-    // and still lead to the given mechanism would be a coincidence.
-    const std::size_t mostConventions = data.find(kCrankAngle) ? 1 : 2;
+    // Several changes lead to the given mechanism by chance more often than one. A file with θ2 shows how the crank
+    // turns and where it starts; it needs no second change.
+    const std::size_t maxConventions = data.find(kCrankAngle) ? 1 : 2;
     const WholeFileReading unchanged{.parameters = found, .standardError = standardError};
     const WholeFileChange change = changeTowards(given, found, data);
     WholeFileReading reading = changedBy(change, found, standardError);
@@ -199,7 +200,7 @@ WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &foun
     if (!data.crank) {
         appendLateStart(reading, given);
     }
-    return reading.conventions.size() <= mostConventions ? reading : unchanged;
+    return reading.conventions.size() <= maxConventions ? reading : unchanged;
 }
 
 } // namespace slidercrank

@@ -26,7 +26,7 @@ bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit 
 std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best, const Parameters &given,
                                              double lengthUnit);
 
-/// The mechanism found, changed by conventions of the whole file.
+/// Conventions of the whole file, and the mechanism that is found in the file when they are applied to it.
 struct WholeFileReading {
     std::vector<ConventionFinding> conventions{};
     Parameters parameters;

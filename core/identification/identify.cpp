@@ -11,6 +11,7 @@
 #include "core/identification/last_fit.h"
 #include "core/identification/mirror_images.h"
 #include "core/identification/outcome.h"
+#include "core/identification/round_values.h"
 #include "core/identification/rounding_test.h"
 #include "core/identification/speed_candidates.h"
 
@@ -37,7 +38,6 @@ std::vector<double> speedsOf(const Observations &observations, const Indices &co
 /// alone; otherwise the same fit.
 Fit ofOneMechanism(const Observations &searched, const Fit &fit)
 {
-    constexpr int kIterations = 200; // the start is far off
     if (fit.columns.size() != 2 || isExact(searched, fit)) {
         return fit;
     }
@@ -45,7 +45,7 @@ Fit ofOneMechanism(const Observations &searched, const Fit &fit)
     for (const Index column : fit.columns) {
         Unknowns unknowns = fit.unknowns;
         std::erase_if(unknowns, [&](Unknown unknown) { return !unknown.isParameter() && unknown.column != column; });
-        alone = refined(searched, fit.model, {column}, unknowns, kIterations);
+        alone = refined(searched, fit.model, {column}, unknowns);
         if (!isExact(searched, alone) || isShortArc(searched, alone.model)) {
             return fit;
         }
@@ -157,7 +157,7 @@ void chooseLengthUnit(Findings &findings)
     Parameters &mechanism = last.fit.model.mechanism;
     for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
         valueOf(mechanism, length) *= best;
-        last.standardError[indexOf(length)] *= best;
+        scaleErrors(last, length, best);
     }
 }
 
@@ -167,7 +167,11 @@ void chooseImage(Findings &findings, const Parameters &given)
     Fit &last = findings.lastFit.fit;
     const Observations &observations = findings.lastFit.observations;
     const std::vector<Model> images = mirrorImagesOf(observations, last, given);
-    last.model = images.front();
+    const Parameters before = std::exchange(last.model, images.front()).mechanism;
+    const bool isCrankReversed = before.omega2 != last.model.mechanism.omega2;
+    scaleErrors(findings.lastFit, Parameter::C, before.c == last.model.mechanism.c ? 1.0 : -1.0);
+    scaleErrors(findings.lastFit, Parameter::Omega2, isCrankReversed ? -1.0 : 1.0);
+    scaleErrors(findings.lastFit, Parameter::Theta20, isCrankReversed ? -1.0 : 1.0);
     findings.otherImages.assign(images.begin() + 1, images.end());
     if (findings.drive.kind == Drive::Kind::RunUp) {
         findings.drive = findDrive(observations, last.model);
@@ -192,7 +196,18 @@ void relateLengths(Findings &findings, const Observations &searched, const Param
         last.residuals = like.residuals;
         last.rms = like.rms;
         last.misfit = like.misfit;
+        chooseImage(findings, given); // the other images have the same lengths
     }
+}
+
+/// Chooses, among all descriptions of the last fit that explain the file equally well, the one that a person expects.
+void interpret(Findings &findings, const Observations &searched, const Parameters &given)
+{
+    LastFit &last = findings.lastFit;
+    chooseLengthUnit(findings);
+    moveToChosenNumbers(last, parametersOf(last.fit.model, last.observations, findings.drive), findings.lengthUnit);
+    chooseImage(findings, given);
+    relateLengths(findings, searched, given);
 }
 
 /// Runs all steps for a table, after a change of its axes, headings or clock if there is one.
@@ -201,7 +216,7 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
 {
     const ReferenceData data = change ? applied(*change, original) : original;
     Observations wholeFile = withComputedColumnsMarked(observe(data, stop));
-    if (const Identification::Lack lack = findLack(data, wholeFile); lack != Identification::Lack::Nothing) {
+    if (const Identification::Lack lack = findLack(wholeFile); lack != Identification::Lack::Nothing) {
         return {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack};
     }
     const Observations clean = withoutSpikes(wholeFile);
@@ -232,9 +247,9 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     findings.speeds = std::move(further.speeds);
     constrained = withoutFreedoms(searched, std::move(further.fit), constrained.shifts);
     findings.lastFit = fitAllRows(std::move(wholeFile), constrained.fit, constrained.shifts, findings.drive);
-    chooseLengthUnit(findings);
-    chooseImage(findings, given);
-    relateLengths(findings, searched, given);
+    if (findings.lastFit.fit.isFinite()) {
+        interpret(findings, searched, given);
+    }
     Identification result = judge(data, findings, given);
     if (result.hasMechanism()) {
         addConventions(result, original, change, findings, given);
@@ -301,6 +316,7 @@ Identification identify(const ReferenceData &data, const Mechanism &given, std::
         best = identifyTable(data, std::nullopt, given.parameters(), stop);
         for (const Convention &change : possibleChanges(data, *best)) {
             Identification result = identifyTable(data, change, given.parameters(), stop);
+            // Only a change after which everything is explained exactly is more likely than no change.
             if (result.outcome == Outcome::Identified && result.leftOut.empty() && isBetter(result, *best)) {
                 best = std::move(result);
             }

@@ -19,7 +19,7 @@ namespace
 Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
     constexpr double kDeviations = 8.0;
-    constexpr double kRoundings = 2.0;         // bounds of rounding, because the fit has errors, too
+    constexpr double kRoundings = 2.0;         // times the bound of rounding, because the fit has errors, too
     constexpr double kHarmlessFraction = 1e-4; // of the range of the column: smaller errors mislead nobody
     constexpr double kNormal = 1.4826; // standard deviation of a normal distribution, in median absolute deviations
     constexpr double kMaxOutlierFraction = 0.05;
@@ -51,11 +51,14 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
     return rows;
 }
 
-/// Computes the standard errors of the unknowns and of the parameters at t = 0 of the file.
+/// Computes the covariance of the unknowns and the standard errors of the parameters at t = 0 of the file. `shifts` are
+/// further errors of the parameters. So is the step to the minimum that the search has not made.
 void computeErrors(LastFit &result, const ParameterErrors &shifts)
 {
     const Fit &fit = result.fit;
-    Eigen::MatrixXd covariance = result.dependence * covarianceOf(fit);
+    Eigen::MatrixXd &covariance = result.covariance;
+    covariance = result.dependence * covarianceOf(fit);
+    Eigen::VectorXd step = stepToMinimum(fit);
     const auto position = [&](Unknown unknown) {
         return std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
     };
@@ -65,18 +68,37 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
         const Index speed = position({Unknown::Kind::Omega2});
         covariance.row(angle) -= result.observations.timeOrigin * covariance.row(speed);
         covariance.col(angle) -= result.observations.timeOrigin * covariance.col(speed);
+        step[angle] -= result.observations.timeOrigin * step[speed];
     }
+    covariance.diagonal() += step.cwiseAbs2();
     for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
-        const Unknown unknown = fit.unknowns[k];
-        result.unknownErrors.push_back(std::sqrt(covariance(k, k)));
-        if (unknown.isParameter()) {
-            const std::size_t i = parameterIndex(unknown);
-            result.standardError[i] = result.unknownErrors.back() = std::hypot(result.unknownErrors.back(), shifts[i]);
+        if (fit.unknowns[k].isParameter()) {
+            const std::size_t i = parameterIndex(fit.unknowns[k]);
+            covariance(k, k) += shifts[i] * shifts[i];
+            result.standardError[i] = std::sqrt(covariance(k, k));
         }
     }
 }
 
 } // namespace
+
+double LastFit::errorOf(Unknown unknown) const
+{
+    const auto k = std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
+    return k < std::ssize(fit.unknowns) ? std::sqrt(covariance(k, k)) : kNone;
+}
+
+void scaleErrors(LastFit &lastFit, Parameter parameter, double factor)
+{
+    const Unknown unknown{static_cast<Unknown::Kind>(indexOf(parameter))};
+    const Unknowns &unknowns = lastFit.fit.unknowns;
+    const auto k = std::ranges::find(unknowns, unknown) - unknowns.begin();
+    if (k < std::ssize(unknowns)) {
+        lastFit.covariance.row(k) *= factor;
+        lastFit.covariance.col(k) *= factor;
+    }
+    lastFit.standardError[indexOf(parameter)] *= std::abs(factor);
+}
 
 Parameters parametersOf(const Model &model, const Observations &observations, const Drive &drive)
 {

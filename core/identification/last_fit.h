@@ -19,11 +19,17 @@ struct LastFit {
     bool isExact = false;    ///< rounding explains the residuals of every column
     double dependence = 1.0; ///< of the residuals; 1 if they are rounding
 
-    /// Of the parameters at t = 0 of the file, NaN or infinite
-    /// if the fit does not determine them.
+    /// Of the parameters at t = 0 of the file, NaN or infinite if the fit does not determine them.
     ParameterErrors standardError{kNone, kNone, kNone, kNone, kNone};
-    std::vector<double> unknownErrors{}; ///< of fit.unknowns
+
+    /// Of fit.unknowns; those of the angle and the speed of a crank without its angle in the file are at t = 0.
+    Eigen::MatrixXd covariance{};
+
+    double errorOf(Unknown unknown) const; ///< standard error; NaN if the fit does not change it
 };
+
+/// Changes the errors as if an unknown parameter had been multiplied by a factor.
+void scaleErrors(LastFit &lastFit, Parameter parameter, double factor);
 
 /// Fits all rows, starting from a fit of some rows. Rows with a value that is more than eight robust standard
 /// deviations and more than its rounding off are excluded if they are at most 5 %. `shifts`: further errors of the

@@ -14,6 +14,8 @@
 #include "core/closed_form/textbook_motion.h"
 #include "core/mechanism/mechanism.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace slidercrank
@@ -45,6 +47,13 @@ struct Model {
         return mechanism.omega2 + (alpha2 == 0.0 ? 0.0 : alpha2 * observations.time[row]);
     }
 };
+
+/// Whether the coupler or c is so much longer than the crank that its length hardly shows in the motion.
+inline bool hasLongCoupler(const Parameters &mechanism)
+{
+    constexpr double kMaxRatio = 100.0; // to the crank
+    return std::max(mechanism.b, std::abs(mechanism.c)) > kMaxRatio * mechanism.a;
+}
 
 /// The positions, and the derivatives by the angle of the crank, of a mechanism at one angle. `Number`: double or a
 /// type with partial derivatives. Returns false if the mechanism cannot be assembled there or is singular.

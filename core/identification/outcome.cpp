@@ -63,23 +63,27 @@ double maxErrorOf(Unknown unknown, bool isSystematic)
     return unknown.kind == UnknownKind::A ? kMaxErrorOfCrank : kMaxError;
 }
 
-/// Which unknown parameters the file leaves open. `errors`: the largest ones. The approximate motion of a coupler of
-/// more than a hundred cranks hardly shows its length, however small the errors are. A mechanism that explains a short
-/// arc only approximately need not be the one that moved.
+/// Which unknown parameters the file leaves open. `errors`: the largest ones.
 std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const ParameterErrors &errors,
                                                  bool isSystematic)
 {
-    constexpr double kMaxRatio = 100.0;
-    const Parameters &m = lastFit.fit.model.mechanism;
+    const Fit &fit = lastFit.fit;
+    const Parameters &m = fit.model.mechanism;
     const std::array<double, kParameterCount> sizes{m.a, m.b, std::max(m.a, std::abs(m.c)), std::abs(m.omega2), 1.0};
-    const bool isCouplerOpen = !lastFit.isExact && std::max(m.b, std::abs(m.c)) > kMaxRatio * m.a;
-    const bool isArbitrary = isSystematic && isShortArc(lastFit.observations, lastFit.fit.model);
+    // A motion that is only approximately that of a long coupler hardly shows its length, however small the errors are.
+    const bool isCouplerOpen = !lastFit.isExact && hasLongCoupler(m);
+    // On an arc, many motions resemble each other. If a mechanism explains one coordinate there only approximately, no
+    // other coordinate confirms that it is the one that moved.
+    const auto coordinateOf = [&](Index k) { return lastFit.observations.columns[k].channel.coordinate; };
+    const auto isOther = [&](Index k) { return coordinateOf(k) != coordinateOf(fit.columns[0]); };
+    const bool isEverythingOpen =
+        isSystematic && isShortArc(lastFit.observations, fit.model) && std::ranges::none_of(fit.columns, isOther);
     std::array<bool, kParameterCount> open{};
-    for (const Unknown unknown : lastFit.fit.unknowns) {
+    for (const Unknown unknown : fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = parameterIndex(unknown);
             const bool isOfCoupler = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
-            open[i] = isArbitrary || (isCouplerOpen && isOfCoupler) ||
+            open[i] = isEverythingOpen || (isCouplerOpen && isOfCoupler) ||
                       errors[i] > maxErrorOf(unknown, isSystematic) * sizes[i];
         }
     }
@@ -112,7 +116,7 @@ double conditionNumber(const Fit &fit)
     return std::sqrt(squares.maxCoeff() / std::max(squares.minCoeff(), kEpsilon * kEpsilon));
 }
 
-/// `found`, with the parameters of `given` that are not `known`.
+/// Replaces the parameters that are not `known` by those of the given mechanism.
 Parameters withGiven(Parameters found, const std::array<bool, kParameterCount> &known, const Parameters &given)
 {
     for (const Parameter parameter : kAllParameters) {
@@ -123,13 +127,11 @@ Parameters withGiven(Parameters found, const std::array<bool, kParameterCount> &
     return found;
 }
 
-AlternativeMechanism alternativeOf(const Parameters &image, const Parameters &found)
+/// `sameAssembly`: the symmetry of an image with the assembly of the mechanism found.
+AlternativeMechanism alternativeOf(const Parameters &image, const Parameters &found,
+                                   AlternativeMechanism::Symmetry sameAssembly)
 {
-    using Symmetry = AlternativeMechanism::Symmetry;
-    if (image.branch != found.branch) {
-        return {Symmetry::OtherAssembly, image};
-    }
-    return {image.c == found.c ? Symmetry::ReversedCrank : Symmetry::MirrorImage, image};
+    return {image.branch == found.branch ? sameAssembly : AlternativeMechanism::Symmetry::OtherAssembly, image};
 }
 
 std::optional<UnevenDrive> unevenDrive(const Drive &drive, const Parameters &found)
@@ -181,15 +183,21 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
         result.standardError = lastFit.standardError;
     }
     std::array<bool, kParameterCount> found = result.identifiable;
-    found[indexOf(Parameter::A)] = found[indexOf(Parameter::B)] = found[indexOf(Parameter::C)] = true;
+    for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
+        found[indexOf(length)] = true; // if only their ratios are identifiable, the fit has kept the given a or ω2
+    }
     const Parameters exact = parametersOf(fit.model, observations, findings.drive);
     result.parameters = withGiven(exact, found, given);
     result.rounded = withGiven(roundedParameters(lastFit, exact, findings.lengthUnit), found, given);
     result.drive = unevenDrive(findings.drive, exact);
     result.change = findings.change;
+    const auto sameAssembly = observations.containOnlyAngles(fit.columns)
+                                  ? AlternativeMechanism::Symmetry::ReversedCrank
+                                  : AlternativeMechanism::Symmetry::MirrorImage;
     for (const Model &image : findings.otherImages) {
         const Parameters parameters = parametersOf(image, observations, findings.drive);
-        result.alternatives.push_back(alternativeOf(withGiven(parameters, found, given), result.parameters));
+        result.alternatives.push_back(
+            alternativeOf(withGiven(parameters, found, given), result.parameters, sameAssembly));
     }
     if (findings.speeds.size() > 1) {
         for (const double speed : findings.speeds) {
@@ -221,7 +229,8 @@ ReferenceData usedData(ReferenceData data, const std::optional<Convention> &chan
     return data;
 }
 
-/// A whole turn that is added to θ3 before and again after a change of its sign is none.
+/// Removes the whole turns that are added to θ3 before and again after a change of its sign: together they change
+/// nothing.
 void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 {
     const auto isTurn = [](const ConventionFinding &finding) {
@@ -235,14 +244,13 @@ void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 
 } // namespace
 
-Identification::Lack findLack(const ReferenceData &data, const Observations &observations)
+Identification::Lack findLack(const Observations &observations)
 {
     constexpr Index kMinRows = 4;
     if (observations.size() >= kMinRows && !shapeColumns(observations).empty()) {
         return Lack::Nothing;
     }
-    const bool hasRows = std::ssize(data.time) >= kMinRows && observations.size() >= kMinRows;
-    return hasRows ? Lack::NothingMoves : Lack::FewValues;
+    return observations.size() >= kMinRows ? Lack::NothingMoves : Lack::FewValues;
 }
 
 Identification judge(const ReferenceData &data, const Findings &findings, const Parameters &given)
@@ -329,7 +337,8 @@ void addConventions(Identification &result, const ReferenceData &data, const std
             result.outcome = Outcome::Approximate;
         }
     }
-    for (const ChannelComparison &channel : result.channels) { // in the units of files, after the conventions
+    // Until here, the residuals are those of the columns as they are in the file.
+    for (const ChannelComparison &channel : result.channels) {
         const auto residual = std::ranges::find(result.residuals, channel.channel, &ColumnResidual::channel);
         residual->rms = channel.rms.value_or(0.0);
         residual->max = channel.maxAbs.value_or(0.0);

@@ -35,6 +35,6 @@ void addConventions(Identification &result, const ReferenceData &data, const std
                     const Findings &findings, const Parameters &given);
 
 /// Whether a file has too few rows or columns for any fit; Nothing if it has enough.
-Identification::Lack findLack(const ReferenceData &data, const Observations &observations);
+Identification::Lack findLack(const Observations &observations);
 
 } // namespace slidercrank

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace slidercrank
 {
@@ -30,19 +32,133 @@ double roundedTo(int place, double value)
     return (place < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
 }
 
-/// A round value of a parameter, in a unit in which a person may have chosen it.
-double roundValue(Parameter parameter, double value, double standardError, double lengthUnit)
+/// A round value of an unknown, in a unit in which a person may have chosen it.
+RoundNumber roundValue(Unknown unknown, double value, double standardError, double lengthUnit)
 {
     constexpr double kDegree = std::numbers::pi / 180.0;
     constexpr double kTurnPerMinute = std::numbers::pi / 30.0;
+    switch (unknown.kind) {
+    case Unknown::Kind::A:
+    case Unknown::Kind::B:
+    case Unknown::Kind::C: return roundLength(value, standardError, lengthUnit);
+    case Unknown::Kind::Omega2: return roundest(value, standardError, std::array{1.0, kDegree, kTurnPerMinute});
+    case Unknown::Kind::CrankAngle: return roundest(value, standardError, std::array{kDegree, 1.0});
+    case Unknown::Kind::Origin: break; // measured, and not chosen
+    }
+    return {value};
+}
+
+/// The size with which the error of a parameter is compared.
+double sizeOf(Parameter parameter, const Parameters &parameters)
+{
     switch (parameter) {
     case Parameter::A:
     case Parameter::B:
-    case Parameter::C: return roundLength(value, standardError, lengthUnit);
-    case Parameter::Omega2: return roundest(value, standardError, std::array{1.0, kDegree, kTurnPerMinute});
+    case Parameter::C: return characteristicLength(parameters);
+    case Parameter::Omega2: return std::abs(parameters.omega2);
     case Parameter::Theta20: break;
     }
-    return roundest(value, standardError, std::array{kDegree, 1.0});
+    return 1.0;
+}
+
+/// A number that a fit has found, and its size, with which its error is compared.
+struct Estimated {
+    Unknown unknown;
+    std::optional<Parameter> parameter{}; ///< whose value at t = 0 of the file it is; nullopt for origins
+    double size = 1.0;
+    bool isFixed = false;
+};
+
+/// What a fit knows about its unknowns: their values, normally distributed with a covariance.
+struct Estimate {
+    std::vector<Estimated> unknowns;
+    Eigen::VectorXd values;
+    Eigen::MatrixXd covariance;
+
+    double standardError(Index k) const
+    {
+        constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
+        return std::max(std::sqrt(std::max(covariance(k, k), 0.0)), kArithmetic * unknowns[k].size);
+    }
+};
+
+Estimate estimateOf(const LastFit &lastFit, const Parameters &exact)
+{
+    const Model &model = lastFit.fit.model;
+    Estimate estimate{
+        .unknowns = {}, .values = Eigen::VectorXd(lastFit.covariance.rows()), .covariance = lastFit.covariance};
+    for (const Unknown unknown : lastFit.fit.unknowns) {
+        const Index k = std::ssize(estimate.unknowns);
+        const bool isOriginOfAngle = model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
+        if (unknown.isParameter() && !isOriginOfAngle) {
+            const auto parameter = static_cast<Parameter>(unknown.kind);
+            estimate.values[k] = valueOf(exact, parameter);
+            estimate.unknowns.push_back({unknown, parameter, sizeOf(parameter, exact)});
+        } else {
+            estimate.values[k] = valueOf(model, unknown);
+            estimate.unknowns.push_back({unknown});
+        }
+    }
+    return estimate;
+}
+
+/// Fixes an unknown at a value. The others change as their covariance with it predicts, and become more certain.
+void fix(Estimate &estimate, Index k, double value)
+{
+    const double variance = estimate.covariance(k, k);
+    if (variance > 0.0) {
+        const Eigen::VectorXd influence = estimate.covariance.col(k) / variance;
+        estimate.values += influence * (value - estimate.values[k]);
+        estimate.covariance -= variance * influence * influence.transpose();
+    }
+    estimate.values[k] = value;
+    estimate.covariance.row(k).setZero();
+    estimate.covariance.col(k).setZero();
+    estimate.unknowns[k].isFixed = true;
+}
+
+/// The unknowns that are not fixed, the most certain first.
+Indices openUnknowns(const Estimate &estimate)
+{
+    Indices open;
+    for (Index k = 0; k < estimate.values.size(); ++k) {
+        if (!estimate.unknowns[k].isFixed) {
+            open.push_back(k);
+        }
+    }
+    std::ranges::sort(open, {}, [&](Index k) { return estimate.standardError(k) / estimate.unknowns[k].size; });
+    return open;
+}
+
+RoundNumber roundNumber(const Estimate &estimate, Index k, double lengthUnit)
+{
+    return roundValue(estimate.unknowns[k].unknown, estimate.values[k], estimate.standardError(k), lengthUnit);
+}
+
+/// Fixes unknowns at chosen numbers. Each that is fixed makes the others more certain, so that these may follow.
+void fixChosenNumbers(Estimate &estimate, double lengthUnit)
+{
+    for (bool isAnyFixed = true; isAnyFixed;) {
+        isAnyFixed = false;
+        for (const Index k : openUnknowns(estimate)) {
+            const RoundNumber number = roundNumber(estimate, k, lengthUnit);
+            if (number.isChosen) {
+                fix(estimate, k, number.value);
+                isAnyFixed = true;
+            }
+        }
+    }
+}
+
+/// Replaces the parameters that are estimated.
+Parameters withEstimate(Parameters parameters, const Estimate &estimate)
+{
+    for (Index k = 0; k < estimate.values.size(); ++k) {
+        if (const std::optional<Parameter> parameter = estimate.unknowns[k].parameter) {
+            valueOf(parameters, *parameter) = estimate.values[k];
+        }
+    }
+    return parameters;
 }
 
 /// The model with other parameters at t = 0 of the file.
@@ -76,17 +192,17 @@ bool isAsGood(const Observations &observations, const Fit &rounded, const Fit &f
 
 } // namespace
 
-double roundest(double value, double standardError, std::span<const double> units)
+RoundNumber roundest(double value, double standardError, std::span<const double> units)
 {
     // Standard errors between neighbouring numbers of the same roundness. Those within the tolerance of three on either
     // side are a tenth of them: the probability that one of these numbers is there by chance.
     constexpr double kSpacing = 2.0 * kStandardErrors / 0.1;
     const double tolerance = kStandardErrors * standardError;
     if (!(standardError > 0.0) || std::isinf(standardError)) {
-        return value;
+        return {value};
     }
     if (std::abs(value) <= tolerance) {
-        return 0.0;
+        return {0.0, true};
     }
     std::optional<double> best;
     int fewestDigits = INT_MAX;
@@ -102,46 +218,81 @@ double roundest(double value, double standardError, std::span<const double> unit
             }
         }
     }
-    const int place = placeOfFirstDigit(standardError / units.front()) - 1;
-    return best.value_or(roundedTo(place, value / units.front()) * units.front());
+    const int place = placeOfFirstDigit(standardError / units.front());
+    return {best.value_or(roundedTo(place, value / units.front()) * units.front()), best.has_value()};
 }
 
-double roundLength(double value, double standardError, double unit)
+RoundNumber roundLength(double value, double standardError, double unit)
 {
     constexpr int kDigits = 15;                    // 6 in are 152.4 mm, and not 152.39999999999998 mm
     if (std::fmod(std::log10(unit), 1.0) == 0.0) { // a round number of metres is one of millimetres, too
         return roundest(value, standardError, std::array{1.0});
     }
-    const double rounded = roundest(value, standardError, std::array{unit});
-    return rounded == 0.0 ? 0.0 : roundedTo(placeOfFirstDigit(std::abs(rounded)) + 1 - kDigits, rounded);
+    RoundNumber rounded = roundest(value, standardError, std::array{unit});
+    if (rounded.value != 0.0) {
+        rounded.value = roundedTo(placeOfFirstDigit(std::abs(rounded.value)) + 1 - kDigits, rounded.value);
+    }
+    return rounded;
 }
 
 Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, double lengthUnit)
 {
-    constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
-    // Fractions of the standard errors, tried in this order. Parameters that depend on each other may each change by
-    // their standard errors only together, so that more of their digits are needed.
+    // Fractions of the standard errors, tried in this order: with larger ones, the rounded values together may change
+    // the motion too much.
     constexpr std::array kFractions{1.0, 0.1, 0.01};
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
-    for (const double part : kFractions) {
+    for (const double fraction : kFractions) {
         Parameters rounded = exact;
-        for (const Parameter parameter : kAllParameters) {
-            const double size = parameter == Parameter::Theta20  ? 1.0
-                                : parameter == Parameter::Omega2 ? std::abs(exact.omega2)
-                                                                 : characteristicLength(exact);
-            const double standardError = lastFit.standardError[indexOf(parameter)];
-            const double error = std::max(part * standardError, kArithmetic * size);
-            if (std::isfinite(standardError)) {
-                valueOf(rounded, parameter) = roundValue(parameter, valueOf(exact, parameter), error, lengthUnit);
+        if (fit.model.followsAngle) { // the drive has errors of its own
+            for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20}) {
+                const Unknown unknown{static_cast<Unknown::Kind>(indexOf(parameter))};
+                const double error = fraction * lastFit.standardError[indexOf(parameter)];
+                valueOf(rounded, parameter) = roundValue(unknown, valueOf(exact, parameter), error, lengthUnit).value;
             }
         }
+        Estimate estimate = estimateOf(lastFit, exact);
+        estimate.covariance *= fraction * fraction;
+        for (const Index k : openUnknowns(estimate)) {
+            if (!estimate.unknowns[k].parameter) {
+                fix(estimate, k, estimate.values[k]);
+            }
+        }
+        fixChosenNumbers(estimate, lengthUnit);
+        for (const Index k : openUnknowns(estimate)) {
+            fix(estimate, k, roundNumber(estimate, k, lengthUnit).value);
+        }
+        rounded = withEstimate(rounded, estimate);
         const Model model = withParameters(fit.model, rounded, observations);
         if (!findFault(rounded) && isAsGood(observations, evaluated(observations, model, fit.columns), fit)) {
             return rounded;
         }
     }
     return exact;
+}
+
+void moveToChosenNumbers(LastFit &lastFit, const Parameters &exact, double lengthUnit)
+{
+    Fit &fit = lastFit.fit;
+    Estimate estimate = estimateOf(lastFit, exact);
+    const auto isParameter = [](const Estimated &estimated) { return estimated.parameter.has_value(); };
+    if (std::ranges::all_of(estimate.unknowns, isParameter)) {
+        return;
+    }
+    fixChosenNumbers(estimate, lengthUnit);
+    Model model = withParameters(fit.model, withEstimate(exact, estimate), lastFit.observations);
+    for (Index k = 0; k < estimate.values.size(); ++k) {
+        if (!estimate.unknowns[k].parameter) {
+            valueOf(model, estimate.unknowns[k].unknown) = estimate.values[k];
+        }
+    }
+    const Fit moved = evaluated(lastFit.observations, std::move(model), fit.columns);
+    if (isAsGood(lastFit.observations, moved, fit)) {
+        fit.model = moved.model;
+        fit.residuals = moved.residuals;
+        fit.rms = moved.rms;
+        fit.misfit = moved.misfit;
+    }
 }
 
 } // namespace slidercrank

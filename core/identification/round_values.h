@@ -10,17 +10,27 @@
 namespace slidercrank
 {
 
+struct RoundNumber {
+    double value = 0.0;
+    bool isChosen = false; ///< a number that is as round is near by chance with a probability of at most 10 %
+};
+
 /// The number with the fewest digits within three standard errors of a value, in any of some units; 0 if that is within
-/// them. It is accepted only if such a round number is there by chance with a probability of at most 10 %. Otherwise
-/// returns the value, rounded to two digits of the standard error in the first unit. Returns the value itself if its
-/// standard error is 0, infinite or NaN.
-double roundest(double value, double standardError, std::span<const double> units);
+/// them. If it is not so round that a person has chosen it, returns the value rounded to the first digit of its
+/// standard error, in the first unit. Returns the value itself if its standard error is 0, infinite or NaN.
+RoundNumber roundest(double value, double standardError, std::span<const double> units);
 
 /// Rounds a length (mm) like roundest(), in a unit of `unit` mm.
-double roundLength(double value, double standardError, double unit);
+RoundNumber roundLength(double value, double standardError, double unit);
 
 /// Rounds the lengths, ω2 (in rad/s, °/s or rpm) and θ20 (in ° or rad) of a last fit, as far as they explain the file
-/// as well. `exact`: the parameters without rounding. `lengthUnit`: of the lengths in the file, mm.
+/// as well with the origins that the fit has found. `exact`: the parameters without rounding. `lengthUnit`: of the
+/// lengths in the file, mm.
 Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, double lengthUnit);
+
+/// An origin depends on the lengths: a file of a piston that is 0.3 mm farther from its origin may belong to a coupler
+/// that is 0.3 mm longer. If a fit has free origins, moves it to the chosen numbers of its parameters and of the origin
+/// of θ2, and to the other origins that suit them. Does nothing if these do not explain the file as well.
+void moveToChosenNumbers(LastFit &lastFit, const Parameters &exact, double lengthUnit);
 
 } // namespace slidercrank

@@ -11,8 +11,12 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <functional>
 #include <numbers>
+#include <string>
 #include <variant>
 
 using namespace slidercrank;
@@ -29,12 +33,32 @@ constexpr Channel kSliderVelocity{R4x, Order::Velocity};
 constexpr Channel kSliderAcceleration{R4x, Order::Acceleration};
 constexpr Channel kCoupler{Theta3, Order::Position};
 constexpr double kTurnPerSecond = 2.0 * std::numbers::pi;
+constexpr double kDegree = std::numbers::pi / 180.0;
 
 Identification identifyFile(const QString &name, const Parameters &given = {})
 {
     const QByteArray bytes = contentOf(SLIDERCRANK_SOURCE_DIR "/tests/support/ordinary_files/" + name + ".csv");
     const auto outcome = readReferenceData({bytes.data(), static_cast<std::size_t>(bytes.size())});
     return identify(std::get<ReferenceData>(outcome), Mechanism(given));
+}
+
+/// The position of the slider by the textbook's formula.
+double sliderPosition(double a, double b, double c, double theta2)
+{
+    return a * std::cos(theta2) + std::sqrt(b * b - std::pow(c - a * std::sin(theta2), 2.0));
+}
+
+/// A table with two decimals in steps of 10° or 0.02 s, in which a column is a function of the first one.
+Identification identifyTable(const std::string &headings, double step, int rows,
+                             const std::function<double(double)> &column, const Parameters &given = {})
+{
+    std::string text = headings + '\n';
+    for (int i = 0; i < rows; ++i) {
+        std::array<char, 80> line{};
+        std::snprintf(line.data(), line.size(), "%.2f,%.2f\n", i * step, column(i * step));
+        text += line.data();
+    }
+    return identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(given));
 }
 
 /// Returns whether the lengths are right within a part of the crank's length.
@@ -174,6 +198,96 @@ private slots:
         const Identification found = identifyFile("c_of_1e-12");
         QCOMPARE(found.outcome, Outcome::Identified);
         QCOMPARE(found.rounded.c, 0.0);
+    }
+
+    /// The file determines only a · ω2.
+    void findsTheLengthsForTheGivenSpeedFromAVelocityOverTheAngle()
+    {
+        constexpr double kSpeed = 10.0; // rad/s
+        constexpr double kSmall = 1e-6;
+        const auto velocity = [](double degrees) {
+            const double angle = degrees * kDegree;
+            return kSpeed *
+                   (sliderPosition(40.0, 140.0, 10.0, angle + kSmall) -
+                    sliderPosition(40.0, 140.0, 10.0, angle - kSmall)) /
+                   (2.0 * kSmall);
+        };
+        for (const double given : {kSpeed, 2.0 * kSpeed}) {
+            const Identification found =
+                identifyTable("theta2 (deg),R4_x_diff (mm/s)", 10.0, 37, velocity, {.omega2 = given});
+            const double scale = kSpeed / given;
+            QCOMPARE(found.lengthScale, Identification::LengthScale::GivenSpeed);
+            QVERIFY(hasLengths(found, 40.0 * scale, 140.0 * scale, 10.0 * scale));
+            QVERIFY(!determines(found, Parameter::A) && !determines(found, Parameter::Omega2));
+            QCOMPARE(found.parameters.omega2, given);
+        }
+    }
+
+    void roundsTheOriginOfTheAngleTogetherWithTheLengths()
+    {
+        const Identification found = identifyTable("crank angle (deg),x (mm)", 10.0, 37, [](double degrees) {
+            return sliderPosition(40.0, 140.0, 10.0, (degrees + 90.0) * kDegree);
+        });
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QCOMPARE(found.conventions.size(), 1U);
+        QCOMPARE(found.conventions[0].convention.amount, 90.0);
+        QCOMPARE(found.rounded.a, 40.0);
+        QCOMPARE(found.rounded.b, 140.0);
+        QCOMPARE(found.rounded.c, 10.0);
+    }
+
+    void roundsTheLengthsTogetherWithTheOriginOfTheSlider()
+    {
+        const Identification found = identifyTable("crank angle (deg),x (mm)", 10.0, 37, [](double degrees) {
+            return sliderPosition(37.5, 150.0, 12.0, degrees * kDegree) - 110.0;
+        });
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QCOMPARE(found.conventions.size(), 1U);
+        QVERIFY(std::abs(found.conventions[0].convention.amount - 110.0) < 0.005);
+        QCOMPARE(found.rounded.a, 37.5);
+        QCOMPARE(found.rounded.b, 150.0);
+        QCOMPARE(found.rounded.c, 12.0);
+    }
+
+    /// The mirror image of c = 0 has the same c, but its crank starts at -θ20 and not at 180° - θ20.
+    void namesTheMirrorImageOfASliderOnTheAxis()
+    {
+        const Identification found = identifyTable("time (s),R4_x (mm)", 0.02, 61, [](double time) {
+            return 250.0 - sliderPosition(50.0, 200.0, 0.0, kTurnPerSecond * time);
+        });
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QCOMPARE(found.parameters.c, 0.0);
+        QCOMPARE(found.alternatives.size(), 1U);
+        QCOMPARE(found.alternatives[0].symmetry, AlternativeMechanism::Symmetry::MirrorImage);
+    }
+
+    /// The speed of the velocities would also be that of a crank that makes 20 turns from row to row.
+    void takesAClockInMillisecondsForAnotherUnitAndNoFasterCrank()
+    {
+        constexpr double kSmall = 1e-6;
+        const auto position = [](double time) { return sliderPosition(40.0, 140.0, 10.0, kTurnPerSecond * time); };
+        std::string text = "t,x (mm),v (mm/s)\n";
+        for (int i = 0; i < 61; ++i) {
+            const double time = 0.02 * i;
+            const double velocity = (position(time + kSmall) - position(time - kSmall)) / (2.0 * kSmall);
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%d,%.2f,%.1f\n", 20 * i, position(time), velocity);
+            text += line.data();
+        }
+        const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(hasLengths(found, 40.0, 140.0, 10.0));
+        QCOMPARE(found.conventions.size(), 1U);
+    }
+
+    /// The crank speeds up during half a turn, which looks like another mechanism at constant speed.
+    void claimsNothingFromAnArcThatNoMechanismExplainsExactly()
+    {
+        const Identification found = identifyTable("time (s),R4_x (mm)", 0.02, 61, [](double time) {
+            return sliderPosition(30.0, 75.0, 20.0, 1.5 * time * time + time);
+        });
+        QCOMPARE(found.outcome, Outcome::Insufficient);
+        QVERIFY(found.openParameters[indexOf(Parameter::B)]);
     }
 
     void findsTheCrossedAssemblyOrSaysWhatIsOpen()
