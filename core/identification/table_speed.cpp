@@ -118,6 +118,10 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
             continue;
         }
         const ColumnScale scale = scaleOf(observations, fit, fit.model, k, areExact);
+        const auto isScale = [&](double unit) { return haveSameSize(scale.factor, unit); };
+        if (!scale.isExplained || std::ranges::any_of(unitFactors(channel), isScale)) { // a different unit is likelier
+            continue;
+        }
         Parameters changed = fit.model.mechanism;
         changed.omega2 *= scale.factor;
         // The angle of the crank in the first row remains.
@@ -125,7 +129,7 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
         Model model = fit.model;
         model.mechanism = changed;
         Fit other = refined(observations, model, fit.columns, fit.unknowns);
-        if (scale.isExplained && other.misfit < fit.misfit + kSameMisfit) {
+        if (other.misfit < fit.misfit + kSameMisfit) {
             return other;
         }
     }

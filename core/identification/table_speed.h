@@ -18,7 +18,7 @@ namespace slidercrank
 std::vector<double> speedsOfTable(const Observations &observations, const Fit &fit, double givenSpeed);
 
 /// In a file over the time with few rows per turn, different speeds give the same positions. Returns the fit with the
-/// speed that a velocity shows, or the same fit.
+/// speed that a velocity shows, or the same fit if none shows another speed or a different unit explains it.
 Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit);
 
 } // namespace slidercrank
