@@ -232,6 +232,9 @@ Heading parseHeading(std::string_view cell)
         text = kPandasSeparators.replacedIn(text.substr(2, text.size() - 4)); // "('slider', 'x')" of pandas
     }
     heading.name = text;
+    if (text.size() > kLongestName) {
+        return heading;
+    }
     constexpr int kNoOrder = -1;
     const bool mayBeUnit = text.size() > 1 && !isAmong(lowered(text), kAlsoWords);
     const Unit alone = (mayBeUnit ? parseUnit(text) : std::nullopt).value_or(Unit{.order = kNoOrder});

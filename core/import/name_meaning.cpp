@@ -227,6 +227,9 @@ std::optional<NameMeaning> meaningOfCount(const Words &words, std::string_view l
 
 NameMeaning meaningOf(std::string_view name, const std::string &unit)
 {
+    if (name.size() > kLongestName) {
+        return {};
+    }
     if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
         return *meaning;
     }

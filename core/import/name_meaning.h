@@ -7,6 +7,7 @@
 #include "core/import/file_layout.h"
 
 #include <compare>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -47,6 +48,9 @@ struct NameMeaning {
 
 /// Compares how certain it is that names denote their channels.
 std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second);
+
+/// Longer names, in bytes, are remarks and have no meaning.
+inline constexpr std::size_t kLongestName = 200;
 
 /// Returns what a name with that unit means by itself. The unit decides what the name leaves open: the order, and
 /// whether it is an angle or a length.
