@@ -151,7 +151,7 @@ Cells splitAtBlanks(std::string_view line, std::size_t least)
         }
         const bool opens = c == '(' || c == '[';
         if (cells.empty() || (blanks >= least && depth == 0 && !opens)) {
-            cells.push_back({&c, 0});
+            cells.push_back({&c, 1});
         }
         cells.back() = {cells.back().data(), &c + 1};
         depth += opens ? 1 : c == ')' || c == ']' ? -1 : 0;
