@@ -181,6 +181,9 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const 
 {
     constexpr double kMinEvidence = 4.0; // growth of the misfit for an origin two standard errors away
     ConstrainedFit result{.fit = std::move(fit), .shifts = shifts};
+    if (!result.fit.isFinite()) { // its mirror image or its time stamps cannot be assembled
+        return result;
+    }
     Unknowns freedoms;
     std::ranges::copy_if(result.fit.unknowns, std::back_inserter(freedoms), [&](Unknown unknown) {
         const bool isOriginOfCrank = result.fit.model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
