@@ -174,15 +174,17 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Filler,
                     "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
                     "component comp field out output instantaneous relative measured z open crossed o pin"},
-        WordMeaning{OtherQuantity,
-                    "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
-                    "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
-                    "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint "
-                    "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
-                    "сила 力 torque par couple coppia moment momento drehmoment moment pressure presion pression "
-                    "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
-                    "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
-                    "soupape limit tilt"},
+        WordMeaning{
+            OtherQuantity,
+            "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
+            "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
+            "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint "
+            "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
+            "сила 力 torque par couple coppia moment momento drehmoment moment pressure presion pression "
+            "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
+            "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
+            "soupape follower stossel spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
+            "wear verschleiss drift backlash holgura level count limit tilt"},
         WordMeaning{Label, "body part joint pin gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;

@@ -252,6 +252,16 @@ private slots:
         QCOMPARE(rolesIn("t;Battery (V);power (kW);v"), std::string("time - - R4_x_diff?"));
     }
 
+    /// Other parts of a machine have lengths and speeds, too.
+    void readsNoSliderIntoOtherParts()
+    {
+        for (const char *const name : {"Spring length [mm]", "Cam lift [mm]", "Ventilhub [mm]", "belt speed [mm/s]",
+                                       "gap [mm]", "wear depth [mm]", "follower displacement [mm]", "encoder count"}) {
+            const Outcome outcome = read(QByteArray("time,theta3,") + name + "\n0,8,1\n1,7,3\n2,6,2\n");
+            QVERIFY2(rolesOf(std::get<ReferenceData>(outcome).layout) == "time theta3 -", name);
+        }
+    }
+
     /// Words that only contain the letters of symbols denote nothing.
     void readsNoQuantitiesIntoOtherWords()
     {
