@@ -118,10 +118,8 @@ ExitStatus checkCommand(const OptionReader &options, const Streams &streams)
     const Question question(options);
     const CrankPosition position = readPosition(options, question.mechanism);
     const std::vector<NamedValue> values = readValues(options, position);
-    std::vector<GivenValue> given;
-    for (const NamedValue &value : values) {
-        given.push_back(value.typed.given());
-    }
+    std::vector<GivenValue> given(values.size());
+    std::ranges::transform(values, given.begin(), [](const NamedValue &value) { return value.typed.given(); });
     const CheckResult result = check(position, given);
     QStringList wrongNames;
     QJsonArray valuesJson;

@@ -136,10 +136,11 @@ void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double g
     double lowestCost = 1e9;
     for (int attempt = 0; attempt < 24 && lowestCost > 0.0; ++attempt) {
         const int turn = (attempt % 8 + 1) / 2 * (attempt % 2 == 0 ? -1 : 1); // 0, 1, -1, 2, -2 …
+        const int distance = attempt / 8;                                     // in heights of the label
         const QPointF away(std::cos(ahead + turn * kEighth), std::sin(ahead + turn * kEighth));
         // The label touches the gap with the side that faces the point.
         const double larger = std::max(std::abs(away.x()), std::abs(away.y()));
-        box.moveCenter(point + (gap + attempt / 8 * box.height()) * away +
+        box.moveCenter(point + (gap + distance * box.height()) * away +
                        QPointF(0.5 * box.width() * away.x(), 0.5 * box.height() * away.y()) / larger);
         const auto crossed = std::ranges::count_if(m_occupied, [&](const QRectF &it) { return it.intersects(box); });
         const double cost = static_cast<double>(crossed) + (inside.contains(box) ? 0.0 : 10.0);

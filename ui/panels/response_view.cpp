@@ -310,7 +310,8 @@ void ResponseView::draw(QPainter &painter, const QSize &size) const
     for (std::size_t i = 0; i < m_charts.size(); ++i) {
         const int place = static_cast<int>(i);
         painter.save();
-        painter.translate(place % rows.columns * part.width(), place / rows.columns * part.height());
+        const int row = place / rows.columns;
+        painter.translate(place % rows.columns * part.width(), row * part.height());
         painter.drawText(QRect(0, 0, part.width(), rows.title), Qt::AlignCenter | Qt::TextWordWrap,
                          unbroken(m_charts[i]->accessibleName()));
         painter.translate(0, rows.title);
