@@ -15,21 +15,36 @@ namespace slidercrank
 namespace
 {
 
+/// The larger one of the changes from each value to the next and from the previous one.
+Values changeToNeighbours(const Values &values)
+{
+    const Index pairs = values.size() - 1;
+    const Values changes = (values.tail(pairs) - values.head(pairs)).abs();
+    Values largest = Values::Zero(values.size());
+    largest.head(pairs) = changes;
+    largest.tail(pairs) = largest.tail(pairs).max(changes);
+    return largest;
+}
+
 /// Replaces the rows with a value that is far off by gaps, and returns them; no rows if they are too many.
 Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
     constexpr double kDeviations = 8.0;
     constexpr double kRoundings = 2.0;         // times the bound of rounding, because the fit has errors, too
     constexpr double kHarmlessFraction = 1e-4; // of the range of the column: smaller errors mislead nobody
+    constexpr double kLateness = 0.2;  // rows: a value that the motion has so near is late or early, and no outlier
     constexpr double kNormal = 1.4826; // standard deviation of a normal distribution, in median absolute deviations
     constexpr double kMaxOutlierFraction = 0.05;
+    const Eigen::ArrayXXd predictions = predictedIn(fit.model, observations, fit.columns);
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         const ObservedColumn &column = observations.columns[fit.columns[k]];
         const Values residuals = fit.residuals.col(k);
         const Values errors = residuals.abs();
         const double limit = kDeviations * std::max(kNormal * median(errors), std::sqrt(column.variance));
-        const Values bounds = (kRoundings * roundingBounds(observations, fit, k)).max(kHarmlessFraction * column.range);
+        const Values bounds = (kRoundings * roundingBounds(observations, fit, k))
+                                  .max(kHarmlessFraction * column.range)
+                                  .max(kLateness * changeToNeighbours(predictions.col(k)));
         // Outliers jump. Systematic residuals are far off, too, where they rise and fall slowly.
         const Index pairs = residuals.size() - 1;
         if ((finite(residuals.tail(pairs) - residuals.head(pairs)).abs() > limit).any()) {
