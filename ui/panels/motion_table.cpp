@@ -167,24 +167,6 @@ QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<Ta
     return text.toUtf8();
 }
 
-QByteArray motionTableCsv(const MotionTableSettings &settings, Branch branch, std::vector<TableRow> rows,
-                          const CsvStyle &style)
-{
-    std::vector<TableColumn> columns = motionTableColumns(settings);
-    if (std::ranges::any_of(settings.columns, isMeasuredAtB)) {
-        const auto angleAtB =
-            std::ranges::find(columns, csvName(kCouplerAngleAtB, Measure::Angle), &TableColumn::csvName);
-        const auto column = static_cast<std::size_t>(angleAtB - columns.begin());
-        columns.push_back({.title = {}, .csvName = csvName(columnName(kCouplerAngle), Measure::Angle)});
-        const double offset = shownScale(kCouplerAngle, branch).offset;
-        for (TableRow &row : rows) {
-            const std::optional<double> angle = row.cells[column].number;
-            row.cells.push_back({.text = {}, .number = angle ? std::optional(*angle - offset) : std::nullopt});
-        }
-    }
-    return csvText(columns, rows, style);
-}
-
 std::optional<double> nextTime(const std::vector<double> &angles, const Mechanism &mechanism, const Sampling &sampling,
                                double t)
 {

@@ -61,11 +61,6 @@ struct CsvStyle {
 
 QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows, const CsvStyle &style);
 
-/// Returns the table as a file that can be compared with a mechanism again. Beside θ3 at B it contains θ3 at A, which
-/// is the one that files have.
-QByteArray motionTableCsv(const MotionTableSettings &settings, Branch branch, std::vector<TableRow> rows,
-                          const CsvStyle &style);
-
 /// Returns the time at which the crank, which is at time t, next reaches one of the angles (rad) in its direction of
 /// rotation. After the end of the time range the search continues at its start. Returns nullopt if it reaches none
 /// within the time range.

@@ -464,7 +464,7 @@ void MotionTablePanel::useAsCrankSpeed()
 
 QByteArray MotionTablePanel::csv() const
 {
-    return motionTableCsv(m_settings, m_session->parameters().branch, m_rows, m_style);
+    return csvText(motionTableColumns(m_settings), m_rows, m_style);
 }
 
 std::optional<QString> MotionTablePanel::exportTo(const QString &path) const
