@@ -27,7 +27,9 @@
 #include <QStatusBar>
 #include <QTableView>
 #include <QTemporaryDir>
+#include <QTimer>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -231,10 +233,14 @@ private slots:
         QVERIFY(session().pinned() == std::vector<Parameters>{Parameters()});
         QCOMPARE(picture("mechanismView"), linkage); // the pinned motion is the current one
         setB(80.0);
+        const QList<QTimer *> delays = part("mechanismView")->findChildren<QTimer *>(); // the frame is fitted after one
+        const auto isFitted = [&delays] { return std::ranges::none_of(delays, &QTimer::isActive); };
+        AWAIT(isFitted());
         const QImage both = picture("plot_R4_x");
         const QImage ghost = picture("mechanismView");
         for (const bool isShown : {false, true}) {
             action("Show the motion of the file or the pinned one")->trigger();
+            AWAIT(isFitted());
             QCOMPARE(picture("mechanismView") == ghost, isShown);
         }
         showTab(ErrorsTab);
