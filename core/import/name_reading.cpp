@@ -83,7 +83,7 @@ bool includeJoint(NameReading &all, std::string_view letter)
     return !index || merge(all, *index);
 }
 
-/// Includes the joint behind "at": "velocity at B", but an angle there is that of the coupler, "θ3 at B".
+/// Includes the joint after "at": "velocity at B", but an angle there is that of the coupler, "θ3 at B".
 bool includePlace(NameReading &all, std::string_view joint)
 {
     if (all.dimension != Dimension::Angle) {
@@ -255,7 +255,7 @@ bool isOfOtherQuantity(std::string_view word)
     return isOther;
 }
 
-/// Includes a word that is unknown behind the words before it. Returns false if it contradicts them, or makes the name
+/// Includes a word that is unknown after the words before it. Returns false if it contradicts them, or makes the name
 /// that of another quantity.
 bool includeUnknown(NameReading &all, std::string_view word)
 {
@@ -270,18 +270,22 @@ bool includeUnknown(NameReading &all, std::string_view word)
     return true;
 }
 
-/// Returns whether a word is the number or letter of a point, behind "joint" or an unknown word: "P1X", "mass_A x".
+/// Returns whether a word is the number of a point after "joint" or an unknown word, as in "P1X", or the letter of a
+/// point between an unknown word and the quantity, as in "mass_A x".
 bool isNumberOfPoint(const NameReading &before, const Words &words, std::size_t at)
 {
     if (at == 0) {
         return false;
     }
     const std::string &name = words[at - 1];
-    const bool isLabel = findWord(name, WordUse::Label) && !findWord(name, WordUse::Filler);
-    const bool isUnknown = before.unknown.text.ends_with(name);
-    const bool isLetter = words[at].size() == 1 && (words[at] == "a" || !findWord(words[at], WordUse::Symbol));
-    const bool isLast = at + 1 == words.size(); // "επιτάχυνση a"
-    return isDigits(words[at]) ? isLabel || isUnknown : isLetter && !isLast && isUnknown && before.unknown.hasWord;
+    const bool isAfterUnknown = before.unknown.text.ends_with(name);
+    if (isDigits(words[at])) {
+        const bool isAfterLabel = findWord(name, WordUse::Label) && !findWord(name, WordUse::Filler);
+        return isAfterLabel || isAfterUnknown;
+    }
+    const bool mayBeLetter = words[at].size() == 1 && (words[at] == "a" || !findWord(words[at], WordUse::Symbol));
+    const bool isLast = at + 1 == words.size(); // it is the symbol: "επιτάχυνση a"
+    return mayBeLetter && !isLast && isAfterUnknown && before.unknown.hasWord;
 }
 
 /// Removes the differentials of "dx/dt" and "d^2x/dt^2", whose words are "dxdt" and "d", "2", "xdt", "2". Returns the
@@ -331,9 +335,9 @@ bool includeWords(NameReading &all, const Words &words, Entries entries)
 {
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string two = i + 1 < words.size() ? words[i] + '_' + words[i + 1] : std::string();
-        const bool isPair = // "link 3", "O2", but not the B x of "joint B x"
-            !(all.isLabelled && (two.ends_with("_x") || two.ends_with("_y"))) &&
-            (findWord(two, WordUse::Word) || findWord(two, WordUse::Filler));
+        const bool isJointWithAxis = all.isLabelled && (two.ends_with("_x") || two.ends_with("_y")); // "joint B x"
+        const bool isPair = !isJointWithAxis &&                                                      // "link 3", "O2"
+                            (findWord(two, WordUse::Word) || findWord(two, WordUse::Filler));
         bool isIncluded = true;
         if (isPlace(words, i)) {
             isIncluded = includePlace(all, words[++i]);

@@ -32,7 +32,7 @@ NamePath splitPath(std::string_view name);
 struct UnknownWords {
     std::string text{};   ///< one after the other
     bool hasWord = false; ///< one of at least three letters, and not only indices
-    std::string point{}; ///< one with the number or letter behind it, or "joint" with its number: "massa" in "mass_A x"
+    std::string point{};  ///< one with the number or letter after it, or "joint" with its number: "massa" in "mass_A x"
 
     bool isAny() const { return !text.empty() || !point.empty(); }
     bool areIndices() const { return !text.empty() && !hasWord && point.empty(); } ///< as in "x_G"

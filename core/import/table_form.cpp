@@ -400,8 +400,8 @@ bool isRemark(std::string_view line)
 
 bool isProse(std::string_view text)
 {
-    constexpr std::size_t kFewestLines = 10; // below, the fault of a line tells more
-    constexpr std::size_t kFewestRows = 3;   // in succession
+    constexpr std::size_t kMinLines = 10; // below, the fault of a line tells more
+    constexpr std::size_t kMinRows = 3;   // in succession
     const std::vector<Line> lines = splitLines(text);
     for (const char delimiter : std::string_view("\t;,|& ")) {
         std::size_t rows = 0;
@@ -413,12 +413,12 @@ bool isProse(std::string_view text)
             const bool isTableRow = numbers > 1 && 2 * numbers >= cells.size();
             rows = isTableRow && (rows == 0 || cells.size() == cellsBefore) ? rows + 1 : 0;
             cellsBefore = cells.size();
-            if (rows == kFewestRows) {
+            if (rows == kMinRows) {
                 return false;
             }
         }
     }
-    return lines.size() >= kFewestLines;
+    return lines.size() >= kMinLines;
 }
 
 std::string_view unitIn(std::string_view cell)
@@ -466,7 +466,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     for (std::size_t i = 0; i < std::min(cells.size(), headings.size()) && headings[i].meaning.kind < Kind::Quantity;
          ++i) {
         const std::size_t colon = cells[i].find(':');
-        headings[i].cells.isClock = colon != cells[i].npos; // not behind a quantity, like the times of a race
+        headings[i].cells.isClock = colon != cells[i].npos; // not after a quantity, like the times of a race
         headings[i].cells.hasDate = cells[i].find_first_of("-/.") < colon;
     }
     for (Heading &heading : headings) {
