@@ -18,11 +18,12 @@ namespace
 
 using Kind = Convention::Kind;
 
-/// Adds a column to the convention of the same kind and amount, or appends a new convention. Each origin is one of its
-/// own, because every origin has its own standard error.
+/// Adds a column to the convention of the same kind and amount, or appends a new convention. Origins are never
+/// combined, because each has its own standard error.
 void append(std::vector<ConventionFinding> &conventions, Kind kind, Channel channel, double amount)
 {
-    for (auto &[convention, before, after, standardError] : conventions) {
+    for (ConventionFinding &finding : conventions) {
+        Convention &convention = finding.convention;
         if (convention.kind == kind && convention.amount == amount && kind != Kind::ZeroPoint) {
             convention.channels.push_back(channel);
             return;
@@ -139,8 +140,8 @@ std::vector<ChannelComparison> compareRead(const Parameters &mechanism, const Re
         drive == Drive::Kind::RunUp || drive == Drive::Kind::Uneven || (drive == Drive::Kind::OverAngle && !data.crank);
     // A table over the angle is compared as if the crank turned by one radian per second from 0.
     constexpr double kUnitSpeed = 1.0;
-    constexpr double kNoStart = 0.0;
-    const Mechanism timed = overAngle ? withDrive(Mechanism(mechanism), kUnitSpeed, kNoStart) : Mechanism(mechanism);
+    constexpr double kStartAngle = 0.0;
+    const Mechanism timed = overAngle ? withDrive(Mechanism(mechanism), kUnitSpeed, kStartAngle) : Mechanism(mechanism);
     const std::optional<ReferenceData> reference = timedBy(timed, overAngle ? tableOverAngle(data) : data);
     return reference ? compareExactly(timed, *reference, stop, fitted).channels : std::vector<ChannelComparison>();
 }

@@ -92,7 +92,8 @@ Fit withUsualReading(const Observations &observations, const Fit &fit, Index k, 
     return withColumn(observations, withOrigin, model, k, areExact);
 }
 
-/// Whether a slider-crank of other proportions, which both are known, explains the column at the same speed.
+/// Whether a slider-crank with other proportions explains the column at the same speed. A coupler of more than a
+/// hundred cranks proves nothing, because its length hardly shows.
 bool isMotionOfOtherLengths(const Observations &observations, const Fit &fit, Index k)
 {
     constexpr double kMinValues = 20.0; // fewer prove nothing

@@ -32,7 +32,7 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
     constexpr double kDeviations = 8.0;
     constexpr double kRoundings = 2.0;         // times the bound of rounding, because the fit has errors, too
     constexpr double kHarmlessFraction = 1e-4; // of the range of the column: smaller errors mislead nobody
-    constexpr double kLateness = 0.2;  // rows: a value that the motion has so near is late or early, and no outlier
+    constexpr double kLateness = 0.2;          // rows: a value that the motion takes within this time is late or early
     constexpr double kNormal = 1.4826; // standard deviation of a normal distribution, in median absolute deviations
     constexpr double kMaxOutlierFraction = 0.05;
     const Eigen::ArrayXXd predictions = predictedIn(fit.model, observations, fit.columns);

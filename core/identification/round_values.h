@@ -12,7 +12,7 @@ namespace slidercrank
 
 struct RoundNumber {
     double value = 0.0;
-    bool isChosen = false; ///< a number that is as round is near by chance with a probability of at most 10 %
+    bool isChosen = false; ///< an equally round number is near by chance with a probability of at most 10 %
 };
 
 /// The number with the fewest digits within three standard errors of a value, in any of some units; 0 if that is within
@@ -28,9 +28,9 @@ RoundNumber roundLength(double value, double standardError, double unit);
 /// lengths in the file, mm.
 Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, double lengthUnit);
 
-/// An origin depends on the lengths: a file of a piston that is 0.3 mm farther from its origin may belong to a coupler
-/// that is 0.3 mm longer. If a fit has free origins, moves it to the chosen numbers of its parameters and of the origin
-/// of θ2, and to the other origins that suit them. Does nothing if these do not explain the file as well.
+/// An origin depends on the lengths: if a coupler is 0.3 mm longer and the origin 0.3 mm farther away, the positions in
+/// the file are nearly the same. If a fit has free origins, moves it to the chosen numbers of its parameters and of the
+/// origin of θ2, and to the other origins that suit them. Does nothing if these do not explain the file as well.
 void moveToChosenNumbers(LastFit &lastFit, const Parameters &exact, double lengthUnit);
 
 } // namespace slidercrank
