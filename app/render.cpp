@@ -8,6 +8,7 @@
 #include "app/time_step_report.h"
 #include "core/identification/identification.h"
 #include "ui/document/result.h"
+#include "ui/document/scene_link.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
 #include "ui/export/report.h"
@@ -236,7 +237,8 @@ RenderRequest readRequest(const OptionReader &options)
     readSubject(options, request);
     readTarget(options, request);
     request.scene = options.scene();
-    if (!options.has("scene")) { // as the window at its first start
+    const bool isLink = isSceneLink(options.text("scene")); // it does not say what is drawn
+    if (!options.has("scene") || isLink) {                  // as the window at its first start
         request.scene.mechanism = {.names = true, .dimensions = true, .angles = true};
     }
     request.scene.parameters = readMechanism(options).parameters();

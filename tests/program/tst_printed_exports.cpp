@@ -185,6 +185,16 @@ private slots:
         QVERIFY(!contentOf(file).contains("4.780"));
     }
 
+    /// A link does not say what is drawn beside the linkage.
+    void aLinkIsDrawnLikeItsMechanism()
+    {
+        const QString render = "render --what mechanism -o ";
+        QCOMPARE(run(render + path("link.svg") + " --scene slidercrank.html#a=40&b=120&c=20&omega2=60rpm").status, 0);
+        QCOMPARE(run(render + path("options.svg") + " --a 40 --b 120 --c 20 --omega2 60rpm").status, 0);
+        QVERIFY(contentOf(path("link.svg")).contains("θ₂ = 0"));
+        QCOMPARE(contentOf(path("link.svg")), contentOf(path("options.svg")));
+    }
+
     /// A former defect: in a narrow figure the time lay over a curve.
     void theTimeStandsAboveThePlots()
     {
