@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/drive.h"
 
+#include "core/identification/least_squares.h"
 #include "core/identification/noise.h"
 
 #include "core/comparison/comparison.h"
 #include "core/mechanism/turn.h"
-
-#include <Eigen/Dense>
 
 #include <algorithm>
 #include <cmath>
@@ -38,15 +37,14 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
         basis.col(k) = (observations.time / half).pow(static_cast<double>(k));
         scale[k] = std::pow(half, -static_cast<double>(k));
     }
-    const Eigen::MatrixXd inverse = (basis.transpose() * basis).inverse();
-    const Eigen::VectorXd coefficients = inverse * (basis.transpose() * angles.matrix());
-    const Values residuals = angles - (basis * coefficients).array();
+    const LinearFit line = fitLinearly(basis, angles);
+    const Values &residuals = line.residuals;
     const Values errors = residuals.abs();
-    const double bound = halfStep + std::abs(coefficients[1]) / half * observations.timeHalfStep + kArithmetic;
+    const double bound = halfStep + std::abs(line.coefficients[1]) / half * observations.timeHalfStep + kArithmetic;
     const double variance = errors.square().mean() + bound * bound / 3.0;
     const double percentWithin = 100.0 * (errors <= bound).cast<double>().mean();
-    return {.coefficients = coefficients.array() * scale,
-            .standardErrors = (variance * inverse.diagonal().array()).sqrt() * scale,
+    return {.coefficients = line.coefficients.array() * scale,
+            .standardErrors = (variance * line.variances).sqrt() * scale,
             .isWithinRounding =
                 percentWithin >= static_cast<double>(kPercentWithinBound) && errors.maxCoeff() < kMaxBounds * bound,
             .isWithinNoise = changeSignLikeNoise(residuals) && errors.maxCoeff() < kMaxNoise};

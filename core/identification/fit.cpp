@@ -6,7 +6,7 @@
 
 #include "core/mechanism/turn.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
 #include <unsupported/Eigen/AutoDiff>
 
 #include <algorithm>
@@ -114,6 +114,20 @@ std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const 
         }
     }
     return std::isfinite(shape.value) ? std::optional(std::move(shape)) : std::nullopt;
+}
+
+/// Eigenvalues and eigenvectors of D·matrix·D, where the diagonal matrix D makes the diagonal of the product 1.
+struct Eigensystem {
+    Eigen::VectorXd scale; ///< the diagonal of D
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors;
+};
+
+Eigensystem decomposed(const Eigen::MatrixXd &matrix)
+{
+    Eigen::VectorXd scale = diagonalScale(matrix);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * matrix * scale.asDiagonal());
+    return {.scale = std::move(scale), .values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
 }
 
 Model withValues(Model model, const Unknowns &unknowns, const Eigen::VectorXd &values)
@@ -237,14 +251,18 @@ Eigen::VectorXd stepToMinimum(const Fit &fit)
     return step.array().isFinite().select(step, 0.0);
 }
 
+double conditionNumber(const Fit &fit)
+{
+    const Eigen::VectorXd values = decomposed(fit.curvature).values;
+    return std::sqrt(values.maxCoeff() / std::max(values.minCoeff(), kEpsilon * kEpsilon));
+}
+
 Eigen::MatrixXd covarianceOf(const Fit &fit)
 {
-    constexpr double kSmallestEigenvalue = 1e-19; // of the scaled matrix: below, there are only rounding errors
-    const Eigen::VectorXd scale = diagonalScale(fit.curvature);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * fit.curvature *
-                                                                scale.asDiagonal());
-    const Eigen::VectorXd inverse = solver.eigenvalues().array().max(kSmallestEigenvalue).inverse();
-    const Eigen::MatrixXd vectors = scale.asDiagonal() * solver.eigenvectors();
+    constexpr double kSmallestEigenvalue = 1e-19; // below, there are only rounding errors
+    const Eigensystem system = decomposed(fit.curvature);
+    const Eigen::VectorXd inverse = system.values.array().max(kSmallestEigenvalue).inverse();
+    const Eigen::MatrixXd vectors = system.scale.asDiagonal() * system.vectors;
     return 2.0 * (vectors * inverse.asDiagonal() * vectors.transpose());
 }
 

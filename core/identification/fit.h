@@ -92,6 +92,9 @@ bool isNoise(const Fit &fit);
 /// has ended in a long and curved valley of the misfit, and 0 for unknowns that the columns do not determine.
 Eigen::VectorXd stepToMinimum(const Fit &fit);
 
+/// The ratio of the errors of the worst and the best determined combination of the unknowns.
+double conditionNumber(const Fit &fit);
+
 /// The covariance matrix of the unknowns; very large variances for unknowns that the columns do not determine.
 Eigen::MatrixXd covarianceOf(const Fit &fit);
 

@@ -12,8 +12,6 @@
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
-#include <Eigen/Dense>
-
 #include <algorithm>
 #include <cmath>
 
@@ -104,16 +102,6 @@ Lack lackOfValues(const LastFit &lastFit)
     const bool isSparse = static_cast<double>(observations.size()) < kMinRowsPerTurn * turns;
     return !fit.model.followsAngle && !observations.containDerivatives(fit.columns) && isSparse ? Lack::FewRowsPerTurn
                                                                                                 : Lack::Nothing;
-}
-
-/// The ratio of the best and the worst determined combination of the unknowns.
-double conditionNumber(const Fit &fit)
-{
-    const Eigen::VectorXd scale = diagonalScale(fit.curvature);
-    const Eigen::VectorXd squares =
-        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * fit.curvature * scale.asDiagonal())
-            .eigenvalues();
-    return std::sqrt(squares.maxCoeff() / std::max(squares.minCoeff(), kEpsilon * kEpsilon));
 }
 
 /// Replaces the parameters that are not `known` by those of the given mechanism.

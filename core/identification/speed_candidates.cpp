@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/speed_candidates.h"
 
-#include "core/mechanism/turn.h"
+#include "core/identification/least_squares.h"
 
-#include <Eigen/Dense>
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,12 +55,9 @@ double periodogram(const Observations &observations, const Indices &columns, dou
     for (const Index k : columns) {
         const ObservedColumn &column = observations.columns[k];
         const Eigen::MatrixXd basis = column.values.isFinite().cast<double>().matrix().asDiagonal() * harmonics;
-        const Eigen::VectorXd values = finite(column.values);
-        const Eigen::VectorXd right = basis.transpose() * values;
-        const double rest = values.squaredNorm() - right.dot((basis.transpose() * basis).ldlt().solve(right));
+        const double squares = fitLinearly(basis, finite(column.values)).residuals.square().sum();
         const double count = static_cast<double>(column.values.isFinite().count());
-        misfit +=
-            count * std::log(std::max(rest, 0.0) / count + column.variance + kFloor * column.range * column.range);
+        misfit += count * std::log(squares / count + column.variance + kFloor * column.range * column.range);
     }
     return misfit;
 }
