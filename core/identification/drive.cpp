@@ -16,75 +16,87 @@ namespace slidercrank
 namespace
 {
 
-/// A polynomial of the time.
+/// A polynomial of the time that was fitted to the angles of the crank.
 struct Polynomial {
     Eigen::VectorXd coefficients;
     Eigen::VectorXd standardErrors;
-    bool isWithinRounding = false;
-    bool isWithinNoise = false; ///< the residuals change their sign like noise, and are small
+    bool explainsAngles = false; ///< the residuals are rounding, or they are small and change their sign like noise
 };
 
-/// Fits a polynomial with some terms to the angles of the crank. `halfStep`: of the rounding of the angles, rad.
+/// Fits a polynomial with a number of terms. `halfStep`: half of the rounding step of the angles, rad.
 Polynomial fitPolynomial(const Observations &observations, const Values &angles, double halfStep, Index terms)
 {
-    constexpr double kMaxBounds = 2.5;   // of the largest error: an encoder truncates
+    constexpr double kMaxBounds = 2.5;   // the largest error, in bounds of rounding: an encoder truncates
     constexpr double kArithmetic = 1e-9; // rad: rounding errors of angles that are printed with all digits
-    constexpr double kMaxNoise = 0.1;    // rad
-    const double half = 0.5 * observations.span();
+    constexpr double kMaxNoise = 0.1;    // rad (6°): larger deviations are not those of a sensor
+    // The time is divided by half of its span, so that the powers in the basis are between -1 and 1.
+    const double halfSpan = 0.5 * observations.span();
     Eigen::MatrixXd basis(angles.size(), terms);
-    Eigen::ArrayXd scale(terms); // of the coefficients
+    Eigen::ArrayXd scale(terms); // turns the coefficients into those of the time
     for (Index k = 0; k < terms; ++k) {
-        basis.col(k) = (observations.time / half).pow(static_cast<double>(k));
-        scale[k] = std::pow(half, -static_cast<double>(k));
+        basis.col(k) = (observations.time / halfSpan).pow(static_cast<double>(k));
+        scale[k] = std::pow(halfSpan, -static_cast<double>(k));
     }
-    const LinearFit line = fitLinearly(basis, angles);
-    const Values &residuals = line.residuals;
-    const Values errors = residuals.abs();
-    const double bound = halfStep + std::abs(line.coefficients[1]) / half * observations.timeHalfStep + kArithmetic;
-    const double variance = errors.square().mean() + bound * bound / 3.0;
+    const LinearFit fit = fitLinearly(basis, angles);
+    const Values errors = fit.residuals.abs();
+    // Half a rounding step of the angle, and the motion of the crank during half a step of the time.
+    const double bound = halfStep + std::abs(fit.coefficients[1]) / halfSpan * observations.timeHalfStep + kArithmetic;
+    const double variance = errors.square().mean() + bound * bound / 3.0; // of the residuals and of rounding
     const double percentWithin = 100.0 * (errors <= bound).cast<double>().mean();
-    return {.coefficients = line.coefficients.array() * scale,
-            .standardErrors = (variance * line.variances).sqrt() * scale,
-            .isWithinRounding =
-                percentWithin >= static_cast<double>(kPercentWithinBound) && errors.maxCoeff() < kMaxBounds * bound,
-            .isWithinNoise = changeSignLikeNoise(residuals) && errors.maxCoeff() < kMaxNoise};
+    const bool isRounding =
+        percentWithin >= static_cast<double>(kPercentWithinBound) && errors.maxCoeff() < kMaxBounds * bound;
+    const bool isNoise = changeSignLikeNoise(fit.residuals) && errors.maxCoeff() < kMaxNoise;
+    return {.coefficients = fit.coefficients.array() * scale,
+            .standardErrors = (variance * fit.variances).sqrt() * scale,
+            .explainsAngles = isRounding || isNoise};
+}
+
+/// The difference quotients from each row to the one `step` rows later.
+Values slopes(const Values &values, const Values &abscissa, Index step)
+{
+    const Index count = values.size() - step;
+    return (values.tail(count) - values.head(count)) / (abscissa.tail(count) - abscissa.head(count));
+}
+
+/// The drive whose angle is a parabola of the time. `timeOrigin`: the time of the file at which the time of the
+/// parabola is zero.
+Drive runUp(const Polynomial &parabola, double timeOrigin)
+{
+    Drive drive{.kind = Drive::Kind::RunUp,
+                .theta20 = parabola.coefficients[0],
+                .omega2 = parabola.coefficients[1],
+                .alpha2 = 2.0 * parabola.coefficients[2]};
+    // The errors of the three coefficients are taken as independent.
+    const Eigen::Vector3d errors = parabola.standardErrors;
+    drive.speedError = std::hypot(errors[1], 2.0 * errors[2] * timeOrigin);
+    drive.angleError = std::hypot(errors[0], errors[1] * timeOrigin, errors[2] * timeOrigin * timeOrigin);
+    return drive;
 }
 
 } // namespace
 
 Drive findDrive(const Observations &observations, const Model &model)
 {
-    constexpr Index kSlopeRows = 4; // between the two rows of a slope
-    const Index slopes = observations.size() - kSlopeRows;
+    constexpr Index kSlopeStep = 4; // rows: over five rows, the rounding of the angle hardly shows in the speed
     if (observations.angle.size() == 0) {
         return {.kind = Drive::Kind::OverTime};
     }
-    if (observations.time.size() == 0 || slopes < 2) {
+    if (observations.time.size() == 0 || observations.size() < kSlopeStep + 2) { // too few rows for two slopes
         return {.kind = Drive::Kind::OverAngle};
     }
     const Values angles = model.angleFactor * observations.angle + model.mechanism.theta20;
     const double halfStep = std::abs(model.angleFactor) * observations.angleHalfStep;
-    if (const Polynomial line = fitPolynomial(observations, angles, halfStep, 2);
-        line.isWithinRounding || line.isWithinNoise) {
+    const Polynomial line = fitPolynomial(observations, angles, halfStep, 2);
+    if (line.explainsAngles) {
         return {.kind = Drive::Kind::Constant, .theta20 = line.coefficients[0], .omega2 = line.coefficients[1]};
     }
-    const Values &time = observations.time;
-    const Values speeds = (angles.tail(slopes) - angles.head(slopes)) / (time.tail(slopes) - time.head(slopes));
-    Drive drive{.kind = Drive::Kind::Uneven, .least = speeds.minCoeff(), .greatest = speeds.maxCoeff()};
-    if (const Polynomial parabola = fitPolynomial(observations, angles, halfStep, 3);
-        parabola.isWithinRounding || parabola.isWithinNoise) {
-        drive.kind = Drive::Kind::RunUp;
-        drive.theta20 = parabola.coefficients[0];
-        drive.omega2 = parabola.coefficients[1];
-        drive.alpha2 = 2.0 * parabola.coefficients[2];
-        // At t = 0 of the file, nearly: the errors of the three coefficients are taken as independent.
-        const double t = observations.timeOrigin;
-        const Eigen::Vector3d errors = parabola.standardErrors;
-        drive.speedError = std::hypot(errors[1], 2.0 * errors[2] * t);
-        drive.angleError = std::hypot(errors[0], errors[1] * t, errors[2] * t * t);
-    } else {
-        drive.omega2 = (angles[angles.size() - 1] - angles[0]) / (time[time.size() - 1] - time[0]);
-    }
+    const Polynomial parabola = fitPolynomial(observations, angles, halfStep, 3);
+    const double meanSpeed = slopes(angles, observations.time, observations.size() - 1)[0];
+    Drive drive = parabola.explainsAngles ? runUp(parabola, observations.timeOrigin)
+                                          : Drive{.kind = Drive::Kind::Uneven, .omega2 = meanSpeed};
+    const Values speeds = slopes(angles, observations.time, kSlopeStep);
+    drive.least = speeds.minCoeff();
+    drive.greatest = speeds.maxCoeff();
     return drive;
 }
 

@@ -13,21 +13,21 @@ struct Drive {
         OverTime,  ///< the file does not contain the angle of the crank: ω2 is an unknown of the fit
         OverAngle, ///< it does not contain the time: ω2 follows from derivatives, if at all
         Constant,  ///< it contains both, and the speed is constant
-        RunUp,     ///< the speed changes evenly
-        Uneven     ///< it changes in another way: positions follow from the angle, but nothing predicts derivatives
+        RunUp,     ///< it contains both, and the speed changes evenly
+        Uneven     ///< the speed changes in another way: the angle predicts positions, but nothing predicts derivatives
     };
     Kind kind = Kind::OverTime;
 
-    /// Whether the speed changes.
-    bool isUneven() const { return kind == Kind::RunUp || kind == Kind::Uneven; }
+    /// Whether the file shows that the speed changes.
+    bool hasChangingSpeed() const { return kind == Kind::RunUp || kind == Kind::Uneven; }
 
-    // Constant, RunUp: the polynomial of θ2 over the time of the observations.
+    // Constant, RunUp: θ2 = theta20 + omega2 t + alpha2 t²/2 over the time of the observations.
     double theta20 = kNone; ///< rad
-    double omega2 = kNone;  ///< rad/s
-    double alpha2 = 0.0;    ///< rad/s², RunUp
+    double omega2 = kNone;  ///< rad/s; Uneven: the mean speed
+    double alpha2 = 0.0;    ///< rad/s²
 
-    // RunUp, Uneven.
-    double least = kNone; ///< smallest and largest speed, rad/s
+    // RunUp, Uneven: the smallest and the largest speed in the file, rad/s.
+    double least = kNone;
     double greatest = kNone;
 
     // RunUp: standard errors of the angle and the speed at t = 0 of the file.

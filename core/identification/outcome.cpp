@@ -124,7 +124,7 @@ AlternativeMechanism alternativeOf(const Parameters &image, const Parameters &fo
 
 std::optional<UnevenDrive> unevenDrive(const Drive &drive, const Parameters &found)
 {
-    if (!drive.isUneven()) {
+    if (!drive.hasChangingSpeed()) {
         return std::nullopt;
     }
     UnevenDrive result{
@@ -165,7 +165,7 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
                                                                          : Identification::LengthScale::GivenSpeed;
     }
     result.identifiable = {hasLengths, hasLengths, hasLengths,
-                           fit.changes({UnknownKind::Omega2}) || findings.drive.isUneven(),
+                           fit.changes({UnknownKind::Omega2}) || findings.drive.hasChangingSpeed(),
                            !fit.model.followsAngle || findings.drive.kind == Drive::Kind::RunUp};
     if (!result.hasSystematicResiduals) {
         result.standardError = lastFit.standardError;
