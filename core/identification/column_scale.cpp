@@ -10,6 +10,18 @@
 namespace slidercrank
 {
 
+namespace
+{
+
+/// The factor with which a motion fits values best, by least squares. Gaps of the values do not count.
+double bestFactor(const Values &motion, const Values &values)
+{
+    const Values counted = values.isFinite().select(finite(motion), 0.0);
+    return (counted * finite(values)).sum() / counted.square().sum();
+}
+
+} // namespace
+
 double largestFurtherResidual(bool othersAreExact)
 {
     constexpr double kLargestBesideExactColumns = 1e-3;
@@ -36,15 +48,13 @@ double signOfCoordinate(const Observations &observations, const Fit &fit, Coordi
 ColumnScale scaleOf(const Observations &observations, const Fit &fit, const Model &model, Index k, bool othersAreExact)
 {
     const ObservedColumn &column = observations.columns[k];
-    const Values motion = motionIn(model, observations, {k}).col(0);
-    const Values products = finite(motion * column.values);
-    const double factor = products.sum() / column.values.isFinite().select(finite(motion), 0.0).square().sum();
+    const double factor = bestFactor(motionIn(model, observations, {k}).col(0), column.values);
     Model scaled = model;
     scaled.readings[k] = {factor, 0.0};
-    const Fit alone = evaluated(observations, scaled, {k});
-    const bool isExact = alone.isFinite() && isWithinRounding(observations, alone, 0);
-    const bool isSmall = alone.isFinite() && alone.rms[0] < largestFurtherResidual(othersAreExact) * column.range;
-    return {factor * signOfCoordinate(observations, fit, column.channel.coordinate), isExact, isExact || isSmall};
+    const Fit ofColumn = evaluated(observations, scaled, {k});
+    const bool isSmall = ofColumn.rms[0] < largestFurtherResidual(othersAreExact) * column.range;
+    return {.factor = factor * signOfCoordinate(observations, fit, column.channel.coordinate),
+            .isExplained = ofColumn.isFinite() && (isSmall || isWithinRounding(observations, ofColumn, 0))};
 }
 
 double usualFactor(const Observations &observations, const Fit &fit, Index k)

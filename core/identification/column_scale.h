@@ -20,13 +20,14 @@ std::span<const double> unitFactors(Channel channel);
 /// The sign with which a coordinate is counted: that of the first of its columns in the fit.
 double signOfCoordinate(const Observations &observations, const Fit &fit, Coordinate coordinate);
 
+/// The factor with which a prediction fits a column best, and what remains.
 struct ColumnScale {
-    double factor = kNone;    ///< by which the prediction has to be multiplied, in the sign of the coordinate
-    bool isExact = false;     ///< whether rounding explains the residuals then
-    bool isExplained = false; ///< whether the residuals then are rounding or small
+    double factor = kNone;    ///< negative if the column is counted in the opposite sense to its coordinate in the fit
+    bool isExplained = false; ///< the residuals of the prediction times the factor are rounding or small
 };
 
-/// Compares a column with the prediction of `model`, whose readings of the other columns are those of `fit`.
+/// Compares a column that `fit` does not use with the prediction of `model`, which is that of the fit at the same or at
+/// another speed of the crank.
 ColumnScale scaleOf(const Observations &observations, const Fit &fit, const Model &model, Index column,
                     bool othersAreExact);
 

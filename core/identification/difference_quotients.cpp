@@ -22,10 +22,10 @@ constexpr std::array<Stencil, 4> kStencils{{{{-0.5, 0.0, 0.5}, 1}, // central
                                             {{-1.0, 1.0, 0.0}, 1}, // backward
                                             kSecondDifference}};
 
-/// Quotients in all rows but the first and the last, with the largest effect of the rounding of the values.
+/// Quotients in all rows but the first and the last.
 struct Quotients {
     Values values;
-    Values bounds;
+    Values bounds; ///< the largest errors of the quotients because of the rounding of the column
 };
 
 Quotients quotientsOf(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column)
@@ -41,19 +41,23 @@ Quotients quotientsOf(const Stencil &stencil, const Values &abscissa, const Obse
     return quotients;
 }
 
+/// Whether `column` contains the quotients of `lower` times one factor for all rows.
 bool isDifferenceOf(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column,
                     const ObservedColumn &lower)
 {
-    constexpr double kMinFraction = 0.8; // of the rows; the first and the last may be computed in another way
-    constexpr double kMaxBound = 0.05;   // of the range: a larger rounding of the quotients would prove nothing
+    constexpr double kMinFraction = 0.8;       // of the rows: the others may lie beside gaps or jumps
+    constexpr double kMinMovingFraction = 0.4; // of the rows: values that are zero within rounding prove nothing
+    constexpr double kMaxBound = 0.05;         // of the range: a larger rounding of the quotients would prove nothing
     const Quotients quotients = quotientsOf(stencil, abscissa, lower);
     const Values values = column.values.segment(1, quotients.values.size());
     const Values products = finite(quotients.values * values);
+    // By least squares, without gaps and without values that are zero, which prove nothing.
     const double factor = products.sum() / (products != 0.0).select(quotients.values.square(), 0.0).sum();
     const Values bounds = column.halfSteps.segment(1, values.size()) + std::abs(factor) * quotients.bounds;
-    const auto agree = (values - factor * quotients.values).abs() <= bounds && bounds < kMaxBound * column.range;
-    const auto agreeOnMotion = agree && values.abs() > bounds; // zeros prove nothing
-    return agree.cast<double>().mean() > kMinFraction && agreeOnMotion.cast<double>().mean() > 0.5 * kMinFraction;
+    const Eigen::ArrayX<bool> agrees =
+        (values - factor * quotients.values).abs() <= bounds && bounds < kMaxBound * column.range;
+    const Eigen::ArrayX<bool> agreesAndMoves = agrees && values.abs() > bounds;
+    return agrees.cast<double>().mean() > kMinFraction && agreesAndMoves.cast<double>().mean() > kMinMovingFraction;
 }
 
 bool containsDifferences(const Observations &observations, const ObservedColumn &column)
@@ -70,16 +74,18 @@ bool containsDifferences(const Observations &observations, const ObservedColumn 
     return false;
 }
 
+/// Whether many values repeat the one before or lie on the line through their neighbours, although the column is curved
+/// at the other values.
 bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn &column)
 {
-    constexpr double kMinFraction = 0.45; // of the rows: nearly one of two
-    constexpr double kMinCurvature = 3.0; // bounds of rounding, median of the curvature of the other rows
+    constexpr double kMinFraction = 0.45; // of the rows: nearly every second one
+    constexpr double kMinCurvature = 3.0; // at the other rows (median), relative to what rounding can simulate
     const Quotients curvature = quotientsOf(kSecondDifference, observations.abscissa(), column);
     const Index rows = curvature.values.size();
     const auto isRepeated = column.values.segment(1, rows) == column.values.head(rows);
-    const Eigen::ArrayX<bool> isStraight = curvature.values.abs() <= curvature.bounds || isRepeated;
-    const Values others = isStraight.select(kNone, curvature.values.abs() / curvature.bounds);
-    return isStraight.cast<double>().mean() > kMinFraction && median(others) > kMinCurvature;
+    const Eigen::ArrayX<bool> isComputed = curvature.values.abs() <= curvature.bounds || isRepeated;
+    const Values curvatureOfOthers = isComputed.select(kNone, curvature.values.abs() / curvature.bounds);
+    return isComputed.cast<double>().mean() > kMinFraction && median(curvatureOfOthers) > kMinCurvature;
 }
 
 } // namespace
