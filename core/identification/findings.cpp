@@ -32,38 +32,44 @@ void append(std::vector<ConventionFinding> &conventions, Kind kind, Channel chan
     conventions.push_back({{kind, {channel}, amount}});
 }
 
-/// Appends what has to be done with a column so that it contains `channel`. `error`: of the origin, in the unit of
-/// files.
-void appendReading(std::vector<ConventionFinding> &conventions, Channel channel, const ColumnReading &reading,
-                   bool hadJumps, double error)
+/// Appends the convention that adds `amount` (° or mm) to a column. `hadJumps`: jumps by whole turns have to be removed
+/// from it. `error`: standard error of an amount that is not usual.
+void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, double amount, bool hadJumps,
+                 double error)
 {
-    constexpr double kTolerance = 1e-9; // of half turns, relative to one
-    const bool isAnAngle = isAngle(channel.coordinate);
-    if (std::abs(reading.factor) != 1.0) {
-        append(conventions, isAnAngle ? Kind::AngleUnit : Kind::LengthUnit, channel, 1.0 / std::abs(reading.factor));
-    }
-    if (reading.factor < 0.0) {
-        append(conventions, Kind::Sign, channel, -1.0);
-    }
-    const double amount = toFileUnit(channel, -reading.origin / reading.factor);
-    const double halfTurns = isAnAngle ? std::rint(amount / 180.0) : 0.0;
-    const bool isOfHalfTurns = std::abs(amount - 180.0 * halfTurns) < kTolerance * 180.0;
-    const bool isWhole = std::fmod(halfTurns, 2.0) == 0.0;
-    if (isOfHalfTurns && isWhole && channel == kCrankAngle) {
-        return; // crank angles are compared up to whole turns
-    }
-    if (isOfHalfTurns && (halfTurns != 0.0 || hadJumps)) {
-        append(conventions, isWhole ? Kind::WholeTurns : Kind::HalfTurn, channel, 180.0 * halfTurns);
-    } else if (!isOfHalfTurns) {
+    constexpr double kHalfTurn = 180.0;
+    constexpr double kArithmetic = 2e-7; // ° or mm: rounding errors of a usual amount
+    const double usual = isAngle(channel.coordinate) ? kHalfTurn * std::rint(amount / kHalfTurn) : 0.0;
+    const bool areWholeTurns = std::fmod(usual, 2.0 * kHalfTurn) == 0.0;
+    if (std::abs(amount - usual) > kArithmetic) {
         if (hadJumps) {
             append(conventions, Kind::WholeTurns, channel, 0.0);
         }
         append(conventions, Kind::ZeroPoint, channel, amount);
         conventions.back().standardError = error;
+    } else if (!areWholeTurns) {
+        append(conventions, Kind::HalfTurn, channel, usual);
+    } else if (channel != kCrankAngle && (usual != 0.0 || hadJumps)) { // crank angles are compared up to whole turns
+        append(conventions, Kind::WholeTurns, channel, usual);
     }
 }
 
-/// The positions of a file over its θ2, rising, as a table over the crank angle.
+/// Appends the conventions that turn a column into `channel`: value = factor · motion + origin, so that the motion is
+/// value / factor - origin / factor. `error`: standard error of the origin, in the unit of files.
+void appendReading(std::vector<ConventionFinding> &conventions, Channel channel, const ColumnReading &reading,
+                   bool hadJumps, double error)
+{
+    const double unit = std::abs(reading.factor);
+    if (unit != 1.0) {
+        append(conventions, isAngle(channel.coordinate) ? Kind::AngleUnit : Kind::LengthUnit, channel, 1.0 / unit);
+    }
+    if (reading.factor < 0.0) {
+        append(conventions, Kind::Sign, channel, -1.0);
+    }
+    appendShift(conventions, channel, toFileUnit(channel, -reading.origin / reading.factor), hadJumps, error);
+}
+
+/// The positions of a file as a table over the crank angle, sorted by its θ2. Of rows with the same θ2, the first.
 ReferenceData tableOverAngle(const ReferenceData &data)
 {
     const ReferenceSeries &crank = *data.find(kCrankAngle);
@@ -74,22 +80,22 @@ ReferenceData tableOverAngle(const ReferenceData &data)
     std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return degrees[row]; });
     const auto isRepeated = [&](std::size_t row, std::size_t next) { return degrees[row] == degrees[next]; };
     rows.erase(std::unique(rows.begin(), rows.end(), isRepeated), rows.end());
-    const auto selected = [&](const std::vector<double> &values) {
-        std::vector<double> some(rows.size());
-        std::ranges::transform(rows, some.begin(), [&](std::size_t row) { return values[row]; });
-        return some;
+    const auto inTable = [&](const std::vector<double> &values) {
+        std::vector<double> sorted(rows.size());
+        std::ranges::transform(rows, sorted.begin(), [&](std::size_t row) { return values[row]; });
+        return sorted;
     };
     ReferenceData table;
-    table.crank = CrankAngles{.degrees = selected(degrees), .rounding = crank.rounding};
+    table.crank = CrankAngles{.degrees = inTable(degrees), .rounding = crank.rounding};
     for (const ReferenceSeries &series : data.series) {
         if (series.channel.order == Order::Position && series.channel != kCrankAngle) {
-            table.series.push_back({series.channel, selected(series.values), series.rounding});
+            table.series.push_back({series.channel, inTable(series.values), series.rounding});
         }
     }
     return table;
 }
 
-/// The largest error of some channels (of all without any), in percent of their peaks.
+/// The largest error of the given channels, in percent of their peaks; of all channels if none is given.
 double largestPercent(const std::vector<ChannelComparison> &comparisons, const std::vector<Channel> &channels)
 {
     double largest = 0.0;
