@@ -18,13 +18,12 @@ namespace
 /// The usual value that is nearest to the value of an unknown.
 double usualValue(const Observations &observations, const Model &model, Unknown unknown)
 {
-    double halfTurn = std::numbers::pi;
-    if (unknown.kind == Unknown::Kind::Origin) {
-        if (!observations.columns[unknown.column].containsAngles()) {
-            return 0.0;
-        }
-        halfTurn *= model.readings[unknown.column].factor;
+    const bool isOrigin = unknown.kind == Unknown::Kind::Origin;
+    if (isOrigin && !observations.columns[unknown.column].containsAngles()) {
+        return 0.0;
     }
+    // The origin of a column is counted as the column is, for example in degrees.
+    const double halfTurn = std::numbers::pi * (isOrigin ? model.readings[unknown.column].factor : 1.0);
     return halfTurn * std::rint(valueOf(model, unknown) / halfTurn);
 }
 
@@ -37,9 +36,9 @@ Fit withFixed(const Observations &observations, const Fit &fit, Unknown unknown,
     Unknowns others = fit.unknowns;
     others.erase(others.begin() + position);
     Fit best;
-    for (const double part : {1.0, 0.0}) {
+    for (const double predictedPart : {1.0, 0.0}) { // of the changes of the other unknowns
         Model start = fit.model;
-        const double change = part * (value - valueOf(start, unknown)) / covariance(position, position);
+        const double change = predictedPart * (value - valueOf(start, unknown)) / covariance(position, position);
         for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
             valueOf(start, fit.unknowns[k]) += change * covariance(k, position);
         }
@@ -52,7 +51,7 @@ Fit withFixed(const Observations &observations, const Fit &fit, Unknown unknown,
     return best;
 }
 
-/// Whether a change of one unknown changes each column by less than its rounding step (rms).
+/// Whether `unknown`, set to `value`, changes the prediction of each column by less than its rounding step (rms).
 bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown unknown, double value)
 {
     Model moved = fit.model;
@@ -77,7 +76,7 @@ bool hasSmallResiduals(const Observations &observations, const Fit &fit)
     return isSmall;
 }
 
-/// Whether an origin is so close to its usual value that a filter may have shifted the curve by the difference.
+/// Whether an origin is so close to its usual value that a filter may have shifted the curve by as much.
 bool isSmallOrigin(const Observations &observations, const Model &model, Unknown unknown, double usual)
 {
     constexpr double kMaxOriginFraction = 0.02; // of the range of the column
@@ -155,7 +154,15 @@ bool isUnneeded(const Observations &observations, const Fit &with, const Fit &wi
            (mayBeFilter && hasSmallResiduals(observations, without));
 }
 
-/// Adds the changes of the parameters from one fit to another to `shifts`.
+/// Whether an origin that is not needed may exist nevertheless: it is no larger than the rounding steps, or the misfit
+/// grows without it as for an origin two standard errors away.
+bool mayExist(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double usual)
+{
+    constexpr double kGrowth = 4.0; // of the misfit, for two standard errors
+    return without.misfit - with.misfit > kGrowth || isBelowRounding(observations, with, unknown, usual);
+}
+
+/// Adds the changes of the parameters from one fit to another to `shifts`, as independent errors.
 void addShifts(ParameterErrors &shifts, const Fit &with, const Fit &without)
 {
     for (const Unknown unknown : without.unknowns) {
@@ -179,9 +186,8 @@ Fit withUsualReadings(const Observations &observations, Fit fit)
 
 ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &shifts)
 {
-    constexpr double kMinEvidence = 4.0; // growth of the misfit for an origin two standard errors away
     ConstrainedFit result{.fit = std::move(fit), .shifts = shifts};
-    if (!result.fit.isFinite()) { // its mirror image or its time stamps cannot be assembled
+    if (!result.fit.isFinite()) {
         return result;
     }
     Unknowns freedoms;
@@ -195,8 +201,7 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const 
         if (!isUnneeded(observations, result.fit, without, freedom, usual)) {
             continue;
         }
-        if (without.misfit - result.fit.misfit > kMinEvidence ||
-            isBelowRounding(observations, result.fit, freedom, usual)) {
+        if (mayExist(observations, result.fit, without, freedom, usual)) {
             addShifts(result.shifts, result.fit, without);
         }
         result.fit = std::move(without);

@@ -52,8 +52,10 @@ bool mayHaveOrigin(const ObservedColumn &column)
     return !column.isDerivative() && (column.range > 0.0 || column.channel == kSliderLine);
 }
 
-/// The readings of a column that need no origin, the simplest first: in its own unit, in another unit, and for
-/// positions with either sign and by half turns of an angle.
+/// The readings of a column without a free origin, the simplest first. `factor`: its usual factor. In a file over the
+/// time, the unit of the heading is tried before the unit of the factor. (Over the angle of the crank, the derivatives
+/// have been compared in both units, to find the speed.) Positions may have the other sign; angles may be off by half
+/// turns.
 std::vector<ColumnReading> simpleReadings(const Observations &observations, const Fit &fit, Index k, double factor)
 {
     const ObservedColumn &column = observations.columns[k];
@@ -166,6 +168,18 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
     result.leftOut.push_back(column);
 }
 
+/// The speeds that the further columns of a table over the crank angle allow; none if the fit knows the speed.
+std::vector<double> possibleSpeeds(const Observations &observations, const Fit &fit, double givenSpeed)
+{
+    // A fit of derivatives of lengths determines only a · ω2, and so do further ones.
+    const bool hasOnlyProduct =
+        !determineLengths(observations, fit.columns) && !observations.containOnlyAngles(fit.columns);
+    if (hasOnlyProduct || fit.changes({Unknown::Kind::Omega2})) {
+        return {};
+    }
+    return speedsOfTable(observations, fit, givenSpeed);
+}
+
 } // namespace
 
 FurtherColumns withFurtherColumns(const Observations &observations, const Fit &fit, const Drive &drive,
@@ -173,11 +187,9 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
 {
     FurtherColumns result{.fit = drive.kind == Drive::Kind::OverTime ? withSpeedOfVelocities(observations, fit) : fit};
     const bool areExact = isExact(observations, result.fit);
-    const bool canShowSpeed =
-        determineLengths(observations, fit.columns) || observations.containOnlyAngles(fit.columns);
-    if (drive.kind == Drive::Kind::OverAngle && !fit.changes({Unknown::Kind::Omega2}) && canShowSpeed) {
-        result.speeds = speedsOfTable(observations, fit, given.omega2);
-        if (result.speeds.size() == 1) {
+    if (drive.kind == Drive::Kind::OverAngle) {
+        result.speeds = possibleSpeeds(observations, fit, given.omega2);
+        if (result.speeds.size() == 1) { // the derivatives can be used, and improve it
             result.fit.unknowns.push_back({Unknown::Kind::Omega2});
             result.fit.model.mechanism.omega2 = result.speeds[0];
         }
@@ -190,7 +202,8 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
         }
     }
     if (drive.kind == Drive::Kind::OverAngle && !observations.containDerivatives(result.fit.columns)) {
-        std::erase(result.fit.unknowns, Unknown{Unknown::Kind::Omega2}); // no column that voted for it is used
+        // No derivative was used after all, so that nothing determines the speed.
+        std::erase(result.fit.unknowns, Unknown{Unknown::Kind::Omega2});
         result.fit.model.mechanism.omega2 = given.omega2;
     }
     return result;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The columns that the geometry does not use, most of them derivatives. Each is used, or left out with a
-// reason.
+// The columns that the geometry does not use, most of them derivatives. Each is used, or left out with a reason.
 
 #include "core/identification/drive.h"
 #include "core/identification/fit.h"
@@ -16,8 +15,9 @@ namespace slidercrank
 struct FurtherColumns {
     Fit fit; ///< with all columns that the mechanism explains
     std::vector<LeftOutColumn> leftOut{};
-    std::vector<double>
-        speeds{}; ///< in a table over the crank angle: the values of ω2 that the derivatives allow, rad/s
+
+    /// In a table over the crank angle, the values of ω2 that the derivatives allow, rad/s.
+    std::vector<double> speeds{};
 };
 
 /// Adds columns to a fit, positions first. A column is added in its usual reading, or in another unit or with another

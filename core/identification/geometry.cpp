@@ -91,12 +91,13 @@ struct Candidate {
     Model model;
 };
 
-/// A model with a = 1 whose readings, lengths and (in a table over the crank angle) speed follow from regressions of
-/// all columns.
+/// Fits the columns to the motion of a model with a = 1 by regressions, and returns the model with the readings, the
+/// lengths and, in a table over the crank angle, the speed that follow from them. `moments`: of the columns and the
+/// motion.
 Candidate scaledToColumns(Model model, const Observations &observations, const Indices &columns,
                           const std::vector<Moments> &moments, const Parameters &given, Origins origins)
 {
-    constexpr double kFloor = 1e-8; // of the squared range: the grid is coarse
+    constexpr double kFloor = 1e-8; // of the squared range: smaller residuals on a coarse grid are accidents
     Candidate candidate{.misfit = 0.0, .model = std::move(model)};
     Parameters &mechanism = candidate.model.mechanism;
     double scale = given.a;     // of lengths, mm
@@ -113,9 +114,9 @@ Candidate scaledToColumns(Model model, const Observations &observations, const I
         } else {
             best = regressionOf(moments[k], {}, origin);
             const double size = std::abs(best.reading.factor);
-            if (isAnAngle) {
+            if (isAnAngle) { // the motion is a derivative by the angle
                 rate = std::pow(size, 1.0 / order);
-            } else if (isTimeDerivative) {
+            } else if (isTimeDerivative) { // columns of θ3 come first, so that the rate is known if there are any
                 scale = size / std::pow(rate.value_or(given.omega2), order);
             } else {
                 scale = size;
@@ -196,9 +197,9 @@ Unknowns geometryUnknowns(const Observations &observations, const Indices &colum
         unknowns.push_back({Unknown::Kind::A});
     }
     const auto showsSpeed = [&](Index k) { return !isPosition(k) && !isLength(k); };
+    // Derivatives of lengths over the angle show only the product of a and ω2.
     if (!followsAngle || std::ranges::any_of(columns, showsSpeed)) {
-        unknowns.push_back(
-            {Unknown::Kind::Omega2}); // derivatives of lengths over the angle show only the product of a and ω2
+        unknowns.push_back({Unknown::Kind::Omega2});
     }
     for (const Index k : columns) {
         if (isPosition(k) && origins == Origins::Any) {
@@ -321,7 +322,7 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
 
 double misfitOf(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
-    constexpr int kIterations = 5; // of a nearly linear problem
+    constexpr int kIterations = 5; // enough, because the predictions are linear in the origins
     Unknowns origins;
     for (const Index k : columns) {
         if (!observations.columns[k].isDerivative()) {

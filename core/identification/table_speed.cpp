@@ -113,8 +113,8 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
     const bool areExact = isExact(observations, fit);
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const Channel channel = observations.columns[k].channel;
-        const bool isPlotted = channel.coordinate == R4x || channel.coordinate == Theta3;
-        if (fit.uses(k) || channel.order != Order::Velocity || !isPlotted) {
+        const bool isOfSliderOrCoupler = channel.coordinate == R4x || channel.coordinate == Theta3;
+        if (fit.uses(k) || channel.order != Order::Velocity || !isOfSliderOrCoupler) {
             continue;
         }
         const ColumnScale scale = scaleOf(observations, fit, fit.model, k, areExact);
