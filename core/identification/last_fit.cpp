@@ -15,7 +15,7 @@ namespace slidercrank
 namespace
 {
 
-/// The larger one of the changes from each value to the next and from the previous one.
+/// For each value, the larger one of its differences from the value before and the value after it.
 Values changeToNeighbours(const Values &values)
 {
     const Index pairs = values.size() - 1;
@@ -26,30 +26,38 @@ Values changeToNeighbours(const Values &values)
     return largest;
 }
 
-/// Replaces the rows with a value that is far off by gaps, and returns them; no rows if they are too many.
+/// Which rows have an outlier in fit.columns[k]: its residual is far from those of the other rows, and larger than a
+/// harmless cause could make it.
+Eigen::ArrayX<bool> outliersOf(const Observations &observations, const Fit &fit, Index k)
+{
+    constexpr double kDeviations = 8.0;        // robust standard deviations
+    constexpr double kNormal = 1.4826;         // standard deviation of noise, in medians of its absolute values
+    constexpr double kRoundings = 2.0;         // bounds of rounding: the fit has errors, too
+    constexpr double kHarmlessFraction = 1e-4; // of the range of the column: smaller errors mislead nobody
+    constexpr double kLateness = 0.2;          // intervals between rows by which a row may be late or early
+    const ObservedColumn &column = observations.columns[fit.columns[k]];
+    const Values residuals = fit.residuals.col(k);
+    const Values errors = residuals.abs();
+    const double limit = kDeviations * std::max(kNormal * median(errors), std::sqrt(column.variance));
+    // Residuals from row to row jump at outliers. Systematic residuals may be as large, but rise and fall slowly.
+    const Index pairs = residuals.size() - 1;
+    if (!(finite(residuals.tail(pairs) - residuals.head(pairs)).abs() > limit).any()) {
+        return Eigen::ArrayX<bool>::Constant(residuals.size(), false);
+    }
+    const Values predictions = predictedIn(fit.model, observations, {fit.columns[k]}).col(0);
+    const Values harmless = (kRoundings * roundingBounds(observations, fit, k))
+                                .max(kHarmlessFraction * column.range)
+                                .max(kLateness * changeToNeighbours(predictions));
+    return errors > limit && errors > harmless;
+}
+
+/// Replaces the rows with an outlier by gaps, and returns them; no rows if they are too many.
 Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
-    constexpr double kDeviations = 8.0;
-    constexpr double kRoundings = 2.0;         // times the bound of rounding, because the fit has errors, too
-    constexpr double kHarmlessFraction = 1e-4; // of the range of the column: smaller errors mislead nobody
-    constexpr double kLateness = 0.2;          // rows: a value that the motion takes within this time is late or early
-    constexpr double kNormal = 1.4826; // standard deviation of a normal distribution, in median absolute deviations
-    constexpr double kMaxOutlierFraction = 0.05;
-    const Eigen::ArrayXXd predictions = predictedIn(fit.model, observations, fit.columns);
+    constexpr double kMaxOutlierFraction = 0.05; // of the rows: more are no accidents
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        const ObservedColumn &column = observations.columns[fit.columns[k]];
-        const Values residuals = fit.residuals.col(k);
-        const Values errors = residuals.abs();
-        const double limit = kDeviations * std::max(kNormal * median(errors), std::sqrt(column.variance));
-        const Values bounds = (kRoundings * roundingBounds(observations, fit, k))
-                                  .max(kHarmlessFraction * column.range)
-                                  .max(kLateness * changeToNeighbours(predictions.col(k)));
-        // Outliers jump. Systematic residuals are far off, too, where they rise and fall slowly.
-        const Index pairs = residuals.size() - 1;
-        if ((finite(residuals.tail(pairs) - residuals.head(pairs)).abs() > limit).any()) {
-            isFarOff = isFarOff || (errors > limit && errors > bounds);
-        }
+        isFarOff = isFarOff || outliersOf(observations, fit, k);
     }
     Indices rows;
     for (Index row = 0; row < isFarOff.size(); ++row) {
@@ -66,8 +74,9 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
     return rows;
 }
 
-/// Computes the covariance of the unknowns and the standard errors of the parameters at t = 0 of the file. `shifts` are
-/// further errors of the parameters. So is the step to the minimum that the search has not made.
+/// Computes the covariance of the unknowns and the standard errors of the parameters at t = 0 of the file. Two more
+/// independent errors are added to those of the fit: `shifts`, and the step to the minimum that the search did not make
+/// if it ended early.
 void computeErrors(LastFit &result, const ParameterErrors &shifts)
 {
     const Fit &fit = result.fit;
@@ -136,28 +145,31 @@ Parameters parametersOf(const Model &model, const Observations &observations, co
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
 {
     constexpr int kRounds = 2; // large outliers bend the first fit, so that smaller ones show only in the second one
-    LastFit result{.observations = std::move(observations)};
-    Observations &rows = result.observations;
-    Fit &fit = result.fit;
-    fit = evaluated(rows, start.model, start.columns);
+    Fit fit = evaluated(observations, start.model, start.columns);
+    Indices excludedRows;
     for (int round = 0; round < kRounds && fit.isFinite(); ++round) {
-        const Indices excluded = excludeOutliers(rows, fit);
+        const Indices excluded = excludeOutliers(observations, fit);
         if (round == 0 || !excluded.empty()) {
-            fit = refined(rows, fit.model, start.columns, start.unknowns);
+            fit = refined(observations, fit.model, start.columns, start.unknowns);
         }
-        result.excludedRows.insert(result.excludedRows.end(), excluded.begin(), excluded.end());
+        excludedRows.insert(excludedRows.end(), excluded.begin(), excluded.end());
     }
-    if (fit.isFinite()) {
-        std::ranges::sort(result.excludedRows);
-        result.isExact = isExact(rows, fit);
-        result.dependence = result.isExact ? 1.0 : dependence(fit);
-        computeErrors(result, shifts);
-        if (fit.model.followsAngle) { // the unknown angle is the origin of the angles in the file
-            result.standardError[indexOf(Parameter::Theta20)] = drive.angleError;
-        }
-        if (drive.kind == Drive::Kind::RunUp) {
-            result.standardError[indexOf(Parameter::Omega2)] = drive.speedError;
-        }
+    std::ranges::sort(excludedRows);
+    LastFit result{
+        .observations = std::move(observations), .fit = std::move(fit), .excludedRows = std::move(excludedRows)};
+    if (!result.fit.isFinite()) {
+        return result;
+    }
+    result.isExact = isExact(result.observations, result.fit);
+    result.dependence = result.isExact ? 1.0 : dependence(result.fit);
+    computeErrors(result, shifts);
+    // If the model follows the angle in the file, its unknown θ20 is the origin of that angle. The angle of the crank
+    // at t = 0, and the speed of a run-up, are those of the drive.
+    if (result.fit.model.followsAngle) {
+        result.standardError[indexOf(Parameter::Theta20)] = drive.angleError;
+    }
+    if (drive.kind == Drive::Kind::RunUp) {
+        result.standardError[indexOf(Parameter::Omega2)] = drive.speedError;
     }
     return result;
 }

@@ -15,7 +15,7 @@ inline constexpr double kStandardErrors = 3.0;
 struct LastFit {
     Observations observations; ///< all rows; those that are excluded are gaps
     Fit fit{};
-    Indices excludedRows{};  ///< rows of the observations with a value that is far off
+    Indices excludedRows{};  ///< rows of the observations with an outlier
     bool isExact = false;    ///< rounding explains the residuals of every column
     double dependence = 1.0; ///< of the residuals; 1 if they are rounding
 
@@ -31,9 +31,9 @@ struct LastFit {
 /// Changes the errors as if an unknown parameter had been multiplied by a factor.
 void scaleErrors(LastFit &lastFit, Parameter parameter, double factor);
 
-/// Fits all rows, starting from a fit of some rows. Rows with a value that is more than eight robust standard
-/// deviations and more than its rounding off are excluded if they are at most 5 %. `shifts`: further errors of the
-/// parameters.
+/// Fits all rows, starting from a fit of some rows. Outliers are excluded if they are at most 5 % of the rows: their
+/// residuals are beyond eight robust standard deviations, beyond rounding, and larger than a slight delay of the row
+/// explains. `shifts`: further errors of the parameters (see freedoms.h).
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive);
 
 /// The parameters at t = 0 of the file, with θ20 in (-π, π]. In a file over the angle of the crank, the speed and the
