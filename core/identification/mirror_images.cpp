@@ -68,14 +68,14 @@ bool isOddHalfTurn(double angle)
 
 /// The key by which images are sorted. First, the number of readings, where another assembly than the given one counts
 /// as one more. Among equal ones, the number of readings without that, and then the distance from the given mechanism.
-std::tuple<int, int, double> effortOf(const Observations &observations, const Fit &fit, const Model &model,
-                                      const Parameters &given)
+std::tuple<int, int, double> sortingKey(const Observations &observations, const Fit &fit, const Model &model,
+                                        const Parameters &given)
 {
-    constexpr double kOtherDirection = 1.5; // compared with another sign of c, which counts 1
+    constexpr double kReversedCrank = 1.5; // worse than the opposite c, for which the other term is 1
     const Parameters &m = model.mechanism;
     const int readings = readingCount(observations, fit, model);
     const double distance = std::abs(m.c - given.c) / (std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a) +
-                            (m.omega2 * given.omega2 < 0.0 ? kOtherDirection : 0.0);
+                            (m.omega2 * given.omega2 < 0.0 ? kReversedCrank : 0.0);
     return {readings + (m.branch != given.branch ? 1 : 0), readings, distance};
 }
 
@@ -93,50 +93,66 @@ bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
     return isSame;
 }
 
-/// The columns of lengths or of angles that are counted with the other sign.
-struct Reversed {
+/// How many columns there are of one kind (lengths or angles), and how many of them have the opposite sign.
+struct SignCount {
     int columns = 0;
-    int reversed = 0;
+    int negated = 0;
 
-    /// All together are one reading.
-    int readings() const { return reversed == columns ? std::min(reversed, 1) : reversed; }
+    /// If all have it, they are counted along the opposite axis, which is one reading.
+    int readings() const { return negated == columns ? std::min(negated, 1) : negated; }
 };
+
+/// The readings of the angle in the file, if the model follows it: clockwise, and half a turn off.
+int crankReadingCount(const Fit &fit, const Model &model)
+{
+    if (!model.followsAngle) {
+        return 0;
+    }
+    const bool hasUsualOrigin = !fit.changes({Unknown::Kind::CrankAngle});
+    const int clockwise = model.angleFactor < 0.0 ? 1 : 0;
+    return clockwise + (hasUsualOrigin && isOddHalfTurn(model.mechanism.theta20) ? 1 : 0);
+}
+
+/// The readings of R4_y: a column that is not c.
+int sliderLineReadingCount(const Observations &observations, const Model &model)
+{
+    constexpr double kTolerance = 0.02; // of a: rounding and noise
+    const auto isOtherLine = [&](const ObservedColumn &column) {
+        return column.channel == kSliderLine &&
+               std::abs(column.values[0] - model.mechanism.c) > kTolerance * model.mechanism.a;
+    };
+    return std::ranges::any_of(observations.columns, isOtherLine) ? 1 : 0;
+}
 
 } // namespace
 
 int readingCount(const Observations &observations, const Fit &fit, const Model &model)
 {
-    constexpr double kSameOffset = 0.02; // of a: then R4_y is c
-    int count = 0;
-    Reversed lengths, angles;
-    bool hasReversedDisplacement = false;
-    if (model.followsAngle) {
-        const bool hasOrigin = fit.changes({Unknown::Kind::CrankAngle});
-        count += model.angleFactor < 0.0 ? 1 : 0;
-        count += !hasOrigin && isOddHalfTurn(model.mechanism.theta20) ? 1 : 0;
-    }
-    for (Index k = 0; k < std::ssize(observations.columns); ++k) {
+    int count = crankReadingCount(fit, model) + sliderLineReadingCount(observations, model);
+    SignCount lengths, angles;
+    bool hasNegatedDisplacement = false;
+    for (const Index k : fit.columns) {
         const ObservedColumn &column = observations.columns[k];
         const ColumnReading &reading = model.readings[k];
+        const bool hasOrigin = fit.changes({Unknown::Kind::Origin, k});
+        const bool isNegated = reading.factor < 0.0;
         if (column.channel == kSliderLine) {
-            count += std::abs(column.values[0] - model.mechanism.c) > kSameOffset * model.mechanism.a ? 1 : 0;
-        } else if (fit.uses(k)) {
-            const bool hasOrigin = fit.changes({Unknown::Kind::Origin, k});
-            const bool isLength = !column.containsAngles();
-            const bool isReversed = reading.factor < 0.0;
-            if (isLength && hasOrigin) { // a displacement has a direction of its own
-                hasReversedDisplacement = hasReversedDisplacement || isReversed;
-            } else {
-                Reversed &kind = isLength ? lengths : angles;
-                ++kind.columns;
-                kind.reversed += isReversed ? 1 : 0;
-            }
-            count += !isLength && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor) ? 1 : 0;
+            continue; // counted above
         }
+        if (hasOrigin && !column.containsAngles()) { // a displacement, which has a direction of its own
+            hasNegatedDisplacement = hasNegatedDisplacement || isNegated;
+            continue;
+        }
+        SignCount &signs = column.containsAngles() ? angles : lengths;
+        ++signs.columns;
+        signs.negated += isNegated ? 1 : 0;
+        const bool isHalfTurnOff =
+            column.containsAngles() && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor);
+        count += isHalfTurnOff ? 1 : 0;
     }
     count += lengths.readings() + angles.readings();
     // The direction of a displacement costs nothing unless other readings are necessary besides it.
-    return count + (hasReversedDisplacement && count > 0 ? 1 : 0);
+    return count + (hasNegatedDisplacement && count > 0 ? 1 : 0);
 }
 
 std::vector<Model> mirrorImagesOf(const Observations &observations, const Fit &fit, const Parameters &given)
@@ -149,7 +165,8 @@ std::vector<Model> mirrorImagesOf(const Observations &observations, const Fit &f
             images.push_back(withReversedCrank(images[i], kHalfTurn));
         }
     }
-    std::ranges::stable_sort(images, {}, [&](const Model &model) { return effortOf(observations, fit, model, given); });
+    std::ranges::stable_sort(images, {},
+                             [&](const Model &model) { return sortingKey(observations, fit, model, given); });
     std::erase_if(images,
                   [&, best = images.front()](const Model &model) { return !haveSameReading(fit, model, best); });
     return images;

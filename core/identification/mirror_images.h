@@ -3,9 +3,9 @@
 
 // The mirror images of a mechanism that explain the columns of a file equally well, each with its own reading:
 //
-//     mirrored in the x axis    θ → -θ            c → -c, ω2 → -ω2, θ20 → -θ20
+//     mirrored in the x axis    θ → -θ               c → -c, ω2 → -ω2, θ20 → -θ20
 //     mirrored in the y axis    x → -x, θ → π - θ    ω2 → -ω2, θ20 → π - θ20, the other assembly
-//     and, for θ3 alone         θ3 → θ3           ω2 → -ω2, θ20 → π - θ20
+//     and, for θ3 alone         θ3 → θ3              ω2 → -ω2, θ20 → π - θ20
 
 #include "core/identification/fit.h"
 
