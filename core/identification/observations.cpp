@@ -96,30 +96,30 @@ Indices rowsWithValues(const ReferenceData &data)
     return rows;
 }
 
-/// The time stamps before they were rounded: multiples of one spacing, some of which may be missing. Of all such grids,
-/// returns the one that rounding explains best: the largest excess of a distance from a printed time stamp over half of
-/// its rounding step is least.
-Values evenlySpaced(const Values &time, const Values &halfSteps)
+/// The time stamps before they were rounded: a grid of one spacing, some of whose times may be missing. Rounding
+/// explains a grid if each of its times is within half a rounding step of the printed time stamp. Returns the grid that
+/// is farthest within these limits, or the least beyond them.
+Values evenlySpaced(const Values &printed, const Values &halfSteps)
 {
     constexpr int kBits = 26; // of the result; more are lost in rounding errors
-    const Index pairs = time.size() - 1;
-    const Values differences = time.tail(pairs) - time.head(pairs);
-    const double usual = median(differences);
-    Values numbers = Values::Zero(time.size());
-    for (Index i = 0; i < pairs; ++i) {
-        numbers[i + 1] = numbers[i] + std::rint(differences[i] / usual);
+    const Index last = printed.size() - 1;
+    const Values differences = printed.tail(last) - printed.head(last);
+    const double spacing = median(differences);
+    Values fractions = Values::Zero(printed.size()); // of the duration
+    for (Index i = 0; i < last; ++i) {
+        fractions[i + 1] = fractions[i] + std::rint(differences[i] / spacing);
     }
-    numbers /= numbers[pairs];
-    // A grid with a duration between the shortest (-1) and the longest (1) that the first and the last time stamp
-    // allow.
-    const auto grid = [&](double fraction) -> Values {
-        return (time[pairs] - time[0] + fraction * (halfSteps[0] + halfSteps[pairs])) * numbers;
+    fractions /= fractions[last];
+    // The times of a grid that starts at zero. The first and the last time stamp allow durations from the shortest one
+    // (stretch = -1) to the longest one (stretch = 1).
+    const auto grid = [&](double stretch) -> Values {
+        return (printed[last] - printed[0] + stretch * (halfSteps[0] + halfSteps[last])) * fractions;
     };
-    // Its start has to be between the largest and the smallest value of these.
-    const auto earliestStart = [&](double fraction) { return (time - grid(fraction) - halfSteps).maxCoeff(); };
-    const auto latestStart = [&](double fraction) { return (time - grid(fraction) + halfSteps).minCoeff(); };
-    const auto excess = [&](double fraction) { return earliestStart(fraction) - latestStart(fraction); };
-    const double best = boost::math::tools::brent_find_minima(excess, -1.0, 1.0, kBits).first;
+    // Every time stamp limits the start of the grid from both sides.
+    const auto earliestStart = [&](double stretch) { return (printed - grid(stretch) - halfSteps).maxCoeff(); };
+    const auto latestStart = [&](double stretch) { return (printed - grid(stretch) + halfSteps).minCoeff(); };
+    const auto contradiction = [&](double stretch) { return earliestStart(stretch) - latestStart(stretch); };
+    const double best = boost::math::tools::brent_find_minima(contradiction, -1.0, 1.0, kBits).first;
     return 0.5 * (earliestStart(best) + latestStart(best)) + grid(best);
 }
 

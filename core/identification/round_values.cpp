@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <climits>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -19,6 +18,7 @@ namespace slidercrank
 namespace
 {
 
+/// The place of the first digit of a positive number: 1 for 12.5, -1 for 0.5.
 int placeOfFirstDigit(double magnitude)
 {
     return static_cast<int>(std::floor(std::log10(magnitude)));
@@ -30,6 +30,25 @@ double roundedTo(int place, double value)
 {
     const double power = std::pow(10.0, std::abs(place));
     return (place < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
+}
+
+struct Decimal {
+    double value = 0.0;
+    int digits = 0; ///< from the first one that is not zero to the last
+};
+
+/// The number with the fewest digits within a tolerance of a value that is larger than the tolerance. nullopt if that
+/// is no multiple of a power of ten that is at least `minSpacing`.
+std::optional<Decimal> shortestDecimal(double value, double tolerance, double minSpacing)
+{
+    const int highest = placeOfFirstDigit(std::abs(value) + tolerance) + 1;
+    for (int place = highest; std::pow(10.0, place) >= minSpacing; --place) {
+        const double rounded = roundedTo(place, value);
+        if (std::abs(rounded - value) <= tolerance) {
+            return Decimal{rounded, placeOfFirstDigit(std::abs(rounded)) - place + 1};
+        }
+    }
+    return std::nullopt;
 }
 
 /// A round value of an unknown, in a unit in which a person may have chosen it.
@@ -194,32 +213,30 @@ bool isAsGood(const Observations &observations, const Fit &rounded, const Fit &f
 
 RoundNumber roundest(double value, double standardError, std::span<const double> units)
 {
-    // Standard errors between neighbouring numbers of the same roundness. Those within the tolerance of three on either
-    // side are a tenth of them: the probability that one of these numbers is there by chance.
-    constexpr double kSpacing = 2.0 * kStandardErrors / 0.1;
+    // A multiple of 10^place is within the tolerance by chance with the probability 2 tolerance / 10^place.
+    constexpr double kMaxChance = 0.1;
     const double tolerance = kStandardErrors * standardError;
+    const double minSpacing = 2.0 * tolerance / kMaxChance;
     if (!(standardError > 0.0) || std::isinf(standardError)) {
         return {value};
     }
     if (std::abs(value) <= tolerance) {
         return {0.0, true};
     }
-    std::optional<double> best;
-    int fewestDigits = INT_MAX;
+    std::optional<Decimal> best;
+    double unitOfBest = units.front();
     for (const double unit : units) {
-        const int highest = placeOfFirstDigit((std::abs(value) + tolerance) / unit) + 1;
-        for (int place = highest; std::pow(10.0, place) * unit >= kSpacing * standardError; --place) {
-            const double rounded = roundedTo(place, value / unit);
-            if (std::abs(rounded * unit - value) <= tolerance) {
-                const int digits = placeOfFirstDigit(std::abs(rounded)) - place + 1;
-                best = digits < fewestDigits ? rounded * unit : best;
-                fewestDigits = std::min(digits, fewestDigits);
-                break;
-            }
+        const std::optional<Decimal> decimal = shortestDecimal(value / unit, tolerance / unit, minSpacing / unit);
+        if (decimal && (!best || decimal->digits < best->digits)) {
+            best = decimal;
+            unitOfBest = unit;
         }
     }
+    if (best) {
+        return {best->value * unitOfBest, true};
+    }
     const int place = placeOfFirstDigit(standardError / units.front());
-    return {best.value_or(roundedTo(place, value / units.front()) * units.front()), best.has_value()};
+    return {roundedTo(place, value / units.front()) * units.front(), false};
 }
 
 RoundNumber roundLength(double value, double standardError, double unit)
