@@ -106,7 +106,7 @@ struct Identification {
     /// Whether the file can contain the parameter and determines it. All false unless hasMechanism().
     std::array<bool, kParameterCount> identifiable{};
 
-    /// What determines the scale of the lengths. Unless the file does, only b/a and c/a are found, and none of the
+    /// What determines the scale of the lengths. If it is not the file, only b/a and c/a are found, and none of the
     /// three lengths is identifiable.
     enum class LengthScale {
         Measured,
@@ -155,8 +155,11 @@ struct Identification {
     };
     Misfit misfit = Misfit::LargeResiduals;
 
-    int iterations = 0;           ///< of the last fit
-    double conditionNumber = 0.0; ///< of its normal matrix's square root, scaled to a unit diagonal; 0 without a fit
+    int iterations = 0; ///< of the last fit
+
+    /// How much worse the last fit determines one combination of its (scaled) unknowns than another: the square root of
+    /// the condition number of its normal matrix, scaled to a unit diagonal. 0 without a fit.
+    double conditionNumber = 0.0;
 };
 
 /// Identifies the mechanism of a file. `given` supplies what the file does not determine, and is preferred among equal

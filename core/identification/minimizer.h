@@ -2,7 +2,7 @@
 #pragma once
 
 // Minimizes a function of several unknowns by the method of Levenberg and Marquardt (D. Marquardt, J. SIAM 11, 1963).
-// The function tells its gradient and an approximation of its second derivatives, such as 2 JᵀJ for a sum of squared
+// The function supplies its gradient and an approximation of its second derivatives, such as 2 JᵀJ for a sum of squared
 // residuals with the Jacobian J.
 
 #include <Eigen/Core>
