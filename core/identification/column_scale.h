@@ -17,7 +17,7 @@ double largestFurtherResidual(bool othersAreExact);
 /// The factors by which a column may be in a different unit than its heading says; the first is 1.
 std::span<const double> unitFactors(Channel channel);
 
-/// The sign with which a coordinate is counted: that of the first of its columns in the fit.
+/// The sign with which a coordinate is counted: that of the first of its columns in the fit, or 1 if there is none.
 double signOfCoordinate(const Observations &observations, const Fit &fit, Coordinate coordinate);
 
 /// The factor with which a prediction fits a column best, and what remains.

@@ -43,7 +43,7 @@ struct Minimum {
 /// Searches a minimum from `start`. Returns nullopt if the function does not exist there.
 std::optional<Minimum> minimize(const Objective &function, Eigen::VectorXd start, const MinimizerOptions &options);
 
-/// The factors that scale a positive semidefinite matrix to a unit diagonal.
+/// The factors by which rows and columns of a positive semidefinite matrix are multiplied to get a unit diagonal.
 Eigen::VectorXd diagonalScale(const Eigen::MatrixXd &matrix);
 
 } // namespace slidercrank

@@ -11,8 +11,8 @@
 namespace slidercrank
 {
 
-/// How many times fewer independent residuals there are than residuals: 1 for noise, whose sign changes in every second
-/// row; more for systematic residuals, which keep their sign for some rows.
+/// How many residuals prove as much as one independent residual: 1 for noise, whose sign changes in every second row on
+/// average; more for systematic residuals, which keep their sign for some rows.
 inline double dependence(const Values &residuals)
 {
     double runs = 1.0; // of residuals with the same sign

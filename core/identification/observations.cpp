@@ -34,9 +34,26 @@ bool statesUnit(const FileLayout &layout, Channel channel)
     });
 }
 
-ObservedColumn observedColumn(const ReferenceData &data, const ReferenceSeries &series, const Indices &rows)
+/// Half of the rounding step of each value, in mm or rad. `unit`: that of the file in mm or rad; `size`: the largest
+/// magnitude of the values, in mm or rad.
+Values halfStepsOf(const std::vector<double> &valuesInFile, const Rounding &rounding, const Indices &rows, double unit,
+                   double size)
 {
     constexpr double kStepOfZeros = 1e-3; // mm or rad: zeros do not show their rounding
+    if (!(size > 0.0)) {
+        return Values::Constant(std::ssize(rows), 0.5 * kStepOfZeros);
+    }
+    Values halfSteps(std::ssize(rows));
+    for (Index i = 0; i < halfSteps.size(); ++i) {
+        const double step = rounding.stepAt(valuesInFile[rows[i]]) * unit;
+        halfSteps[i] = std::isfinite(step) ? 0.5 * step : 0.0; // 0 in a gap
+    }
+    // Digits below these limits have no meaning.
+    return halfSteps.max(std::max(kSmallestFractionOfLargestStep * halfSteps.maxCoeff(), 0.5 * kArithmeticStep * size));
+}
+
+ObservedColumn observedColumn(const ReferenceData &data, const ReferenceSeries &series, const Indices &rows)
+{
     const bool isAnAngle = isAngle(series.channel.coordinate);
     const double unit = isAnAngle ? 1.0 / kDegreesPerRadian : 1.0;
     std::vector<double> values(rows.size());
@@ -52,14 +69,7 @@ ObservedColumn observedColumn(const ReferenceData &data, const ReferenceSeries &
         .channel = series.channel, .statesUnit = statesUnit(data.layout, series.channel), .hadJumps = hadJumps};
     column.range = range.count > 0 ? range.width() : 0.0;
     column.values = Eigen::Map<const Values>(values.data(), std::ssize(values));
-    column.halfSteps = Values::Constant(column.values.size(), 0.5 * kStepOfZeros);
-    const bool hasOnlyZeros = !(range.size() > 0.0);
-    for (Index i = 0; i < column.values.size() && !hasOnlyZeros; ++i) {
-        const double step = rounding.stepAt(series.values[rows[i]]) * unit;
-        column.halfSteps[i] = std::isfinite(step) ? 0.5 * step : 0.0; // 0 in a gap
-    }
-    column.halfSteps = column.halfSteps.max(
-        std::max(kSmallestFractionOfLargestStep * column.halfSteps.maxCoeff(), 0.5 * kArithmeticStep * range.size()));
+    column.halfSteps = halfStepsOf(series.values, rounding, rows, unit, range.size());
     column.variance = column.halfSteps.square().mean() / 3.0;
     return column;
 }

@@ -104,9 +104,9 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     constexpr Index kRows = 400;
     constexpr std::size_t kCandidates = 4;
     constexpr int kCrossingsOfOneTurn = 2;
-    constexpr double kMaxTurnsOfArc = 1.5;  // turns in the file, if there may be less than one
-    constexpr double kMinTurnsOfArc = 0.05; // a shorter arc has no recognizable shape
-    constexpr double kRatio = 1.3;          // of neighbouring speeds; a fit finds the speed between them
+    constexpr double kLongestArc = 1.5;   // turns that may have no more crossings than one
+    constexpr double kShortestArc = 0.05; // turns: a shorter arc has no recognizable shape
+    constexpr double kRatio = 1.3;        // of neighbouring speeds; a fit finds the speed between them
     const double speedOfOneTurn = kTurn / observations.span();
     int maxCrossings = 0;
     for (const Index column : columns) {
@@ -131,7 +131,7 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
         speeds.push_back(minima[i].second);
     }
     if (maxCrossings <= kCrossingsOfOneTurn) {
-        for (double turns = kMaxTurnsOfArc; turns > kMinTurnsOfArc; turns /= kRatio) {
+        for (double turns = kLongestArc; turns > kShortestArc; turns /= kRatio) {
             speeds.push_back(turns * speedOfOneTurn);
         }
     }
