@@ -30,9 +30,9 @@ double largestFurtherResidual(bool othersAreExact)
 
 std::span<const double> unitFactors(Channel channel)
 {
-    static constexpr std::array kAngles{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
-    static constexpr std::array kLengths{1.0, 10.0, 0.1, 25.4, 1.0 / 25.4, 1000.0, 0.001};
-    return isAngle(channel.coordinate) ? std::span<const double>(kAngles) : std::span<const double>(kLengths);
+    static constexpr std::array kOfAngles{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
+    static constexpr std::array kOfLengths{1.0, 10.0, 0.1, 25.4, 1.0 / 25.4, 1000.0, 0.001};
+    return isAngle(channel.coordinate) ? std::span<const double>(kOfAngles) : std::span<const double>(kOfLengths);
 }
 
 double signOfCoordinate(const Observations &observations, const Fit &fit, Coordinate coordinate)

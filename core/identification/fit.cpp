@@ -166,7 +166,20 @@ bool Fit::uses(Index column) const
 
 bool Fit::changes(Unknown unknown) const
 {
-    return std::ranges::find(unknowns, unknown) != unknowns.end();
+    return positionOf(unknown) < std::ssize(unknowns);
+}
+
+Index Fit::positionOf(Unknown unknown) const
+{
+    return std::ranges::find(unknowns, unknown) - unknowns.begin();
+}
+
+void Fit::takeModelOf(const Fit &other)
+{
+    model = other.model;
+    residuals = other.residuals;
+    rms = other.rms;
+    misfit = other.misfit;
 }
 
 double Fit::valueCount() const

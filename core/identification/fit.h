@@ -22,11 +22,17 @@ namespace slidercrank
 
 /// A number of the model that a fit may change.
 struct Unknown {
-    enum class Kind { A, B, C, Omega2, CrankAngle, Origin };
+    enum class Kind {
+        A,
+        B,
+        C,
+        Omega2,
+        CrankAngle, ///< θ20 of the model
+        Origin      ///< of a column
+    };
     Kind kind = Kind::A;
     Index column = 0; ///< of an Origin
 
-    /// A, B, C, ω2 or θ20.
     bool isParameter() const { return kind != Kind::Origin; }
     friend bool operator==(const Unknown &, const Unknown &) = default;
 };
@@ -38,10 +44,17 @@ double valueOf(const Model &model, Unknown unknown);
 /// Numbers by indexOf(Parameter), in mm, rad and s.
 using ParameterErrors = std::array<double, kParameterCount>;
 
-/// The parameter that is an unknown. Requires unknown.isParameter().
-inline std::size_t parameterIndex(Unknown unknown)
+inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
+
+// The parameters and the first kinds of unknowns have the same order.
+inline Unknown unknownOf(Parameter parameter)
 {
-    return static_cast<std::size_t>(unknown.kind);
+    return {static_cast<Unknown::Kind>(indexOf(parameter))};
+}
+/// Requires unknown.isParameter().
+inline Parameter parameterOf(Unknown unknown)
+{
+    return static_cast<Parameter>(unknown.kind);
 }
 
 /// The difference of two misfits that is no evidence: a ratio of likelihoods of exp(10).
@@ -62,7 +75,11 @@ struct Fit {
     bool isFinite() const { return std::isfinite(misfit); }
     bool uses(Index column) const;
     bool changes(Unknown unknown) const;
-    double valueCount() const; ///< of all columns
+    Index positionOf(Unknown unknown) const; ///< in `unknowns`; their number if the fit does not change it
+    double valueCount() const;               ///< of all columns
+
+    /// Takes the model of another fit of the same columns, with its residuals. Unknowns, gradient and curvature remain.
+    void takeModelOf(const Fit &other);
 
     /// How the mechanism was fitted. `values` is that of one column, because one column may determine all unknowns.
     FittedMechanism fittedMechanism() const
@@ -74,7 +91,8 @@ struct Fit {
 /// Computes residuals and misfit of a model without changing it.
 Fit evaluated(const Observations &observations, Model model, Indices columns);
 
-/// Minimizes the misfit from a start.
+/// Minimizes the misfit from a start. The result is not finite if the mechanism of the start cannot be assembled, or if
+/// the observations request a stop.
 Fit refined(const Observations &observations, Model start, Indices columns, Unknowns unknowns,
             int iterationLimit = 200);
 

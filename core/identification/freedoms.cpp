@@ -32,7 +32,7 @@ double usualValue(const Observations &observations, const Model &model, Unknown 
 Fit withFixed(const Observations &observations, const Fit &fit, Unknown unknown, double value)
 {
     const Eigen::MatrixXd covariance = covarianceOf(fit);
-    const Index position = std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
+    const Index position = fit.positionOf(unknown);
     Unknowns others = fit.unknowns;
     others.erase(others.begin() + position);
     Fit best;
@@ -167,7 +167,7 @@ void addShifts(ParameterErrors &shifts, const Fit &with, const Fit &without)
 {
     for (const Unknown unknown : without.unknowns) {
         if (unknown.isParameter()) {
-            double &shift = shifts[parameterIndex(unknown)];
+            double &shift = shifts[indexOf(parameterOf(unknown))];
             shift = std::hypot(shift, valueOf(without.model, unknown) - valueOf(with.model, unknown));
         }
     }

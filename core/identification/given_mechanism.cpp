@@ -18,7 +18,6 @@ namespace
 {
 
 using Kind = Convention::Kind;
-constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
 
 /// Whether two mechanisms have the same lengths and speed, within three standard errors or 0.2 %.
 bool areNear(const Parameters &found, const Parameters &given, const ParameterErrors &errors)
@@ -138,13 +137,13 @@ void appendLateStart(WholeFileReading &reading, const Parameters &given)
     }
 }
 
-/// The value that a fit has found for a length, or a round number if that explains the file as well as `best`.
+/// The value that `fit` has found for a length; or, if a round number explains the file as well as `best` does, that
+/// number.
 double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, Parameter length, const Fit &best,
                               double lengthUnit)
 {
     const double value = valueOf(fit.model.mechanism, length);
-    const Unknown unknown{static_cast<Unknown::Kind>(indexOf(length))};
-    const auto position = std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
+    const Index position = fit.positionOf(unknownOf(length));
     const double error = std::sqrt(dependence(fit) * covarianceOf(fit)(position, position));
     Model model = fit.model;
     valueOf(model.mechanism, length) = roundLength(value, error, lengthUnit).value;
@@ -172,7 +171,7 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
         Model changed = modelWithGivenLengths(best, given);
         valueOf(changed.mechanism, length) = valueOf(best.model.mechanism, length);
         Unknowns unknowns = withoutLengths(best);
-        unknowns.push_back({static_cast<Unknown::Kind>(indexOf(length))});
+        unknowns.push_back(unknownOf(length));
         const Fit fit = refined(observations, changed, best.columns, unknowns);
         if (explainsAsWell(observations, fit, best)) {
             changes.push_back({length, roundIfExplainedAsWell(observations, fit, length, best, lengthUnit)});

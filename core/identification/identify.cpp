@@ -155,7 +155,7 @@ void chooseLengthUnit(Findings &findings)
         last.fit.model.readings[k].factor /= best;
     }
     Parameters &mechanism = last.fit.model.mechanism;
-    for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
+    for (const Parameter length : kLengths) {
         valueOf(mechanism, length) *= best;
         scaleErrors(last, length, best);
     }
@@ -191,11 +191,7 @@ void relateLengths(Findings &findings, const Observations &searched, const Param
     if (!explainsAsWell(searched, withGivenLengths(searched, best, given), best)) {
         findings.change = findLengthChange(searched, best, given, findings.lengthUnit);
     } else if (std::ranges::any_of(last.unknowns, isOrigin)) {
-        const Fit like = withGivenLengths(findings.lastFit.observations, last, given);
-        last.model = like.model;
-        last.residuals = like.residuals;
-        last.rms = like.rms;
-        last.misfit = like.misfit;
+        last.takeModelOf(withGivenLengths(findings.lastFit.observations, last, given));
         chooseImage(findings, given); // the other images have the same lengths
     }
 }

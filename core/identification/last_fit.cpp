@@ -83,13 +83,10 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
     Eigen::MatrixXd &covariance = result.covariance;
     covariance = result.dependence * covarianceOf(fit);
     Eigen::VectorXd step = stepToMinimum(fit);
-    const auto position = [&](Unknown unknown) {
-        return std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
-    };
     if (!fit.model.followsAngle && fit.changes({Unknown::Kind::Omega2}) && fit.changes({Unknown::Kind::CrankAngle})) {
         // The unknown is the angle in the middle of the file: θ20 at its t = 0 is CrankAngle - ω2 timeOrigin.
-        const Index angle = position({Unknown::Kind::CrankAngle});
-        const Index speed = position({Unknown::Kind::Omega2});
+        const Index angle = fit.positionOf({Unknown::Kind::CrankAngle});
+        const Index speed = fit.positionOf({Unknown::Kind::Omega2});
         covariance.row(angle) -= result.observations.timeOrigin * covariance.row(speed);
         covariance.col(angle) -= result.observations.timeOrigin * covariance.col(speed);
         step[angle] -= result.observations.timeOrigin * step[speed];
@@ -97,7 +94,7 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
     covariance.diagonal() += step.cwiseAbs2();
     for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
         if (fit.unknowns[k].isParameter()) {
-            const std::size_t i = parameterIndex(fit.unknowns[k]);
+            const std::size_t i = indexOf(parameterOf(fit.unknowns[k]));
             covariance(k, k) += shifts[i] * shifts[i];
             result.standardError[i] = std::sqrt(covariance(k, k));
         }
@@ -108,16 +105,15 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
 
 double LastFit::errorOf(Unknown unknown) const
 {
-    const auto k = std::ranges::find(fit.unknowns, unknown) - fit.unknowns.begin();
-    return k < std::ssize(fit.unknowns) ? std::sqrt(covariance(k, k)) : kNone;
+    const Index k = fit.positionOf(unknown);
+    return fit.changes(unknown) ? std::sqrt(covariance(k, k)) : kNone;
 }
 
 void scaleErrors(LastFit &lastFit, Parameter parameter, double factor)
 {
-    const Unknown unknown{static_cast<Unknown::Kind>(indexOf(parameter))};
-    const Unknowns &unknowns = lastFit.fit.unknowns;
-    const auto k = std::ranges::find(unknowns, unknown) - unknowns.begin();
-    if (k < std::ssize(unknowns)) {
+    const Unknown unknown = unknownOf(parameter);
+    if (lastFit.fit.changes(unknown)) {
+        const Index k = lastFit.fit.positionOf(unknown);
         lastFit.covariance.row(k) *= factor;
         lastFit.covariance.col(k) *= factor;
     }

@@ -79,7 +79,7 @@ std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const P
     std::array<bool, kParameterCount> open{};
     for (const Unknown unknown : fit.unknowns) {
         if (unknown.isParameter()) {
-            const std::size_t i = parameterIndex(unknown);
+            const std::size_t i = indexOf(parameterOf(unknown));
             const bool isOfCoupler = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
             open[i] = isEverythingOpen || (isCouplerOpen && isOfCoupler) ||
                       errors[i] > maxErrorOf(unknown, isSystematic) * sizes[i];
@@ -143,7 +143,7 @@ void setDetermined(Identification &result, const Findings &findings, const Param
     std::array<bool, kParameterCount> determined{};
     for (const Unknown unknown : lastFit.fit.unknowns) {
         if (unknown.isParameter()) {
-            const std::size_t i = parameterIndex(unknown);
+            const std::size_t i = indexOf(parameterOf(unknown));
             determined[i] = !result.openParameters[i] && std::isfinite(errors[i]);
             result.standardError[i] = determined[i] ? errors[i] : kNone;
         }
@@ -171,7 +171,7 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
         result.standardError = lastFit.standardError;
     }
     std::array<bool, kParameterCount> found = result.identifiable;
-    for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
+    for (const Parameter length : kLengths) {
         found[indexOf(length)] = true; // if only their ratios are identifiable, the fit has kept the given a or ω2
     }
     const Parameters exact = parametersOf(fit.model, observations, findings.drive);
