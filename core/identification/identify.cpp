@@ -84,21 +84,30 @@ ConstrainedFit bestGeometry(const Observations &wholeFile, const Observations &s
     return misfitOf(searched, other.fit, columns) < misfitOf(searched, lowest.fit, columns) ? other : lowest;
 }
 
+/// A fit of some rows, with the observations of which it is one.
+struct ObservedFit {
+    Observations wholeFile;
+    Observations searched; ///< the rows of the fit
+    Fit fit;
+};
+
 /// Uses the time stamps as they were printed if these explain the columns better than evenly spaced ones: a program may
 /// have computed its values at rounded times.
-void chooseTimeStamps(Observations &wholeFile, Observations &searched, Fit &fit)
+ObservedFit withBestTimeStamps(ObservedFit current)
 {
-    if (searched.printedTime.size() == 0 || fit.model.followsAngle) {
-        return;
+    const Fit &fit = current.fit;
+    if (current.searched.printedTime.size() == 0 || fit.model.followsAngle) {
+        return current;
     }
-    Observations printed = searched;
+    Observations printed = current.searched;
     printed.time = printed.printedTime;
     Fit other = refined(printed, fit.model, fit.columns, fit.unknowns);
     if (other.misfit < fit.misfit) {
-        fit = std::move(other);
-        searched = std::move(printed);
-        wholeFile.time = wholeFile.printedTime;
+        current.fit = std::move(other);
+        current.searched = std::move(printed);
+        current.wholeFile.time = current.wholeFile.printedTime;
     }
+    return current;
 }
 
 /// The same fit for the mirror image with the simplest reading.
@@ -108,9 +117,12 @@ Fit simplestImage(const Observations &observations, Fit fit, const Parameters &g
     return refined(observations, fit.model, fit.columns, fit.unknowns);
 }
 
-/// Makes the angle of the crank a column like the others, because a constant speed predicts it.
-void useAngleAsColumn(Observations &observations, Fit &fit, const Drive &drive)
+/// Makes the angle of the crank a column like the others, because a constant speed predicts it, and fits it together
+/// with them.
+ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
 {
+    Observations &observations = current.wholeFile;
+    Fit &fit = current.fit;
     const Values halfSteps = Values::Constant(observations.size(), observations.angleHalfStep);
     observations.columns.push_back({.channel = kCrankAngle,
                                     .values = observations.angle,
@@ -130,6 +142,9 @@ void useAngleAsColumn(Observations &observations, Fit &fit, const Drive &drive)
         }
     }
     fit.unknowns.push_back({Unknown::Kind::Origin, column});
+    current.searched = thinned(withoutSpikes(observations), kSearchedRows);
+    fit = refined(current.searched, fit.model, fit.columns, fit.unknowns);
+    return current;
 }
 
 /// Until here, the lengths are in the unit of the column from which the geometry was found. Converts them to the unit
@@ -223,28 +238,25 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     if (!constrained.fit.isFinite()) {
         return judge(data, findings, given);
     }
-    Fit fit = std::move(constrained.fit);
-    chooseTimeStamps(wholeFile, searched, fit);
-    fit = simplestImage(searched, std::move(fit), given);
-    findings.drive = findDrive(wholeFile, fit.model);
+    ObservedFit current = withBestTimeStamps({std::move(wholeFile), std::move(searched), std::move(constrained.fit)});
+    current.fit = simplestImage(current.searched, std::move(current.fit), given);
+    findings.drive = findDrive(current.wholeFile, current.fit.model);
     if (findings.drive.kind == Drive::Kind::Constant) {
-        useAngleAsColumn(wholeFile, fit, findings.drive);
-        searched = thinned(withoutSpikes(wholeFile), kSearchedRows);
-        fit = refined(searched, fit.model, fit.columns, fit.unknowns);
+        current = withAngleAsColumn(std::move(current), findings.drive);
     } else if (findings.drive.kind == Drive::Kind::RunUp) {
-        fit.model.mechanism.omega2 = findings.drive.omega2;
-        fit.model.alpha2 = findings.drive.alpha2;
+        current.fit.model.mechanism.omega2 = findings.drive.omega2;
+        current.fit.model.alpha2 = findings.drive.alpha2;
     }
-    FurtherColumns further = withFurtherColumns(searched, fit, findings.drive, given);
+    FurtherColumns further = withFurtherColumns(current.searched, current.fit, findings.drive, given);
     findings.leftOut = std::move(further.leftOut);
-    if (data.find(kCrankAngle) && wholeFile.angle.size() == 0) { // how many turns there are between two rows is unknown
+    if (data.find(kCrankAngle) && current.wholeFile.angle.size() == 0) { // the turns between two rows are unknown
         findings.leftOut.push_back({kCrankAngle, LeftOutColumn::Reason::OpenSpeed});
     }
     findings.speeds = std::move(further.speeds);
-    constrained = withoutFreedoms(searched, std::move(further.fit), constrained.shifts);
-    findings.lastFit = fitAllRows(std::move(wholeFile), constrained.fit, constrained.shifts, findings.drive);
+    constrained = withoutFreedoms(current.searched, std::move(further.fit), constrained.shifts);
+    findings.lastFit = fitAllRows(std::move(current.wholeFile), constrained.fit, constrained.shifts, findings.drive);
     if (findings.lastFit.fit.isFinite()) {
-        interpret(findings, searched, given);
+        interpret(findings, current.searched, given);
     }
     Identification result = judge(data, findings, given);
     if (result.hasMechanism()) {
