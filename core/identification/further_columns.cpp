@@ -63,13 +63,14 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
     if (std::abs(factor) != 1.0 && !fit.model.followsAngle) {
         readings.push_back({std::copysign(1.0, factor), 0.0});
     }
-    readings.push_back({factor, 0.0});
+    if (!mayHaveOrigin(column)) {
+        readings.push_back({factor, 0.0});
+        return readings;
+    }
     for (const double signedFactor : {factor, -factor}) {
-        if (mayHaveOrigin(column)) {
-            const double halfTurn = std::numbers::pi * signedFactor;
-            const double origin = bestOrigin(observations, fit, k, signedFactor);
-            readings.push_back({signedFactor, column.containsAngles() ? halfTurn * std::rint(origin / halfTurn) : 0.0});
-        }
+        const double halfTurn = std::numbers::pi * signedFactor;
+        const double origin = bestOrigin(observations, fit, k, signedFactor);
+        readings.push_back({signedFactor, column.containsAngles() ? halfTurn * std::rint(origin / halfTurn) : 0.0});
     }
     return readings;
 }
@@ -135,7 +136,7 @@ double percentOfPeak(const Observations &observations, const Fit &fit, Index k, 
 /// rounding and that of the abscissa.
 bool isGenuine(const Observations &observations, const Fit &fit, Index k)
 {
-    constexpr double kBounds = 2.0; // because the fit has errors, too
+    constexpr double kBounds = 2.0; // of rounding (rms): the fit has errors, too
     return isWithinRounding(observations, fit, k) ||
            fit.rms[k] < kBounds * std::sqrt(roundingBounds(observations, fit, k).square().mean());
 }

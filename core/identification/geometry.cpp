@@ -100,36 +100,34 @@ Candidate scaledToColumns(Model model, const Observations &observations, const I
     constexpr double kFloor = 1e-8; // of the squared range: smaller residuals on a coarse grid are accidents
     Candidate candidate{.misfit = 0.0, .model = std::move(model)};
     Parameters &mechanism = candidate.model.mechanism;
-    double scale = given.a;     // of lengths, mm
-    std::optional<double> rate; // |ω2| in a table over the crank angle
+    double crankLength = given.a; // mm
+    std::optional<double> speed;  // |ω2| in a table over the crank angle, whose motion is that of ω2 = 1
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const ObservedColumn &column = observations.columns[columns[k]];
         const double order = static_cast<double>(column.channel.order);
-        const bool isTimeDerivative = order > 0.0 && candidate.model.followsAngle;
-        const bool isAnAngle = column.containsAngles();
+        const bool showsSpeed = order > 0.0 && candidate.model.followsAngle;
         const ColumnOrigin origin = originOf(column.channel, origins);
         Regression best;
-        if (isAnAngle && !isTimeDerivative) {
+        if (column.containsAngles() && !showsSpeed) {
             best = couplerRegression(moments[k], origin);
         } else {
+            // Apart from its sign, the factor is the length of the crank, a power of the speed, or their product.
             best = regressionOf(moments[k], {}, origin);
             const double size = std::abs(best.reading.factor);
-            if (isAnAngle) { // the motion is a derivative by the angle
-                rate = std::pow(size, 1.0 / order);
-            } else if (isTimeDerivative) { // columns of θ3 come first, so that the rate is known if there are any
-                scale = size / std::pow(rate.value_or(given.omega2), order);
-            } else {
-                scale = size;
+            if (column.containsAngles()) {
+                speed = std::pow(size, 1.0 / order);
+            } else { // columns of θ3 come before those of R4_x, so that the speed is known if they show it
+                crankLength = showsSpeed ? size / std::pow(speed.value_or(given.omega2), order) : size;
             }
             best.reading.factor = std::copysign(1.0, best.reading.factor);
         }
         candidate.model.readings[columns[k]] = best.reading;
         candidate.misfit += std::log(best.meanSquare + column.variance + kFloor * column.range * column.range);
     }
-    mechanism.omega2 = candidate.model.followsAngle ? rate.value_or(given.omega2) : mechanism.omega2;
-    mechanism.a *= scale;
-    mechanism.b *= scale;
-    mechanism.c *= scale;
+    mechanism.omega2 = candidate.model.followsAngle ? speed.value_or(given.omega2) : mechanism.omega2;
+    mechanism.a *= crankLength;
+    mechanism.b *= crankLength;
+    mechanism.c *= crankLength;
     return candidate;
 }
 
@@ -243,13 +241,18 @@ Fit bestOf(const Observations &observations, std::vector<Fit> fits)
 /// Appends the lowest derivative of a coordinate in the file, after `skipped` lower ones.
 void appendLowest(Indices &columns, const Observations &observations, Coordinate coordinate, int skipped)
 {
+    int lowerOnes = 0;
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
-        for (Index k = 0; k < std::ssize(observations.columns); ++k) {
-            const ObservedColumn &column = observations.columns[k];
-            if (column.channel == Channel{coordinate, order} && column.range > 0.0 && skipped-- == 0) {
-                columns.push_back(k);
-            }
+        const auto column =
+            std::ranges::find(observations.columns, Channel{coordinate, order}, &ObservedColumn::channel);
+        if (column == observations.columns.end() || column->range == 0.0) {
+            continue;
         }
+        if (lowerOnes == skipped) {
+            columns.push_back(column - observations.columns.begin());
+            return;
+        }
+        ++lowerOnes;
     }
 }
 
