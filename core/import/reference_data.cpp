@@ -271,7 +271,7 @@ bool mayBeOfProse(Fault fault)
 bool isNoTable(const FileBytes &file, Fault fault)
 {
     std::string converted;
-    return mayBeOfProse(fault) && isProse(decodeText(file.bytes, converted));
+    return mayBeOfProse(fault) && isProse(splitLines(decodeText(file.bytes, converted)));
 }
 
 /// Returns the data of a table whose columns have their roles.

@@ -398,11 +398,10 @@ bool isRemark(std::string_view line)
     });
 }
 
-bool isProse(std::string_view text)
+bool isProse(const std::vector<Line> &lines)
 {
     constexpr std::size_t kMinLines = 10; // below, the fault of a line tells more
     constexpr std::size_t kMinRows = 3;   // in succession
-    const std::vector<Line> lines = splitLines(text);
     for (const char delimiter : std::string_view("\t;,|& ")) {
         std::size_t rows = 0;
         std::size_t cellsBefore = 0;
@@ -440,6 +439,9 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
     const std::optional<SplitLine> row = findFirstRow(examined);
+    if (!row && isProse(lines)) { // many words, whose meanings would take long to find
+        throw ReadError{.fault = {ReadFault::Kind::NotATable}};
+    }
     std::optional<SplitLine> header = findHeader(examined, row);
     const bool isSure = header && header->isComplete() && std::ranges::none_of(header->cells, isNumber);
     if (!isSure && isTransposed(examined)) {

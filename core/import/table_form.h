@@ -24,7 +24,7 @@ struct Line {
 std::vector<Line> splitLines(std::string_view text);
 
 /// Returns whether a text of at least ten lines has no rows of numbers, so that it is no table.
-bool isProse(std::string_view text);
+bool isProse(const std::vector<Line> &lines);
 
 /// Returns the unit that fills a cell below the headings, "mm" or "(mm)", or which Simulink writes there: "Type: double
 /// Unit: rad". Empty if there is none.
