@@ -80,6 +80,18 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
     return true;
 }
 
+/// The part of the misfit that a column contributes with `count` values whose residuals have a mean square.
+double columnMisfit(const ObservedColumn &column, double meanSquare, double count)
+{
+    return column.isConstant() ? meanSquare / column.variance : count * std::log(meanSquare + column.variance);
+}
+
+/// The derivative of columnMisfit() by the mean square.
+double columnMisfitSlope(const ObservedColumn &column, double meanSquare, double count)
+{
+    return column.isConstant() ? 1.0 / column.variance : count / (meanSquare + column.variance);
+}
+
 /// The misfit of a model with its derivatives by the unknowns. nullopt if the mechanism cannot be assembled, or if the
 /// computation was stopped.
 std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const Model &model, const Indices &columns,
@@ -95,20 +107,21 @@ std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const 
     LocalShape shape{0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const auto &products = sums[k].products;
-        const double variance = sums[k].meanSquare() + observations.columns[columns[k]].variance;
+        const ObservedColumn &column = observations.columns[columns[k]];
+        const double weight =
+            2.0 * columnMisfitSlope(column, sums[k].meanSquare(), sums[k].count) / std::max(sums[k].count, 1.0);
         // The parameters concern all columns; an origin concerns its own.
         const auto concerns = [&](Unknown unknown) { return unknown.isParameter() || unknown.column == columns[k]; };
-        shape.value += sums[k].count * std::log(variance);
+        shape.value += columnMisfit(column, sums[k].meanSquare(), sums[k].count);
         for (Index i = 0; i < size; ++i) {
             const auto rowOfUnknown = static_cast<Index>(unknowns[i].kind); // of the products
             if (!concerns(unknowns[i])) {
                 continue;
             }
-            shape.gradient[i] -= 2.0 / variance * products(rowOfUnknown, kResidual);
+            shape.gradient[i] -= weight * products(rowOfUnknown, kResidual);
             for (Index j = 0; j < size; ++j) {
                 if (concerns(unknowns[j])) {
-                    shape.curvature(i, j) +=
-                        2.0 / variance * products(rowOfUnknown, static_cast<Index>(unknowns[j].kind));
+                    shape.curvature(i, j) += weight * products(rowOfUnknown, static_cast<Index>(unknowns[j].kind));
                 }
             }
         }
@@ -201,7 +214,7 @@ Fit evaluated(const Observations &observations, Model model, Indices columns)
         const double meanSquare = finite(fit.residuals.col(k)).square().sum() / std::max(count, 1.0);
         fit.counts.push_back(count);
         fit.rms.push_back(std::sqrt(meanSquare));
-        fit.misfit += isAssembled ? count * std::log(meanSquare + column.variance) : kInfinity;
+        fit.misfit += isAssembled ? columnMisfit(column, meanSquare, count) : kInfinity;
     }
     return fit;
 }

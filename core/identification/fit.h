@@ -9,7 +9,8 @@
 // where n is the number of values and RSS the sum of their squared residuals (value - prediction). S is minus twice the
 // logarithm of the likelihood of independent errors, whose size is unknown in each column but not below the rounding.
 // Its gradient is that of a weighted sum of squares with the weights 1 / (RSS/n + mean of step²/12), and so are its
-// second derivatives, nearly.
+// second derivatives, nearly. A constant column repeats one rounding error: it contributes RSS/n divided by the mean of
+// step²/12, like a single value.
 
 #include "core/comparison/comparison.h"
 #include "core/identification/model.h"

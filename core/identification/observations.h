@@ -37,6 +37,7 @@ struct ObservedColumn {
 
     bool containsAngles() const { return isAngle(channel.coordinate); } ///< or their derivatives
     bool isDerivative() const { return channel.order != Order::Position; }
+    bool isConstant() const { return range == 0.0; } ///< it repeats one value with one rounding error
 };
 
 struct Observations {
