@@ -237,8 +237,8 @@ RenderRequest readRequest(const OptionReader &options)
     readSubject(options, request);
     readTarget(options, request);
     request.scene = options.scene();
-    const bool isLink = isSceneLink(options.text("scene")); // it does not say what is drawn
-    if (!options.has("scene") || isLink) {                  // as the window at its first start
+    const bool statesDrawing = options.has("scene") && !isSceneLink(options.text("scene"));
+    if (!statesDrawing) { // draws what the window shows at its first start
         request.scene.mechanism = {.names = true, .dimensions = true, .angles = true};
     }
     request.scene.parameters = readMechanism(options).parameters();
@@ -268,62 +268,99 @@ FigureContent contentOf(const RenderRequest &request)
     return content;
 }
 
-/// Draws the subject into the file, by the plots and the drawing of the window. Returns a sentence if that fails.
-std::optional<QString> draw(const RenderRequest &request, const std::shared_ptr<const Result> &result)
+/// The plots and the drawing of the mechanism as the window shows them, with the settings of the request's scene.
+class Pictures
 {
-    const Scene &scene = request.scene;
-    const QPalette palette = paletteFor(request.theme);
-    const bool showsMechanism = request.subject != Subject::Figure && request.subject != Subject::Plot;
-    ReportContent content{
-        .result = result, .found = {}, .time = scene.time, .alpha2 = scene.alpha2, .paper = request.paper};
-    if (result->reference && showsMechanism) {
-        content.found = identify(result->reference->data, result->mechanism);
+public:
+    Pictures(const RenderRequest &request, const std::shared_ptr<const Result> &result, const Identification &found)
+        : m_scene(request.scene)
+        , m_palette(paletteFor(request.theme))
+        , m_figure(contentOf(request))
+        , m_ghost(findGhost(*result, &found))
+    {
+        m_plots.setSettings(m_scene.plots);
+        m_plots.setResult(result);
+        m_plots.setZoom(m_scene.zoom);
+        m_mechanism.setResult(result);
+        m_mechanism.setSettings(m_scene.mechanism);
+        m_mechanism.setZoom(m_scene.mechanismFrame);
+        m_mechanism.setGhostBounds(m_ghost.bounds);
     }
-    PlotGrid plots;
-    plots.setSettings(scene.plots);
-    plots.setResult(result);
-    plots.setZoom(scene.zoom);
-    MechanismView mechanism;
-    mechanism.setResult(result);
-    mechanism.setSettings(scene.mechanism);
-    mechanism.setZoom(scene.mechanismFrame);
-    const GhostMotion ghost = findGhost(*result, &content.found);
-    mechanism.setGhostBounds(ghost.bounds);
-    const FrameDrawing drawFrame = [&](QPainter &painter, const QSize &size, double time) {
-        mechanism.setPose(poseAt(scene.parameters, time));
-        mechanism.setGhost(ghost.pose ? ghost.pose(time) : ReferencePose());
-        mechanism.paintMechanism(painter, size, palette);
-    };
-    const FigureDrawing drawMechanism = [&](QPainter &painter, const QSize &size) {
-        drawFrame(painter, size, scene.time);
-    };
-    const FigureContent figure = contentOf(request);
-    const FigureDrawing drawFigure = [&](QPainter &painter, const QSize &size) {
-        plots.paintFigure(painter, figure, size, palette);
-    };
-    const auto write = [&](const FigureDrawing &drawing, const FigureHeight &height) {
-        FigureSize size = request.size.value_or(FigureSize());
-        if (!request.size) {
-            size = figureSize(request.figure, withParameters(height, result->mechanism));
-            size.scale *= request.scale;
-        }
-        return exportFigure(request.output, size, CommandLine::tr("Motion of an offset slider-crank"),
-                            withParameters(drawing, result->mechanism, palette));
-    };
+
+    void drawPlots(QPainter &painter, const QSize &size) { m_plots.paintFigure(painter, m_figure, size, m_palette); }
+    int plotsHeight(int width, const QFont &font) const { return m_plots.figureHeight(m_figure, width, font); }
+
+    void drawMechanism(QPainter &painter, const QSize &size) { drawFrame(painter, size, m_scene.time); }
+    int mechanismHeight(int width) const { return m_mechanism.pictureHeight(width); }
+
+    /// Draws the mechanism at a time (s).
+    void drawFrame(QPainter &painter, const QSize &size, double time)
+    {
+        m_mechanism.setPose(poseAt(m_scene.parameters, time));
+        m_mechanism.setGhost(m_ghost.pose ? m_ghost.pose(time) : ReferencePose());
+        m_mechanism.paintMechanism(painter, size, m_palette);
+    }
+
+    const QPalette &palette() const { return m_palette; }
+
+private:
+    const Scene &m_scene;
+    QPalette m_palette;
+    FigureContent m_figure;
+    GhostMotion m_ghost;
+    PlotGrid m_plots;
+    MechanismView m_mechanism;
+};
+
+/// Writes a picture with the parameters below it. Returns a sentence if that fails.
+std::optional<QString> writePicture(const RenderRequest &request, const Mechanism &mechanism, const QPalette &palette,
+                                    const FigureDrawing &drawing, const FigureHeight &height)
+{
+    FigureSize size = request.size.value_or(FigureSize());
+    if (!request.size) {
+        size = figureSize(request.figure, withParameters(height, mechanism));
+        size.scale *= request.scale;
+    }
+    return exportFigure(request.output, size, CommandLine::tr("Motion of an offset slider-crank"),
+                        withParameters(drawing, mechanism, palette));
+}
+
+/// Writes the subject of the request into its file. Returns a sentence if that fails.
+std::optional<QString> write(const RenderRequest &request, const std::shared_ptr<const Result> &result)
+{
+    const bool showsMechanism = request.subject != Subject::Figure && request.subject != Subject::Plot;
+    Identification found;
+    if (result->reference && showsMechanism) {
+        found = identify(result->reference->data, result->mechanism);
+    }
+    Pictures pictures(request, result, found);
+    const auto drawPlots = [&](QPainter &painter, const QSize &size) { pictures.drawPlots(painter, size); };
+    const auto drawMechanism = [&](QPainter &painter, const QSize &size) { pictures.drawMechanism(painter, size); };
     switch (request.subject) {
     case Subject::Figure:
     case Subject::Plot:
-        return write(drawFigure, [&](int width, const QFont &font) { return plots.figureHeight(figure, width, font); });
+        return writePicture(request, result->mechanism, pictures.palette(), drawPlots,
+                            [&](int width, const QFont &font) { return pictures.plotsHeight(width, font); });
     case Subject::Mechanism:
-        return write(drawMechanism, [&](int width, const QFont &) { return mechanism.pictureHeight(width); });
+        return writePicture(request, result->mechanism, pictures.palette(), drawMechanism,
+                            [&](int width, const QFont &) { return pictures.mechanismHeight(width); });
     case Subject::Frames: {
-        const auto drawWithParameters = [&](QPainter &painter, const QSize &size, double time) {
-            const auto paint = [&](QPainter &target, const QSize &part) { drawFrame(target, part, time); };
-            withParameters(FigureDrawing(paint), result->mechanism, palette)(painter, size);
+        const auto drawFrame = [&](QPainter &painter, const QSize &size, double time) {
+            const FigureDrawing draw = [&](QPainter &target, const QSize &part) {
+                pictures.drawFrame(target, part, time);
+            };
+            withParameters(draw, result->mechanism, pictures.palette())(painter, size);
         };
-        return exportAnimation(request.output, request.animation, drawWithParameters, [](int) { return true; });
+        return exportAnimation(request.output, request.animation, drawFrame, [](int) { return true; });
     }
-    case Subject::Report: return exportReport(request.output, content, drawMechanism, drawFigure);
+    case Subject::Report: {
+        const ReportContent content{.result = result,
+                                    .found = found,
+                                    .time = request.scene.time,
+                                    .alpha2 = request.scene.alpha2,
+                                    .paper = request.paper};
+        return exportReport(request.output, content, drawMechanism, drawPlots);
+    }
     }
     return std::nullopt;
 }
@@ -350,7 +387,7 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
         }
     }
     const std::shared_ptr<const Result> result = compute(choices, {});
-    if (const std::optional<QString> problem = draw(request, result)) {
+    if (const std::optional<QString> problem = write(request, result)) {
         streams.report(*problem);
         return ExitStatus::FileError;
     }
