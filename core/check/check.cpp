@@ -48,8 +48,8 @@ CheckedValue checkValue(const GivenValue &given, double exact)
     return checked;
 }
 
-/// A slip beside the given values. Only slips that change every wrong value by more than its rounding, or fit, are
-/// compared.
+/// How a slip compares with the given values. Slips that neither fit nor change every wrong value by more than its
+/// rounding are left out.
 struct Comparison {
     Slip slip;
     bool fits;             ///< gives every wrong value
@@ -67,7 +67,7 @@ std::vector<Comparison> compareSlips(const CrankPosition &position, const Output
     std::vector<Comparison> comparisons;
     for (const SlipOutcome &outcome : slipOutcomes(position, exact)) {
         if (outcome.slip == Slip::SecondHarmonicDouble && !isVelocityWrong) {
-            continue; // in the other values it is the approximation itself, which has an outcome of its own
+            continue; // only its velocity differs from that of Slip::TwoHarmonics
         }
         Comparison comparison{outcome.slip, true, true, 1.0};
         bool changesAll = true;
@@ -102,10 +102,10 @@ std::vector<Slip> fittingSlips(const std::vector<Comparison> &comparisons)
     return slips;
 }
 
-/// Returns how many different changes the slips make that are at most as large as those of the slips that fit.
+/// Returns n of check.h: the number of different changes that are at most as large as that of a slip that fits.
 std::ptrdiff_t countTried(const std::vector<Comparison> &comparisons)
 {
-    constexpr double kRelativeTolerance = 1e-9; // relative: the same change, computed in two ways
+    constexpr double kRelativeTolerance = 1e-9; // two computations of the same change differ by less
     double largest = 0.0;
     std::vector<double> changes;
     for (const Comparison &comparison : comparisons) {
@@ -118,7 +118,7 @@ std::ptrdiff_t countTried(const std::vector<Comparison> &comparisons)
     return std::distance(changes.begin(), std::unique(changes.begin(), changes.end(), areEqual));
 }
 
-/// Explains the wrong values by the slips. `coincidence`: h/d of the wrong values, multiplied.
+/// Explains the wrong values by the slips. `coincidence`: the product of h/d over the wrong values (check.h).
 void explainBySlips(CheckResult &result, std::vector<Comparison> comparisons, double coincidence)
 {
     const auto keepsRightValues = [](const Comparison &each) { return each.keepsRightValues; };

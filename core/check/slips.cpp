@@ -178,7 +178,8 @@ void scaleLengths(Calculation &hand, double factor)
     }
 }
 
-/// Multiplies all angles. θ3 may be measured at A or B, and in either direction: before, half turns are added to it.
+/// Multiplies all angles by the factor. Adds half turns to θ3 first, because θ3 may be measured at A or at B, and in
+/// either direction.
 template <int halfTurns>
 void scaleAngles(Calculation &hand, double factor)
 {

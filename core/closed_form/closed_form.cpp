@@ -46,8 +46,8 @@ double fineGap(const MotionConstants &k, double gapSide, TwoPart theta2)
     const TwoPart gap = twoSum(whole.hi, part.hi);
     const double difference = gap.hi + (gap.lo + ((whole.lo + lengths.lo) + (part.lo + k.a * x.part.lo)));
 
-    // A difference that is 0 to 30 digits is the limit itself: the only crank angle of a locked mechanism is not a
-    // double.
+    // A difference that is 0 to 30 digits is the limit itself. It need not be exactly 0: no double equals the only
+    // crank angle of a locked mechanism.
     constexpr double kLastDigits = 0x1p-100;
     return std::abs(difference) < kLastDigits * k.reach ? 0.0 : difference;
 }

@@ -134,8 +134,9 @@ HWY_INLINE void rotateByQuarters(double shifted, double &sine, double &cosine)
 template <class Number>
 HWY_INLINE void sineAndCosine(Number hi, Number lo, Number &sine, Number &cosine)
 {
-    // r = rHi + rLo = hi + lo - n π/2, |r| <= π/4 and a little, with π/2 = P1 + P2 + P3. P1 and P2 have 33 bits and n
-    // has 20, so that n P1, n P2 and hi - n P1 are exact, and the next difference is where it is not ordered.
+    // r = rHi + rLo = hi + lo - n π/2, where |r| exceeds π/4 only slightly, with π/2 = P1 + P2 + P3. P1 and P2 have 33
+    // bits and n has 20, so that n P1, n P2 and first = hi - n P1 are exact. `third` contains the rounding error of
+    // `second`. That error is exact if |first| >= |n P2|; if |first| is smaller, `second` itself is exact.
     constexpr double kShifter = 0x1.8p52; // the sum's last bits are the rounded integer
     const Number shifted = hi * 0x1.45f306dc9c883p-1 + kShifter;
     const Number n = shifted - kShifter;

@@ -24,14 +24,15 @@ constexpr double kUlpSlack = 4.0 * kEpsilon;
 
 constexpr SolverSettings kExactly{.method = Method::ClosedForm, .newton = {}};
 
-constexpr std::size_t kMinTimeStampsForThreads = 50000; // time stamps: below, threads cost more than they save
+constexpr std::size_t kMinTimeStampsForThreads = 50000; // with fewer, threads cost more than they save
 
 /// The sizes with which the errors of a column are compared, in its unit.
 struct Scale {
-    double peak = 0.0; ///< largest magnitude of the reference
-    double size = 0.0; ///< the larger of the peak and the channel's natural size
-    double smallestStep = 0.0;
-    double halfRange = 0.0; ///< of the model's motion; of a constant channel: a or 1 rad, times |ω2|^k
+    double peak = 0.0;         ///< largest magnitude of the reference
+    double size = 0.0;         ///< the larger of the peak and the channel's natural size
+    double smallestStep = 0.0; ///< a smaller rounding step of a value counts as this one
+    /// Half the range of the model's motion; for the k-th derivative of a constant channel, a or 1 rad, times |ω2|^k.
+    double halfRange = 0.0;
 };
 
 Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std::span<const double> model)
@@ -189,10 +190,10 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
     return result;
 }
 
-/// The effect of time stamps that were rounded, or that are exact in double precision; nullopt if the crank does not
-/// move in that time.
+/// The effect of time stamps that were rounded or, if the clock shows no rounding, are exact in double precision;
+/// nullopt if the crank does not move in that time.
 std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism, const ReferenceData &reference,
-                                                     const Clock &clock, bool areRounded)
+                                                     const Clock &clock)
 {
     std::vector<double> early = reference.time;
     std::vector<double> late = reference.time;
@@ -200,7 +201,7 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
     for (std::size_t i = 0; i < reference.time.size(); ++i) {
         const double time = reference.time[i];
         const double step = clock.even ? clock.printedStep : reference.timeRounding.stepAt(time);
-        const double half = 0.5 * std::max(areRounded ? step : 0.0, kUlpSlack * std::abs(time));
+        const double half = 0.5 * std::max(clock.rounded ? step : 0.0, kUlpSlack * std::abs(time));
         early[i] -= half;
         late[i] += half;
         largest = std::max(largest, half);
@@ -219,7 +220,7 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
                                        const ReferenceData &reference, const FittedMechanism &fitted)
 {
     const Clock clock = clockOf(reference.time, reference.timeRounding);
-    std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock, clock.rounded);
+    std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock);
     std::vector<ChannelComparison> result(reference.series.size());
     const bool isLong = reference.time.size() > kMinTimeStampsForThreads;
     const auto comparisonOf = [&](std::size_t i) {
@@ -237,7 +238,9 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
     if (clock.rounded || std::ranges::none_of(result, mayRise)) {
         return result;
     }
-    effect = effectOfRoundedTime(mechanism, reference, clock, true);
+    Clock roundedClock = clock;
+    roundedClock.rounded = true;
+    effect = effectOfRoundedTime(mechanism, reference, roundedClock);
     if (!effect) {
         return result;
     }

@@ -110,7 +110,7 @@ struct ExactComparison {
 ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop = {},
                                const FittedMechanism &fitted = {});
 
-/// The comparison of a mechanism's exact motion with that of another one as the reference, in the order of
+/// The comparison of a mechanism's exact motion with that of a second mechanism, the reference, in the order of
 /// kPlottedChannels.
 struct MotionDifference {
     std::vector<ChannelComparison> channels;

@@ -13,8 +13,8 @@ namespace
 {
 
 /// Interpolates a column of positions between the rows i and i + 1: by the polynomial through these and those of their
-/// neighbours that have a value. Returns NaN if row i or row i + 1 has no value. Some programs print angles within one
-/// turn.
+/// neighbours that have a value. Returns NaN if row i or row i + 1 has no value. Differences of angles are reduced to
+/// half a turn, because some programs print angles within one turn.
 double interpolated(const ReferenceData &data, const ReferenceSeries &series, double time, std::size_t i)
 {
     const std::vector<double> &values = series.values;

@@ -25,18 +25,20 @@ struct Elevation {
     AngleExtreme minimum;
 };
 
+/// Returns the extremes of φ, with the crank angles at which they occur. `s` and `t`: as above.
 Elevation elevationExtremes(const MotionConstants &k, double s, double t, const std::vector<CrankEnd> &ends)
 {
     const double nearest = k.side * kQuarterTurn; // the crank angle with x = 1
+    const AngleExtreme smallest{std::atan2(k.C - k.a, t), {nearest}};
     if (ends.empty()) {
-        return {{std::atan2(k.C + k.a, s), {-nearest}}, {std::atan2(k.C - k.a, t), {nearest}}};
+        return {{std::atan2(k.C + k.a, s), {-nearest}}, smallest};
     }
-    Elevation elevation{{kQuarterTurn, {}}, {-kQuarterTurn, {}}};
+    Elevation elevation{{kQuarterTurn, {}}, {-kQuarterTurn, {}}}; // the coupler is perpendicular at the ends
     for (const CrankEnd &end : ends) {
         (end.isBeyondPin ? elevation.maximum : elevation.minimum).places.push_back(end.theta2);
     }
     if (elevation.minimum.places.empty()) {
-        elevation.minimum = {std::atan2(k.C - k.a, t), {nearest}};
+        elevation.minimum = smallest;
     }
     return elevation;
 }

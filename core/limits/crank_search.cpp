@@ -41,7 +41,7 @@ std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, Coordin
     return std::nullopt;
 }
 
-/// The transmission angle is no multiple of one function; see transmissionSolutions().
+/// Returns nullopt for the transmission angle, which is no multiple of one function: see transmissionSolutions().
 std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, DerivedQuantity quantity)
 {
     switch (quantity) {
@@ -84,7 +84,7 @@ public:
         : m_mechanism(mechanism)
         , m_channel(channel)
         , m_value(value)
-        , m_smallest(isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters()))
+        , m_naturalSize(isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters()))
     {
     }
 
@@ -113,22 +113,24 @@ private:
     {
         constexpr double kRounding = 8.0 * kEpsilon;
         const double difference = point.value - m_value;
-        const double size = std::max(std::abs(m_value), m_smallest);
+        const double size = std::max(std::abs(m_value), m_naturalSize);
         return std::abs(difference) <= kRounding * size ? 0.0 : difference;
     }
 
+    /// Returns the crank angle between two successive critical points at which the channel passes the value.
     double bisect(const CriticalPoint &from, const CriticalPoint &to) const
     {
         double low = from.theta2;
         double high = to.theta2;
-        const bool isBelow = from.value < m_value;
+        const bool startsBelow = from.value < m_value;
         for (double middle = std::midpoint(low, high); low < middle && middle < high;
              middle = std::midpoint(low, high)) {
             const double value = outputStateAt(withDrive(m_mechanism, 1.0, middle), 0.0).valueOf(m_channel);
-            // At an end of the motion the mechanism cannot be assembled because of rounding.
-            const bool isNearStart =
-                std::isnan(value) ? middle - from.theta2 < to.theta2 - middle : (value < m_value) == isBelow;
-            (isNearStart ? low : high) = middle;
+            // Because of rounding, the mechanism may be impossible to assemble beside an end of the motion. Then the
+            // nearer one of the two points decides.
+            const bool isBeforeSolution =
+                std::isnan(value) ? middle - from.theta2 < to.theta2 - middle : (value < m_value) == startsBelow;
+            (isBeforeSolution ? low : high) = middle;
         }
         return low;
     }
@@ -136,7 +138,7 @@ private:
     const Mechanism &m_mechanism;
     const OutputChannel &m_channel;
     double m_value;
-    double m_smallest; ///< below this fraction of it, rounding decides
+    double m_naturalSize; ///< of the channel; rounding errors of smaller values are measured against it
 };
 
 std::vector<double> solutionsOf(const Mechanism &mechanism, const OutputChannel &channel, const ScaledFunction &scaled,
@@ -154,11 +156,15 @@ std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order orde
     const Channel theta3{Theta3, order};
     std::vector<double> solutions;
     for (const double side : {1.0, -1.0}) { // the sign of φ
+        // The φ, or derivative of φ, that gives the value, and the θ3 that gives this φ.
         const double elevation = isPosition ? side * (kQuarterTurn - value) : -side * value;
-        const double angle = isOpen ? elevation : (isPosition ? std::numbers::pi : 0.0) - elevation;
+        const double straightAngle = isPosition ? std::numbers::pi : 0.0;
+        const double angle = isOpen ? elevation : straightAngle - elevation;
         for (const double theta2 : solutionsOf(mechanism, theta3, {CrankFunction::CouplerAngle}, angle)) {
-            const double height = side * (mechanism.c() - mechanism.a() * std::sin(theta2)); // |h| if on this side
-            if (height > 0.0 || (isPosition && elevation == 0.0 && side > 0.0)) {
+            const double height = mechanism.c() - mechanism.a() * std::sin(theta2);
+            const bool isOnThisSide = side * height > 0.0;
+            const bool isBetweenSides = isPosition && elevation == 0.0;
+            if (isOnThisSide || (isBetweenSides && side > 0.0)) {
                 solutions.push_back(theta2);
             }
         }

@@ -30,22 +30,20 @@ private:
     const Derivatives &of(const CrankCurve &curve) const { return functions[static_cast<std::size_t>(curve.function)]; }
 };
 
-/// The motion near a crank angle of ±90°, at which the coupler is steepest, as a function of u. If the mechanism passes
-/// this angle, the crank is at φ = w sinh u from it: with w = √(2·gap/a), where b cos θ3 ∝ √(gap + a φ²/2), every
-/// feature of the motion has a width of about one unit of u, however small the gap is. If it does not pass the angle,
-/// it approaches it to φ₀, with cos φ₀ = 1 + gap/a, and φ = ±φ₀ cosh u has the same effect.
+/// The motion near a crank angle of ±90°, at which the coupler is steepest, as a function of u. The gap is the excess
+/// of the coupler length over the length required to pass the angle, in units of a; so b cos θ3 ∝ √(gap + φ²/2) at the
+/// distance φ from the angle. If the mechanism passes the angle, φ = w sinh u with w = √(2·gap): then every feature of
+/// the motion has a width of about one unit of u, however small the gap is. If the mechanism does not pass the angle,
+/// it comes as near as φ₀, with cos φ₀ = 1 + gap, and φ = ±φ₀ cosh u has the same effect.
 class SteepPlace
 {
 public:
-    /// `gap`: the excess of the coupler length over the length required to pass the angle, in units of `a`.
     SteepPlace(const Mechanism &mechanism, double centre, double gap)
         : m_a(mechanism.a())
         , m_c(mechanism.c())
         , m_centre(centre)
         , m_gap(gap)
-        , m_width(gap > 0.0   ? std::min(1.0, std::sqrt(2.0 * gap))
-                  : gap < 0.0 ? 2.0 * std::asin(std::sqrt(-0.5 * gap))
-                              : 1.0)
+        , m_width(widthFor(gap))
         , m_motion(withDrive(mechanism, 1.0, centre))
     {
     }
@@ -83,6 +81,15 @@ public:
     }
 
 private:
+    /// Returns w, or φ₀ if the mechanism does not pass the angle.
+    static double widthFor(double gap)
+    {
+        if (gap > 0.0) {
+            return std::min(1.0, std::sqrt(2.0 * gap));
+        }
+        return gap < 0.0 ? 2.0 * std::asin(std::sqrt(-0.5 * gap)) : 1.0;
+    }
+
     double m_a;
     double m_c;
     double m_centre;
@@ -150,11 +157,13 @@ private:
         }
     }
 
+    /// Adds the extremum between two values of u at which the slope of the curve has opposite signs.
     void addExtremum(const SteepPlace &place, double low, double high, std::size_t curve)
     {
-        const bool falls = place.at(low).slope(m_curves[curve]) < 0.0;
+        const auto fallsAt = [&](double u) { return place.at(u).slope(m_curves[curve]) < 0.0; };
+        const bool fallsAtLow = fallsAt(low);
         for (double u = std::midpoint(low, high); low < u && u < high; u = std::midpoint(low, high)) {
-            ((place.at(u).slope(m_curves[curve]) < 0.0) == falls ? low : high) = u;
+            (fallsAt(u) == fallsAtLow ? low : high) = u;
         }
         const double value = place.at(high).value(m_curves[curve]);
         if (std::isfinite(value)) {

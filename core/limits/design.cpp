@@ -142,7 +142,7 @@ std::variant<Lengths, DesignFault> design(const DesignRequest &request)
             return DesignFault{DesignFault::Reason::TransmissionAngleTooLarge, transmissionAngleBound(p),
                                largestTimeRatio(wanted)};
         }
-        // A longer coupler than usual is needed. For p = 0 cos μ = 1/r.
+        // Only a coupler longer than kLongestCoupler is sufficient. For p = 0, cos μ = 1/r.
         ratio = p > 0.0 ? findBestRatio(p) : std::nextafter(1.0 / std::cos(wanted), kInfinity);
     }
     return findLengths(request.stroke, request.timeRatio, ratio);

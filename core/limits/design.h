@@ -54,8 +54,8 @@ struct DesignFault {
         StrokeNotPositive,
         TimeRatioOutOfRange,       ///< not in (1/3, 3)
         TransmissionAngleTooLarge, ///< `bound` is the largest that the time ratio allows
-        CouplerTooShort,           ///< of given a and b: b must be longer than a
-        TimeRatioTooLarge          ///< of given a and b: `bound` is the upper bound of the time ratio
+        CouplerTooShort,           ///< with given a and b: b must be longer than a
+        TimeRatioTooLarge          ///< with given a and b: `bound` is the upper bound of the time ratio
     };
     Reason reason = Reason::StrokeNotPositive;
     double bound = 0.0;

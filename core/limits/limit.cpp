@@ -14,7 +14,7 @@ namespace slidercrank
 namespace
 {
 
-/// The limits of one of the two strokes.
+/// The kinds of limits that one of the two strokes has.
 struct StrokeKinds {
     LimitKind angle;
     LimitKind time;
@@ -36,7 +36,7 @@ public:
         }
     }
 
-    /// Adds one of the two strokes, which take a crank rotation `angle` each.
+    /// Adds the limits of one of the two strokes, during which the crank turns by `angle`.
     void addStroke(const StrokeKinds &kinds, double angle, double stroke, double omega2)
     {
         add(kinds.angle, angle);

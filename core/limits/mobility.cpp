@@ -22,10 +22,13 @@ bool contains(const CrankRange &range, double angle)
 
 Mobility classify(const MotionConstants &k)
 {
-    return k.gamma < 0.0      ? Mobility::Impossible
-           : k.epsilon >= 0.0 ? Mobility::FullTurn
-           : k.gamma == 0.0   ? Mobility::Locked
-                              : Mobility::Rocker;
+    if (k.gamma < 0.0) {
+        return Mobility::Impossible;
+    }
+    if (k.epsilon >= 0.0) {
+        return Mobility::FullTurn;
+    }
+    return k.gamma == 0.0 ? Mobility::Locked : Mobility::Rocker;
 }
 
 CrankRange normalized(double from, double to)

@@ -57,7 +57,13 @@ QuantityMotion transmissionAngle(const Mechanism &mechanism, const State &state,
     const double elevation = isOpen ? state.q[Theta3] : std::numbers::pi - state.q[Theta3]; // asin(h/b)
     const double opposite = mechanism.b() * std::abs(std::sin(elevation));
     // μ = 90° - |elevation|: its derivatives are those of θ3, with the sign that the elevation and the branch decide.
-    const double slope = elevation > 0.0 ? -1.0 : elevation < 0.0 ? 1.0 : kNone;
+    // Where the elevation is 0, μ has a kink.
+    double slope = kNone;
+    if (elevation > 0.0) {
+        slope = -1.0;
+    } else if (elevation < 0.0) {
+        slope = 1.0;
+    }
     QuantityMotion motion = multiple(state, Theta3, isOpen ? slope : -slope);
     motion.position = std::atan2(std::abs(adjacent), opposite);
     return motion;

@@ -8,8 +8,8 @@
 //     a_B = a_Aⁿ + a_Aᵗ + a_BAⁿ + a_BAᵗ       a_Aⁿ = -ω2² A                 a_BAⁿ = -ω3² (B - A)
 //                                             a_Aᵗ = α2 × A                 a_BAᵗ = α3 × (B - A)
 //
-// Each vector begins where the previous one ends, and the last one, of B, leads from the pole to the same end: it is
-// parallel to the slider's line. Source: R. L. Norton, "Design of Machinery", sections 6.2 and 7.2.
+// Each vector begins where the previous one ends, and the last one, that of B, leads from the pole to the same
+// end: it is parallel to the slider's line. Source: R. L. Norton, "Design of Machinery", sections 6.2 and 7.2.
 // Lengths in mm, time in s.
 
 #include "core/limits/linkage_point.h"

@@ -24,15 +24,21 @@ constexpr bool isLinear(Measure measure)
 /// Returns the measure of a derivative of an angle or of a length.
 constexpr Measure angleMeasure(Order order)
 {
-    return order == Order::Position   ? Measure::Angle
-           : order == Order::Velocity ? Measure::AngularSpeed
-                                      : Measure::AngularAcceleration;
+    switch (order) {
+    case Order::Position: return Measure::Angle;
+    case Order::Velocity: return Measure::AngularSpeed;
+    case Order::Acceleration: break;
+    }
+    return Measure::AngularAcceleration;
 }
 constexpr Measure lengthMeasure(Order order)
 {
-    return order == Order::Position   ? Measure::Length
-           : order == Order::Velocity ? Measure::Speed
-                                      : Measure::Acceleration;
+    switch (order) {
+    case Order::Position: return Measure::Length;
+    case Order::Velocity: return Measure::Speed;
+    case Order::Acceleration: break;
+    }
+    return Measure::Acceleration;
 }
 constexpr Measure measureOf(Channel channel)
 {

@@ -31,7 +31,7 @@ TwoPart quotient(TwoPart x, double divisor)
 
 /// Returns 1 - z/(k (k+1)) (1 - z/((k+2) (k+3)) (1 - ...)) for 0 <= z <= (π/4)², k = 2 or 3. The terms after the
 /// first eight are below half a unit in the last place of 1, so that a single double suffices for them.
-TwoPart alternatingSeries(TwoPart z, int k)
+TwoPart sineOrCosineSeries(TwoPart z, int k)
 {
     constexpr int kTwoPartTerms = 8;
     constexpr int kTerms = 14;
@@ -96,10 +96,10 @@ FineSine fineSine(TwoPart angle)
     const int quadrant = static_cast<int>(n - 4.0 * std::floor(0.25 * n));
     const double sign = quadrant < 2 ? 1.0 : -1.0;
     if (quadrant % 2 == 0) {
-        const TwoPart sine = product(r, alternatingSeries(z, 2));
+        const TwoPart sine = product(r, sineOrCosineSeries(z, 2));
         return {0.0, {sign * sine.hi, sign * sine.lo}};
     }
-    const TwoPart versine = product({0.5 * z.hi, 0.5 * z.lo}, alternatingSeries(z, 3));
+    const TwoPart versine = product({0.5 * z.hi, 0.5 * z.lo}, sineOrCosineSeries(z, 3));
     return {sign, {-sign * versine.hi, -sign * versine.lo}};
 }
 

@@ -115,7 +115,8 @@ struct Thresholds {
                       ///< keeps some digits
     double crank;     ///< kResolvedFraction of a
     double coupler;   ///< kResolvedFraction of b
-    double perCosineCubed; ///< near a toggle the terms of θ̈3 cancel down to a third of cos θ3
+    double perCosineCubed; ///< isResolved() allows |cos θ3|³ times this: near a toggle the terms of θ̈3 cancel down to
+                           ///< a third of cos θ3
 
     Thresholds(const Mechanism &mechanism, const NewtonOptions &options)
     {

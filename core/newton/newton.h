@@ -69,16 +69,18 @@ NewtonTimeStep solve(const Mechanism &mechanism, double t, const NewtonOptions &
                      IterationHistory *history = nullptr);
 
 /// Velocity and acceleration are returned if r/b is at most this fraction of cos² θ3, where r (mm) is the residual. The
-/// limit is correspondingly smaller if their terms cancel. A residual of r
+/// limit is correspondingly smaller if their terms cancel. The effects of a residual r are:
 ///
-///     makes sin θ3 uncertain by 2r/b, if the four rows that determine it all deviate in the same direction,
-///     so θ3 by δ, with cos θ3 δ + δ²/2 = 2r/b,
-///     velocity and acceleration, which vary as 1/cos θ3 to 1/cos³ θ3, by δ/cos θ3 to three times that: 0.2 % to 0.6 %.
+///     sin θ3 is uncertain by 2r/b, if the four rows that determine it all deviate in the same direction;
+///     θ3 is then uncertain by δ, where cos θ3 δ + δ²/2 = 2r/b;
+///     velocity and acceleration vary as 1/cos θ3 to 1/cos³ θ3, and are uncertain by δ/cos θ3 to three times that:
+///     0.2 % to 0.6 %.
 ///
-/// Even if r is 0, rounding makes θ3 as uncertain as r/b = 5e-16 would at worst (measured at random time stamps near
-/// toggles); the code assumes r/b = 2.2e-16. θ2 is uncertain by the rounding of ω2 t and θ20. The iteration continues
-/// below the tolerance until r satisfies this limit and is at most this fraction of a, or is no larger than its own
-/// rounding.
+/// Even if r is 0, rounding makes θ3 uncertain: at worst as r/b = 5e-16 would (measured at random time stamps near
+/// toggles). The code assumes r/b = 2.2e-16. Moreover, θ2 is uncertain by the rounding of ω2 t and θ20.
+///
+/// The iteration continues below the tolerance until r satisfies this limit and is at most this fraction of a, or until
+/// r is no larger than its own rounding.
 inline constexpr double kResolvedFraction = 1.0 / 1024.0;
 
 } // namespace slidercrank

@@ -51,7 +51,7 @@ public:
     void moveTo(const Coordinates &q)
     {
         m_exactTheta3 = q.theta3;
-        m_isTurned = false;
+        m_isRotated = false;
         const double sine = std::sin(q.theta3);
         const double cosine = std::cos(q.theta3);
         m_coupler = {sine, cosine};
@@ -71,11 +71,11 @@ public:
         constexpr double kSmallTurn = 0x1p-11; // rad; δ⁵/120, the first neglected term, is then below 3e-19
         constexpr double kSquare = 0.125; // |cos θ3| below which the derivatives, with its -3rd power, need every digit
         const double turn = q.theta3 - m_exactTheta3;
-        if (m_isTurned || !(std::abs(turn) <= kSmallTurn) || std::abs(m_coupler.cos) < kSquare) { // also for NaN
+        if (m_isRotated || !(std::abs(turn) <= kSmallTurn) || std::abs(m_coupler.cos) < kSquare) { // also for NaN
             moveTo(q);
             return;
         }
-        m_isTurned = true;
+        m_isRotated = true;
         const double square = turn * turn;
         const double turnSine = turn - turn * square * (1.0 / 6.0);
         const double turnFall = square * (0.5 - square * (1.0 / 24.0));
@@ -123,7 +123,7 @@ public:
     /// Returns q + Δq with C_q Δq = -C, for the q of the last moveTo() or moveNear(). Not finite where cos θ3 = 0.
     Coordinates next(const Coordinates &q)
     {
-        if (m_isTurned) {
+        if (m_isRotated) {
             moveTo(q); // so that the step equals that of the dense elimination except for rounding
         }
         const Rows &r = m_C;
@@ -241,7 +241,7 @@ private:
     SinCos m_drivenCrank;          ///< of m_drive
     SinCos m_coupler;              ///< of θ3
     double m_exactTheta3 = kNone;  ///< θ3 of the last moveTo()
-    bool m_isTurned = false;       ///< the last move was a rotation in moveNear()
+    bool m_isRotated = false;      ///< the last move was a rotation in moveNear()
     double m_crankX, m_crankY;     ///< (a/2) u(θ2)
     double m_couplerX, m_couplerY; ///< (b/2) u(θ3)
     Rows m_C;

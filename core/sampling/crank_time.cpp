@@ -40,11 +40,15 @@ double nearestTimeAtCrankAngle(const Mechanism &mechanism, const Sampling &sampl
     const auto angleTo = [&](double time) {
         return std::remainder(theta2 - crankAngle(omega2, time, mechanism.theta20()).hi, kTurn);
     };
-    const double nearest = t + angleTo(t) / omega2;
     const double period = kTurn / std::abs(omega2);
-    const double inside = nearest < first ? nearest + period : nearest > last ? nearest - period : nearest;
-    if (inside >= first && inside <= last) {
-        return inside;
+    double passage = t + angleTo(t) / omega2; // the nearest one, which may be outside the time span
+    if (passage < first) {
+        passage += period;
+    } else if (passage > last) {
+        passage -= period;
+    }
+    if (passage >= first && passage <= last) {
+        return passage;
     }
     return std::abs(angleTo(first)) < std::abs(angleTo(last)) ? first : last;
 }

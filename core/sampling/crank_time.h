@@ -12,7 +12,7 @@ namespace slidercrank
 {
 
 /// Returns the first time (s) at or after `start` at which the crank angle is theta2 (rad) modulo 2π, or nullopt if the
-/// crank does not turn and has another angle, or if the time is not a finite number.
+/// crank does not turn and is at a different angle, or if the time is not a finite number.
 std::optional<double> timeAtCrankAngle(const Mechanism &mechanism, double theta2, double start);
 
 /// Returns the time (s) nearest to t within the sampled time span at which the crank angle is theta2 (rad) modulo 2π.

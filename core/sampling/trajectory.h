@@ -73,7 +73,7 @@ struct SamplingSummary {
 struct SampledChannels {
     ChannelSet coordinates;
     std::bitset<kDerivedChannelCount> derived = {}; ///< by indexOf(DerivedChannel)
-    double alpha2 = 0.0; ///< rad/s²: the crank has this acceleration at each time stamp, beside the speed ω2
+    double alpha2 = 0.0; ///< rad/s²: the acceleration of the crank at each time stamp, in addition to the speed ω2
 
     SampledChannels(const ChannelSet &channels)
         : coordinates(channels)

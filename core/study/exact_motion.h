@@ -2,7 +2,7 @@
 #pragma once
 
 // Computes the motion by the formulas of the textbook with 115 digits, as the reference for all methods. The formulas
-// cancel near a toggle, which so many digits compensate. Lengths in mm, angles in rad, time in s.
+// cancel near a toggle, for which 115 digits compensate. Lengths in mm, angles in rad, time in s.
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"

@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr std::size_t kChannels = kPlottedChannels.size();
-constexpr double kJudgeShare = 0.6; // of the exact motion in the duration of a measurement, approximately
+constexpr double kJudgeShare = 0.6; // approximate share of the exact motion in the duration of a measurement
 
 /// Sets the sizes of the channels from the exact motion.
 void measureSizes(const Parameters &parameters, JudgedMotion &motion)
@@ -43,8 +43,8 @@ void compareAnswers(const Contender &contender, const JudgedMotion &motion, Meth
     double worst = 0.0;
     double bound = 0.0;
     std::size_t silent = 0;
-    for (std::size_t i = 0; i < contender.times.size(); ++i) {
-        const auto exact = motion.exact.find(contender.times[i]);
+    for (std::size_t i = 0; i < contender.timeStamps.size(); ++i) {
+        const auto exact = motion.exact.find(contender.timeStamps[i]);
         if (exact == motion.exact.end()) {
             continue;
         }
@@ -101,7 +101,7 @@ void prepareRounds(Contender &contender, double seconds)
 
 void timeRound(Contender &contender)
 {
-    const double states = static_cast<double>(contender.repeats) * static_cast<double>(contender.times.size());
+    const double states = static_cast<double>(contender.repeats) * static_cast<double>(contender.timeStamps.size());
     contender.nanoseconds.push_back(1e9 * secondsOf(contender, contender.repeats) / states);
 }
 
@@ -112,7 +112,7 @@ MethodResult resultOf(Contender &contender, const JudgedMotion &motion)
     result.method = method.name;
     result.tolerance = method.tolerance;
     result.channels = method.channels;
-    result.states = contender.times.size();
+    result.states = contender.timeStamps.size();
     if (std::vector<double> &times = contender.nanoseconds; !times.empty()) {
         std::ranges::sort(times);
         result.nsPerState = times[times.size() / 2];
@@ -131,16 +131,16 @@ MethodResult resultOf(Contender &contender, const JudgedMotion &motion)
 
 } // namespace
 
-Measurement::Measurement(const Parameters &parameters, std::vector<double> times)
+Measurement::Measurement(const Parameters &parameters, std::vector<double> timeStamps)
     : m_parameters(parameters)
-    , m_times(std::move(times))
+    , m_timeStamps(std::move(timeStamps))
 {
 }
 
 void Measurement::add(const StudyMethod &method, const std::vector<double> &timeStamps)
 {
     Contender contender{&method, timeStamps};
-    contender.run = method.prepare(Mechanism(m_parameters), contender.times);
+    contender.run = method.prepare(Mechanism(m_parameters), contender.timeStamps);
     contender.answers.values.fill(std::vector<double>(timeStamps.size()));
     contender.answers.status.resize(timeStamps.size());
     if (contender.run) {
@@ -150,8 +150,8 @@ void Measurement::add(const StudyMethod &method, const std::vector<double> &time
 
 bool Measurement::advance(const StudyRequest &request)
 {
-    if (m_judged < m_times.size()) {
-        const double time = m_times[m_judged++];
+    if (m_judged < m_timeStamps.size()) {
+        const double time = m_timeStamps[m_judged++];
         m_motion.exact.emplace(time, judge(m_parameters, time));
     } else if (m_prepared < m_contenders.size()) {
         prepareRounds(m_contenders[m_prepared++], request.secondsPerRound);
@@ -168,7 +168,7 @@ double Measurement::progress(const StudyRequest &request) const
     const auto part = [](std::size_t done, std::size_t all) {
         return all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all);
     };
-    return kJudgeShare * part(m_judged, m_times.size()) + (1.0 - kJudgeShare) * part(m_timed, roundCount(request));
+    return kJudgeShare * part(m_judged, m_timeStamps.size()) + (1.0 - kJudgeShare) * part(m_timed, roundCount(request));
 }
 
 std::vector<MethodResult> Measurement::results()

@@ -18,16 +18,16 @@ namespace slidercrank
 /// A method that is run at some time stamps.
 struct Contender {
     const StudyMethod *method = nullptr;
-    std::vector<double> times{};
+    std::vector<double> timeStamps{};
     StudyRun run{};
     StudyAnswers answers{};
     long long repeats = 1;
     std::vector<double> nanoseconds{}; ///< per state, one value for each round
 };
 
-/// The exact motion at some times, and the sizes with which errors are compared.
+/// The exact motion at some time stamps, and the sizes with which errors are compared.
 struct JudgedMotion {
-    std::map<double, Judged> exact{}; ///< by time
+    std::map<double, Judged> exact{}; ///< by time stamp
     std::array<double, kPlottedChannels.size()>
         sizes{}; ///< rad, mm: the peak, or naturalSize() where that is 0; positive
 };
@@ -35,8 +35,8 @@ struct JudgedMotion {
 class Measurement
 {
 public:
-    /// `times`: where the answers are compared with the exact motion.
-    Measurement(const Parameters &parameters, std::vector<double> times);
+    /// `timeStamps`: where the answers are compared with the exact motion.
+    Measurement(const Parameters &parameters, std::vector<double> timeStamps);
 
     /// Adds a method at these time stamps, unless it does not apply to the mechanism.
     void add(const StudyMethod &method, const std::vector<double> &timeStamps);
@@ -50,16 +50,16 @@ public:
     /// Returns a row for each method, when everything is done.
     std::vector<MethodResult> results();
 
-    const std::vector<double> &times() const { return m_times; }
+    const std::vector<double> &timeStamps() const { return m_timeStamps; }
 
 private:
     std::size_t roundCount(const StudyRequest &request) const; ///< of all methods
 
     Parameters m_parameters;
-    std::vector<double> m_times;
+    std::vector<double> m_timeStamps;
     std::vector<Contender> m_contenders;
     JudgedMotion m_motion;
-    std::size_t m_judged = 0;   ///< number of times
+    std::size_t m_judged = 0;   ///< number of time stamps
     std::size_t m_prepared = 0; ///< number of methods
     std::size_t m_timed = 0;    ///< number of rounds of all methods
 };

@@ -44,7 +44,7 @@ Measurement measurementOfMethods(const Case &studied)
 {
     Measurement measurement(studied.parameters, timeStampsOf(studied));
     for (const StudyMethod &method : studyMethods()) {
-        measurement.add(method, method.needsEqualSteps ? studied.sampling.timeStamps() : measurement.times());
+        measurement.add(method, method.needsEqualSteps ? studied.sampling.timeStamps() : measurement.timeStamps());
     }
     return measurement;
 }
@@ -154,7 +154,7 @@ struct Study::State {
         const auto &[studied, kind] = plans[completed];
         if (kind == Plan::Kind::AllMethods) {
             cases.push_back(
-                {studied->name, studied->parameters, measurement->times().size(), measurement->results(), {}});
+                {studied->name, studied->parameters, measurement->timeStamps().size(), measurement->results(), {}});
         } else {
             cases.back().workPrecision = measurement->results();
         }

@@ -97,17 +97,19 @@ double processorSeconds()
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+enum class ReferenceFile { None, Sample };
+
 /// A window whose slider of b is moved, with that many samples in each curve, and optionally with the sample file.
 class MovingSlider
 {
 public:
-    MovingSlider(int samples, bool withReference)
+    MovingSlider(int samples, ReferenceFile reference)
         : m_window(shownWindow())
         , m_slider(m_window->findChild<QSlider *>(QStringLiteral("slider_b")))
         , m_watch(*m_window)
         , m_start(m_slider->value())
     {
-        if (withReference) {
+        if (reference == ReferenceFile::Sample) {
             m_window->session().loadReference(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"));
             spin(500); // until it has been read, compared and identified
         }
@@ -137,7 +139,7 @@ private:
 
 void sliderToNinePlots(benchmark::State &state)
 {
-    MovingSlider slider(static_cast<int>(state.range(0)), state.range(1) != 0);
+    MovingSlider slider(static_cast<int>(state.range(0)), static_cast<ReferenceFile>(state.range(1)));
     for (auto _ : state) {
         slider.move();
     }
@@ -154,11 +156,11 @@ BENCHMARK(sliderToNinePlots)
 
 /// Compares with another library, which draws the same figure with the sample file from precomputed curves: the median
 /// times and their ratio. Requires Python ($PYTHON, or python3) with that library.
-void against(benchmark::State &state, const char *library)
+void compareWithLibrary(benchmark::State &state, const char *library)
 {
     constexpr int kMoves = 31;
     const int samples = static_cast<int>(state.range(0));
-    MovingSlider slider(samples, true);
+    MovingSlider slider(samples, ReferenceFile::Sample);
     std::vector<double> ours;
     QProcess python;
     const QString python3 = qEnvironmentVariable("PYTHON", QStringLiteral("python3"));
@@ -185,13 +187,13 @@ void against(benchmark::State &state, const char *library)
     state.counters["theirs_ms"] = theirs;
     state.counters["times"] = theirs / ours[kMoves / 2];
 }
-BENCHMARK_CAPTURE(against, matplotlib, "matplotlib")
+BENCHMARK_CAPTURE(compareWithLibrary, matplotlib, "matplotlib")
     ->ArgName("samples")
     ->Arg(201)
     ->Arg(20'001)
     ->Arg(1'000'001)
     ->Iterations(1);
-BENCHMARK_CAPTURE(against, pyqtgraph, "pyqtgraph")
+BENCHMARK_CAPTURE(compareWithLibrary, pyqtgraph, "pyqtgraph")
     ->ArgName("samples")
     ->Arg(201)
     ->Arg(20'001)
@@ -219,12 +221,13 @@ void processorShare(benchmark::State &state)
 }
 BENCHMARK(processorShare)->ArgName("playing")->Arg(1)->Arg(0)->Iterations(1)->Repetitions(3);
 
-/// Measures one frame of playing, with the pose and nine cursors, without and with all additions to the mechanism.
+/// Measures one frame of playing, with the pose and nine cursors, without and with arrows, path, names and dimensions.
 void playingFrame(benchmark::State &state)
 {
     const std::unique_ptr<MainWindow> window = shownWindow();
     if (state.range(0) != 0) {
-        window->findChild<MechanismView *>()->setSettings({true, true, true, true, true});
+        window->findChild<MechanismView *>()->setSettings(
+            {.velocity = true, .acceleration = true, .path = true, .names = true, .dimensions = true});
     }
     double t = 0.0;
     for (auto _ : state) {

@@ -56,14 +56,14 @@ ClaimTable &ClaimTable::turnedBy(const std::function<double(double)> &law)
     });
 }
 
-ClaimTable &ClaimTable::speedingUp(double part)
+ClaimTable &ClaimTable::speedingUp(double fraction)
 {
-    return turnedBy([=](double angle) { return angle * (1.0 + 0.5 * part / kTurn * angle); });
+    return turnedBy([=](double angle) { return angle * (1.0 + 0.5 * fraction / kTurn * angle); });
 }
 
-ClaimTable &ClaimTable::rippling(double part, double perTurn)
+ClaimTable &ClaimTable::rippling(double fraction, double perTurn)
 {
-    return turnedBy([=](double angle) { return angle + part / perTurn * (1.0 - std::cos(perTurn * angle)); });
+    return turnedBy([=](double angle) { return angle + fraction / perTurn * (1.0 - std::cos(perTurn * angle)); });
 }
 
 ClaimTable &ClaimTable::ofYoke(double damping, double third)
@@ -83,7 +83,7 @@ ClaimTable &ClaimTable::reprinted()
     return change(kAll, Content::Motion, [](ClaimColumn &column) { column.reprint = "%.18e"; });
 }
 
-/// If it is a length, the mechanism in the other unit explains the file as well.
+/// A multiple of a length has a different unit: the mechanism in that unit explains the file equally well.
 ClaimTable &ClaimTable::multiplied(const Channels &channels, double factor)
 {
     return change(channels, Content::Motion, [&](ClaimColumn &column) {
@@ -94,7 +94,7 @@ ClaimTable &ClaimTable::multiplied(const Channels &channels, double factor)
     });
 }
 
-/// The crank of a mechanism that explains the file as well has the speed in the other unit.
+/// A multiple of the time has a different unit: a crank with the speed in that unit explains the file equally well.
 ClaimTable &ClaimTable::timeMultiplied(double factor)
 {
     compute();
@@ -119,7 +119,7 @@ ClaimTable &ClaimTable::withinATurn(Channel channel)
 
 // Errors of sensors.
 
-ClaimTable &ClaimTable::withUnevenNoise(const Channels &channels, double part, double correlation, double growth)
+ClaimTable &ClaimTable::withUnevenNoise(const Channels &channels, double fraction, double correlation, double growth)
 {
     const bool isWhite = correlation == 0.0 && growth == 0.0;
     return change(channels, isWhite ? Content::Motion : Content::Systematic, [=, this](ClaimColumn &column) {
@@ -127,14 +127,14 @@ ClaimTable &ClaimTable::withUnevenNoise(const Channels &channels, double part, d
         for (Index row = 1; row < noise.size(); ++row) {
             noise[row] = correlation * noise[row - 1] + std::sqrt(1.0 - correlation * correlation) * noise[row];
         }
-        column.noise = part * swing(column.shown) * std::abs(column.factor);
+        column.noise = fraction * swing(column.shown) * std::abs(column.factor);
         column.values += column.noise * noise * (1.0 + growth * column.values.abs() / column.values.abs().maxCoeff());
     });
 }
 
-ClaimTable &ClaimTable::withNoise(const Channels &channels, double part)
+ClaimTable &ClaimTable::withNoise(const Channels &channels, double fraction)
 {
-    return withUnevenNoise(channels, part, 0.0, 0.0);
+    return withUnevenNoise(channels, fraction, 0.0, 0.0);
 }
 
 ClaimTable &ClaimTable::truncated(const Channels &channels, double step)
@@ -151,18 +151,18 @@ ClaimTable &ClaimTable::inSteps(const Channels &channels, double step)
         .truncated(channels, step);
 }
 
-ClaimTable &ClaimTable::withTone(const Channels &channels, double part, double perTurn)
+ClaimTable &ClaimTable::withTone(const Channels &channels, double fraction, double perTurn)
 {
     return change(channels, Content::Systematic, [=, this](ClaimColumn &column) {
         const Values angles = perTurn * truth->omega2 * times + m_random.between(0.0, kTurn);
-        column.values += part * swing(column.shown) * angles.sin();
+        column.values += fraction * swing(column.shown) * angles.sin();
     });
 }
 
-ClaimTable &ClaimTable::withBacklash(Channel channel, double part)
+ClaimTable &ClaimTable::withBacklash(Channel channel, double fraction)
 {
     return change({channel}, Content::Systematic, [=, this](ClaimColumn &column) {
-        column.values += part * swing(column.shown) * exact(kSliderSpeed, times).sign();
+        column.values += fraction * swing(column.shown) * exact(kSliderSpeed, times).sign();
     });
 }
 
@@ -181,11 +181,11 @@ ClaimTable &ClaimTable::misread(Channel channel, double factor, double offset)
     });
 }
 
-ClaimTable &ClaimTable::failing(Channel channel, double rows, double part)
+ClaimTable &ClaimTable::failing(Channel channel, double rows, double fraction)
 {
     return change({channel}, Content::Systematic, [=, this](ClaimColumn &column) {
         for (double &value : column.values) {
-            value -= m_random.isTrue(rows) ? m_random.between(0.0, part) * swing(column.shown) : 0.0;
+            value -= m_random.isTrue(rows) ? m_random.between(0.0, fraction) * swing(column.shown) : 0.0;
         }
     });
 }
@@ -202,10 +202,10 @@ ClaimTable &ClaimTable::frozen(Channel channel)
     });
 }
 
-ClaimTable &ClaimTable::saturated(Channel channel, double part)
+ClaimTable &ClaimTable::saturated(Channel channel, double fraction)
 {
     return change({channel}, Content::Motion, [=, this](ClaimColumn &column) {
-        const double limit = column.values.maxCoeff() - 2.0 * part * swing(column.shown);
+        const double limit = column.values.maxCoeff() - 2.0 * fraction * swing(column.shown);
         hasSaturation = true;
         for (Index row = 0; row < times.size(); ++row) {
             if (column.values[row] > limit - 1e-6 * swing(column.shown)) { // printed like the limit
@@ -216,11 +216,11 @@ ClaimTable &ClaimTable::saturated(Channel channel, double part)
     });
 }
 
-ClaimTable &ClaimTable::withGaps(const Channels &channels, double part)
+ClaimTable &ClaimTable::withGaps(const Channels &channels, double probability)
 {
     return change(channels, Content::Motion, [=, this](ClaimColumn &column) {
         for (Index row = 1; row < times.size(); ++row) {
-            column.values[row] = m_random.isTrue(part) ? kNone : column.values[row];
+            column.values[row] = m_random.isTrue(probability) ? kNone : column.values[row];
         }
     });
 }
@@ -253,8 +253,9 @@ ClaimTable &ClaimTable::interpolated(const Channels &channels, double rows)
     return change(channels, Content::Systematic, [=, this](ClaimColumn &column) {
         const double coarse = rows * timeBetweenRows();
         const Values before = times[0] + coarse * ((times - times[0]) / coarse).floor();
-        const Values part = (times - before) / coarse;
-        column.values = (1.0 - part) * exact(column.shown, before) + part * exact(column.shown, before + coarse);
+        const Values fraction = (times - before) / coarse;
+        column.values =
+            (1.0 - fraction) * exact(column.shown, before) + fraction * exact(column.shown, before + coarse);
     });
 }
 
@@ -267,10 +268,10 @@ ClaimTable &ClaimTable::held(const Channels &channels, double rows)
     });
 }
 
-ClaimTable &ClaimTable::jittered(const Channels &channels, double part)
+ClaimTable &ClaimTable::jittered(const Channels &channels, double fraction)
 {
     return change(channels, Content::Systematic, [=, this](ClaimColumn &column) {
-        column.values = exact(column.shown, times + part * timeBetweenRows() * m_random.normal(times.size()));
+        column.values = exact(column.shown, times + fraction * timeBetweenRows() * m_random.normal(times.size()));
     });
 }
 

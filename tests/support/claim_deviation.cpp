@@ -61,10 +61,10 @@ std::vector<Deviation> deviationsFrom(Parameters p, const Claim &claim)
     const ReferenceData &data = claim.read;
     const bool isUneven = claim.found.drive.has_value();
     if (isUneven) {
-        p.omega2 = 1.0; // of positions over θ2, any speed
+        p.omega2 = 1.0; // positions over θ2 do not depend on the speed
     }
-    Parameters longer = p; // where a mechanism folds, the last digit of b decides about its derivatives
-    longer.b *= 1.0 + 1e-15;
+    Parameters withLongerCoupler = p; // where a mechanism folds, the last digit of b changes its derivatives
+    withLongerCoupler.b *= 1.0 + 1e-15;
     const Values times = timesOf(p, claim);
     std::vector<Deviation> deviations;
     for (const ReferenceSeries &series : data.series) {
@@ -77,9 +77,10 @@ std::vector<Deviation> deviationsFrom(Parameters p, const Claim &claim)
         const Values numbers = Values::Map(series.values.data(), times.size());
         const Values motion = valuesOf(p, channel, times);
         const Values blur = valuesOf(p, channel, times + table.timeStep()) - motion;
-        const Values rounding = valuesOf(longer, channel, times) - motion;
+        const Values rounding = valuesOf(withLongerCoupler, channel, times) - motion;
         const double peak = numbers.isFinite().select(numbers, 0.0).abs().maxCoeff();
-        const double finest = 0.01 * column->stepAt(peak / factor); // the step of a zero tells nothing
+        const double finest =
+            0.01 * column->stepAt(peak / factor); // the step of a value near 0 may be arbitrarily small
         const Values steps = column->stepsAt(numbers / factor).max(finest) * factor;
         std::vector<Index> rows;
         for (Index i = 0; i < times.size(); ++i) {

@@ -28,7 +28,7 @@ std::string describe(const Parameters &p)
 /// How far a true claim may be off.
 struct Tolerance {
     double standardErrors;
-    double part; ///< of the size of the parameter
+    double fraction; ///< of the size of the parameter
 };
 
 /// An exact fit has no systematic error, an approximate one may have some. Without standard errors, it warns that the
@@ -41,14 +41,14 @@ Tolerance toleranceOf(const Claim &claim)
     return {10.0, claim.table.isSystematic && claim.found.hasSystematicResiduals ? 0.1 : 0.05};
 }
 
-/// The same mechanism with the crank angle as a filter with a delay shows it.
+/// Returns the mechanism as a filter with a delay shows it: the crank is behind by the angle of the delay.
 Parameters delayed(Parameters p, double delay)
 {
     p.theta20 -= p.omega2 * delay;
     return p;
 }
 
-/// Returns whether a mechanism is one that makes the table, or an image of it.
+/// Returns whether a mechanism is one that makes the table, or a mirror image of such a one.
 bool isTrue(const Claim &claim, const Parameters &parameters)
 {
     const Tolerance tolerance = toleranceOf(claim);
@@ -61,14 +61,15 @@ bool isTrue(const Claim &claim, const Parameters &parameters)
         return std::ranges::any_of(mirrorImages(truth), [&](const Parameters &image) {
             return std::ranges::all_of(parameterErrors(claim, parameters, image), [=](const ParameterError &error) {
                 return std::abs(error.difference) <=
-                       std::max(tolerance.standardErrors * error.standardError, tolerance.part * error.size);
+                       std::max(tolerance.standardErrors * error.standardError, tolerance.fraction * error.size);
             });
         });
     });
 }
 
-/// A table whose deviations do not show in the fit cannot tell that its mechanism is another one. A motion that no
-/// slider-crank makes may be approximated, without standard errors.
+/// Checks the mechanism and its rounded values. If the systematic deviations of a table do not show in the fit, the
+/// mechanism may differ from the true one. A motion that no slider-crank makes may be approximated, but without
+/// standard errors.
 std::string falseMechanism(const Claim &claim)
 {
     const ClaimTable &table = claim.table;
@@ -90,7 +91,7 @@ std::string falseMechanism(const Claim &claim)
     return "";
 }
 
-/// Checks the number of conventions, and that only columns with another origin are said to have one.
+/// Checks the number of conventions, and that a different origin is reported only for columns that have one.
 std::string falseConvention(const Claim &claim)
 {
     const ClaimTable &table = claim.table;
@@ -108,11 +109,12 @@ std::string falseConvention(const Claim &claim)
         }
         count += kind != WholeTurns ? 1U : 0U;
     }
-    return count < table.fewestConventions || count > table.mostConventions ? std::to_string(count) + " conventions"
-                                                                            : "";
+    const bool isCountRight = count >= table.minConventions && count <= table.maxConventions;
+    return isCountRight ? "" : std::to_string(count) + " conventions";
 }
 
-/// Checks that a column with another motion, or differences, is not said to be left out although it is the motion.
+/// Checks that no column that contains the motion was left out because it contains finite differences or a different
+/// motion.
 std::string falseLeftOut(const Claim &claim)
 {
     for (const LeftOutColumn &leftOut : claim.found.leftOut) {
@@ -127,8 +129,8 @@ std::string falseLeftOut(const Claim &claim)
     return "";
 }
 
-/// Checks the crank speeds with a tolerance of 5 %, and the length that is said to explain the difference to the given
-/// mechanism.
+/// Checks the crank speeds with a tolerance of 5 %, and the length that is said to explain the difference from the
+/// given mechanism.
 std::string falseDriveOrChange(const Claim &claim)
 {
     constexpr double kSpeedTolerance = 0.05;
@@ -147,7 +149,7 @@ std::string falseDriveOrChange(const Claim &claim)
     return change && table.wrongGiven &&
                    (change->parameter != *table.wrongGiven ||
                     std::abs(change->value / valueOf(*table.truth, *table.wrongGiven) - 1.0) > kChangeTolerance)
-               ? "another length has changed"
+               ? "a different length has changed"
                : "";
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds of tables that contain a motion, or the motion of another machine, as it is.
+// Kinds of tables that contain the motion of a slider-crank, or of a different machine, without changes.
 #include "tests/support/claim_kinds.h"
 
 #include "core/mechanism/turn.h"
@@ -141,7 +141,7 @@ std::vector<ClaimKind> plainTables()
                  .overTime(random.between(32, 46), 60)
                  .with(random.oneOf<Channels>({kSixColumns, {kSlider, kSliderSpeed}}));
          }},
-        // At 1.34 rows a turn, another speed fits the same samples with 3.94 rows a turn; a true 1.1 looks like 11.
+        // At 1.34 rows a turn, a different speed fits the same samples with 3.94 rows a turn; a true 1.1 looks like 11.
         {"1.3 to 1.9 rows a turn, R4_x alone",
          [](Random &random) { return ClaimTable(random).overTime(random.between(32, 44), 60).with({kSlider}); }},
         {"1.3 to 1.9 rows a turn, theta2 within a turn",
@@ -211,7 +211,7 @@ std::vector<ClaimKind> plainTables()
              const auto y = static_cast<Coordinate>(x + 1);
              return ClaimTable(random).with({{x}, {y}, {x, Order::Velocity}, {y, Order::Velocity}}).mayBeMissed();
          }},
-        // Another mechanism fits equally well.
+        // A different mechanism fits equally well.
         {"all lengths in another unit",
          [](Random &random) {
              return ClaimTable(random, enlarged(random.mechanism(), random.oneOf({1e-3, 0.1, 1.0 / 25.4})))

@@ -112,7 +112,7 @@ std::vector<ClaimKind> filteredTables()
              table.isCrankUneven = false; // the file does not show it
              return table.with(random.oneOf<Channels>({{kSlider}, {kSlider, kTheta3}})).digits(7).approximate();
          }},
-        // The error of the sensor could be another origin.
+        // A different origin explains the error of the sensor equally well.
         {"error with half the period",
          [](Random &random) {
              return longTable(random, {{kSlider}})
@@ -218,7 +218,7 @@ std::vector<ClaimKind> contradictoryTables()
          [](Random &random) {
              return longTable(random, {kSixColumns}).differentiated(kDerivatives, random.oneOf({2, 3, 4, 5}));
          }},
-        // A gain of θ3 is nearly another b.
+        // A gain error of θ3 looks nearly like a different b.
         {"gain error and two origins",
          [](Random &random) {
              return longTable(random, {{kTheta3, kSlider}})

@@ -48,12 +48,12 @@ struct LinearizedFit {
         bool hasLength = false;
         for (const ClaimColumn &column : file.columns) {
             if (column.content != Content::Foreign && canBeFitted(column.shown) &&
-                !(file.isByAngle && column.shown.coordinate == Theta2)) {
+                !(file.isOverAngle && column.shown.coordinate == Theta2)) {
                 add(file, column);
                 hasLength = hasLength || !isAngle(column.shown.coordinate);
             }
         }
-        for (Index i = hasLength ? 0 : 1; i < (file.isByAngle ? 3 : kParameters); ++i) {
+        for (Index i = hasLength ? 0 : 1; i < (file.isOverAngle ? 3 : kParameters); ++i) {
             free.push_back(i);
         }
     }

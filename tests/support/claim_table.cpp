@@ -152,10 +152,9 @@ ClaimTable &ClaimTable::overTime(double turns, double rows, double start)
     const bool isRound = m_random.isTrue(0.5);
     double step = turns * kTurn / std::abs(truth->omega2) / std::max(rows - 1.0, 1.0);
     step = isRound ? std::stod(printed("%.3g", step)) : step;
-    return atTimes(start + step * Values::LinSpaced(static_cast<Index>(rows), 0.0, rows - 1.0), !time.format.empty()
-                                                                                                    ? time.format
-                                                                                                : isRound ? "%.12g"
-                                                                                                          : "%.9g");
+    const std::string defaultFormat = isRound ? "%.12g" : "%.9g";
+    return atTimes(start + step * Values::LinSpaced(static_cast<Index>(rows), 0.0, rows - 1.0),
+                   time.format.empty() ? defaultFormat : time.format);
 }
 
 ClaimTable &ClaimTable::atTimes(const Values &stamps, const std::string &format)
@@ -167,7 +166,7 @@ ClaimTable &ClaimTable::atTimes(const Values &stamps, const std::string &format)
 
 ClaimTable &ClaimTable::overCrankAngle(double step, double turns)
 {
-    isByAngle = true;
+    isOverAngle = true;
     truth->omega2 = givenMechanism.omega2 = kTurn;
     truth->theta20 = givenMechanism.theta20 = 0.0;
     const double last = std::floor(360.0 * turns / step);
@@ -258,8 +257,8 @@ ClaimTable &ClaimTable::orMechanism(const Parameters &parameters)
 
 ClaimTable &ClaimTable::conventions(std::size_t fewest, std::size_t most)
 {
-    fewestConventions = fewest;
-    mostConventions = most;
+    minConventions = fewest;
+    maxConventions = most;
     return *this;
 }
 
@@ -321,7 +320,7 @@ void ClaimTable::print()
     compute();
     std::vector<const ClaimColumn *> cells;
     std::ranges::transform(columns, std::back_inserter(cells), [](const ClaimColumn &column) { return &column; });
-    if (!isByAngle) {
+    if (!isOverAngle) {
         cells.insert(cells.begin(), &time);
     }
     for (const ClaimColumn *column : cells) {
@@ -347,7 +346,7 @@ void ClaimTable::print()
 
 double ClaimTable::timeStep() const
 {
-    return isByAngle ? 0.0 : time.stepAt(time.values.maxCoeff()) / time.factor;
+    return isOverAngle ? 0.0 : time.stepAt(time.values.maxCoeff()) / time.factor;
 }
 
 ClaimColumn *ClaimTable::find(const std::string &heading)

@@ -3,9 +3,8 @@
 
 // Tables of known origin, which test what the program claims about a file. A table is described in plain words:
 //
-//     ClaimTable(random, mechanism).overCrankAngle(10.0).with({kSlider,
-//     kSliderSpeed}).decimals(2).shifted({kSlider}, 40.0)
-//         .conventions(1)
+//     ClaimTable(random, mechanism)
+//         .overCrankAngle(10.0).with({kSlider, kSliderSpeed}).decimals(2).shifted({kSlider}, 40.0).conventions(1)
 //
 // Its columns contain the motion of the mechanism until a function changes them; each function changes the columns that
 // exist when it is called. The last functions state what may be claimed. Lengths are in mm, angles in rad and times
@@ -73,7 +72,7 @@ private:
     std::mt19937_64 m_engine;
 };
 
-// A mechanism with one change.
+// These return the mechanism with one change.
 Parameters withOffset(Parameters p, double ratio);  ///< c / a
 Parameters withCoupler(Parameters p, double ratio); ///< b / a
 Parameters withMargin(Parameters p, double margin); ///< b / (a + |c|) - 1; negative for a rocker
@@ -84,14 +83,14 @@ Parameters crossed(Parameters p);
 
 struct ClaimColumn {
     enum class Content {
-        Motion,     ///< the motion, perhaps in another unit, from another origin, or with white noise
+        Motion,     ///< the motion, perhaps in a different unit, from a different origin, or with white noise
         Systematic, ///< with a small deviation that is not white: filtered, interpolated, integrated
-        Foreign     ///< another motion, or errors that hide the motion
+        Foreign     ///< a different motion, or errors that hide the motion
     };
     std::string heading;
     Channel shown{}; ///< the channel whose values the column contains; not used for the time
     std::string format = "%.6g";
-    std::string reprint{}; ///< format in which another program printed the rounded numbers again; empty: none did
+    std::string reprint{}; ///< format in which a second program printed the rounded numbers again; empty: none did
     double quantum = 0.0;  ///< distance between neighbouring values; 0: that of the format
     double factor = 1.0;   ///< of the values, in addition to the unit of the heading
     double noise = 0.0;    ///< rms of white noise
@@ -118,75 +117,76 @@ public:
     /// with nine digits.
     ClaimTable &overTime(double turns, double rows, double start = 0.0);
     ClaimTable &atTimes(const Values &stamps, const std::string &format);
-    /// The first column is θ2 in steps of so many degrees, and there is no time. The crank turns once a second.
+    /// The first column is θ2 in equal steps (°), and there is no time. The crank turns once a second.
     ClaimTable &overCrankAngle(double step, double turns = 1.0);
     ClaimTable &timeDecimals(int count);
     ClaimTable &slowedDown(double factor);   ///< larger time steps in the second half
-    ClaimTable &withRepeatedRows(int count); ///< so many rows are printed twice
+    ClaimTable &withRepeatedRows(int count); ///< `count` rows are printed twice
     ClaimTable &withEmptyRows();             ///< prints rows without any value
 
-    // The motion, before the first column is changed.
+    // The motion. These must be called before the first column is changed.
     /// The crank turns by law(angle) where a crank with constant speed turns by `angle`, both without their signs.
     ClaimTable &turnedBy(const std::function<double(double angle)> &law);
-    ClaimTable &speedingUp(double part);               ///< the speed grows by so much per turn
-    ClaimTable &rippling(double part, double perTurn); ///< the speed swings by so much, so many times per turn
-    ClaimTable &ofYoke(double damping, double third);  ///< a Scotch yoke with a third harmonic: no slider-crank
+    ClaimTable &speedingUp(double fraction);               ///< each turn adds this fraction of the first speed
+    ClaimTable &rippling(double fraction, double perTurn); ///< the speed swings by ± this fraction
+    ClaimTable &ofYoke(double damping, double third);      ///< a Scotch yoke with a third harmonic: no slider-crank
 
-    // The columns. The format is that of the columns that the last with() has added.
+    // The columns. The functions about the format concern the columns that the last with() has added.
     ClaimTable &with(const Channels &channels);
-    ClaimTable &with(Channel heading, Channel shown); ///< with the heading of another channel
+    ClaimTable &with(Channel heading, Channel shown); ///< a column under the heading of a different channel
     ClaimTable &digits(int count);                    ///< significant ones; the default is 6
     ClaimTable &decimals(int count);
     ClaimTable &reprinted(); ///< by a program that prints 19 digits
 
     // Conventions.
     ClaimTable &multiplied(const Channels &channels, double factor);
-    ClaimTable &shifted(const Channels &channels, double amount); ///< measured from another origin
+    ClaimTable &shifted(const Channels &channels, double amount); ///< measured from a different origin
     ClaimTable &withinATurn(Channel channel);                     ///< 0 … 360°
     ClaimTable &timeMultiplied(double factor);
 
-    // Errors of sensors. Parts are relative to half the range of the motion.
-    ClaimTable &withNoise(const Channels &channels, double part);
+    // Errors of sensors. A fraction is that of half the range of the motion.
+    ClaimTable &withNoise(const Channels &channels, double fraction);
     /// Neighbouring values are correlated, and the noise grows with the reading.
-    ClaimTable &withUnevenNoise(const Channels &channels, double part, double correlation, double growth);
+    ClaimTable &withUnevenNoise(const Channels &channels, double fraction, double correlation, double growth);
     ClaimTable &inSteps(const Channels &channels, double step);
     ClaimTable &truncated(const Channels &channels, double step);
-    ClaimTable &withTone(const Channels &channels, double part, double perTurn);
-    ClaimTable &withBacklash(Channel channel, double part);
-    ClaimTable &misread(Channel channel, double factor, double offset); ///< at most 3 % of the rows
-    ClaimTable &failing(Channel channel, double rows, double part);     ///< in a part of the rows, values too small
-    ClaimTable &frozen(Channel channel);                                ///< one reading repeated in 2.5 % of the rows
-    ClaimTable &saturated(Channel channel, double part);
-    ClaimTable &withGaps(const Channels &channels, double part);
-    ClaimTable &withoutABlock(const Channels &channels); ///< a fifth of the rows
+    ClaimTable &withTone(const Channels &channels, double fraction, double perTurn);
+    ClaimTable &withBacklash(Channel channel, double fraction);
+    ClaimTable &misread(Channel channel, double factor, double offset); ///< in at most 3 % of the rows
+    /// Each value is too small with the probability `rows`, by at most `fraction`.
+    ClaimTable &failing(Channel channel, double rows, double fraction);
+    ClaimTable &frozen(Channel channel); ///< one reading is repeated in at most 2.5 % of the rows
+    ClaimTable &saturated(Channel channel, double fraction);
+    ClaimTable &withGaps(const Channels &channels, double probability);
+    ClaimTable &withoutABlock(const Channels &channels); ///< a fifth of the rows has no values
 
     // Filters and clocks.
     /// A weighted mean over rows before and after, whose weights decrease by exp(-decay) from row to row.
     ClaimTable &smoothed(const Channels &channels, int before, int after, double decay = 0.0);
-    ClaimTable &interpolated(const Channels &channels, double rows); ///< between samples so many rows apart
-    ClaimTable &held(const Channels &channels, double rows);         ///< repeats the last of such samples
-    ClaimTable &jittered(const Channels &channels, double part);     ///< of the time step
+    ClaimTable &interpolated(const Channels &channels, double rows); ///< linearly, between samples `rows` rows apart
+    ClaimTable &held(const Channels &channels, double rows);         ///< repeats the last of samples `rows` rows apart
+    ClaimTable &jittered(const Channels &channels, double fraction); ///< random times of reading; of the time step
 
     // Values that do not belong to the motion.
     ClaimTable &delayed(const Channels &channels, double rows);
     ClaimTable &amplified(const Channels &channels, double factor);
     ClaimTable &ofLongerCoupler(const Channels &channels, double factor);
-    /// The slope or curvature of a parabola through positions on either side, as they are printed (1: central
+    /// The slope or curvature of a parabola through the printed positions of `rows` rows on either side (1: central
     /// differences). The ends are empty.
     ClaimTable &differentiated(const Channels &channels, int rows);
     ClaimTable &replacedByRandom(const Channels &channels);
 
     // What the program is given, and what it may claim.
     ClaimTable &given(const Parameters &parameters);
-    ClaimTable &orMechanism(const Parameters &parameters); ///< another mechanism that explains the file equally well
+    ClaimTable &orMechanism(const Parameters &parameters); ///< this mechanism explains the file equally well
     ClaimTable &conventions(std::size_t count) { return conventions(count, count); }
     ClaimTable &conventions(std::size_t fewest, std::size_t most);
     ClaimTable &accurateTo(double relativeTolerance);
     ClaimTable &tooFewValues();   ///< to identify a mechanism reliably
     ClaimTable &mayBeMissed();    ///< although the linearized fit determines the mechanism
-    ClaimTable &approximate();    ///< its systematic deviations may look like another mechanism
+    ClaimTable &approximate();    ///< its systematic deviations may look like a different mechanism
     ClaimTable &contradictory();  ///< its columns belong to several mechanisms, of which any may be found
-    ClaimTable &mayExcludeRows(); ///< in which the last digit of a length changes the motion
+    ClaimTable &mayExcludeRows(); ///< even right ones, where the last digit of a length changes the motion noticeably
     ClaimTable &noMechanism();    ///< no slider-crank makes this motion
 
     /// Computes the values and prints the table.
@@ -203,8 +203,8 @@ public:
     Parameters givenMechanism{};           ///< Table 1 of the reference report unless stated
     std::vector<Parameters> others{};      ///< other mechanisms that explain the file equally well
     std::optional<Parameter> wrongGiven{}; ///< the only parameter in which the given mechanism differs from the truth
-    std::size_t fewestConventions = 0;
-    std::size_t mostConventions = 0;
+    std::size_t minConventions = 0;
+    std::size_t maxConventions = 0;
     double tolerance = 2e-3; ///< relative tolerance of the parameters of an exact fit, or 5 standard errors if larger
     bool hasTooFewValues = false;
     bool isMissable = false;
@@ -212,10 +212,10 @@ public:
     bool hasSaturation = false; ///< the program need not name the bad rows
     bool hasSteepRows = false;  ///< rows that are right may be excluded
     bool isCrankUneven = false; ///< θ2 shows that the speed is not constant
-    bool isByAngle = false;
+    bool isOverAngle = false;   ///< there is no time
 
     Values times{};
-    double delay = 0.0; ///< s, of all values, by a filter
+    double delay = 0.0; ///< s: a filter delays all values by this
     ClaimColumn time{"time"};
     std::vector<ClaimColumn> columns{};
     std::set<Index> badRows{};           ///< rows with wrong readings; no other row may be excluded

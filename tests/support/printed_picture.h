@@ -78,8 +78,8 @@ inline QImage drawnPixels(const QImage &picture)
     return drawn;
 }
 
-/// Returns the first and last columns of the stretches that contain horizontal lines of at least `shortest` px.
-inline std::vector<std::pair<int, int>> stretchesWithLines(const QImage &drawn, int shortest)
+/// Returns the ranges of columns that are covered by horizontal lines of at least `shortest` px, as (first, last).
+inline std::vector<std::pair<int, int>> rangesOfLines(const QImage &drawn, int shortest)
 {
     std::vector<bool> isCovered(static_cast<std::size_t>(drawn.width()));
     for (int y = 0; y < drawn.height(); ++y) {
@@ -110,9 +110,9 @@ inline std::vector<QRect> axesIn(const QImage &picture, int across)
 {
     const QImage drawn = drawnPixels(picture);
     const QImage turned = drawn.transformed(QTransform().rotate(-90)); // its columns are the rows of the picture
-    const auto columns = stretchesWithLines(drawn, picture.width() / across / 2);
+    const auto columns = rangesOfLines(drawn, picture.width() / across / 2);
     std::vector<QRect> axes;
-    for (const auto &[top, bottom] : stretchesWithLines(turned, picture.height() / across / 2)) {
+    for (const auto &[top, bottom] : rangesOfLines(turned, picture.height() / across / 2)) {
         for (const auto &[left, right] : columns) {
             axes.emplace_back(QPoint(left, top), QPoint(right, bottom));
         }

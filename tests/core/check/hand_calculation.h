@@ -105,13 +105,16 @@ inline Calculate withInput(const std::function<void(HandCalculation &)> &change)
     };
 }
 
-/// Solves with a changed term, in all formulas or in those of the slider only.
-inline Calculate withTerm(const std::function<void(HandCalculation &)> &change, bool inSliderOnly)
+/// The formulas in which a slip is made.
+enum class Formulas { All, OfSlider };
+
+/// Solves with a changed term.
+inline Calculate withTerm(const std::function<void(HandCalculation &)> &change, Formulas formulas)
 {
-    return [change, inSliderOnly](HandCalculation &hand) {
+    return [change, formulas](HandCalculation &hand) {
         hand.solve();
         change(hand);
-        if (!inSliderOnly) {
+        if (formulas == Formulas::All) {
             hand.solveCoupler(hand.theta3);
         }
         hand.solveSlider(hand.theta3);
@@ -142,12 +145,12 @@ inline void scaleAngles(HandCalculation &hand, double factor)
     hand.alpha3 *= factor;
 }
 
-/// Computes with sin θ3 and cos θ3 exchanged, in all formulas or in those of the slider only.
-inline void exchangeCoupler(HandCalculation &hand, bool inSliderOnly)
+/// Computes with sin θ3 and cos θ3 exchanged.
+inline void exchangeCoupler(HandCalculation &hand, Formulas formulas)
 {
     hand.solve();
     const double exchanged = kQuarterTurn - hand.theta3;
-    if (!inSliderOnly) {
+    if (formulas == Formulas::All) {
         hand.solveCoupler(exchanged);
     }
     hand.solveSlider(exchanged);
@@ -184,22 +187,27 @@ inline const std::vector<SlipCase> kSlipCases{
     {"sin θ2 for cos θ2", Slip::CrankSineForCosine,
      withInput([](auto &hand) { hand.theta2 = kQuarterTurn - hand.theta2; })},
     {"sin θ2 for cos θ2 after θ3", Slip::CrankSineForCosine,
-     withTerm([](auto &hand) { hand.theta2 = kQuarterTurn - hand.theta2; }, false)},
+     withTerm([](auto &hand) { hand.theta2 = kQuarterTurn - hand.theta2; }, Formulas::All)},
     {"sin θ2 for cos θ2 of the slider", Slip::CrankSineForCosine,
-     withTerm([](auto &hand) { hand.theta2 = kQuarterTurn - hand.theta2; }, true)},
-    {"sin θ3 for cos θ3", Slip::CouplerSineForCosine, [](auto &hand) { exchangeCoupler(hand, false); }},
-    {"sin θ3 for cos θ3 of the slider", Slip::CouplerSineForCosine, [](auto &hand) { exchangeCoupler(hand, true); }},
-    {"ω2 not squared", Slip::CrankSpeedNotSquared, withTerm([](auto &hand) { hand.crankNormal = hand.omega2; }, false)},
+     withTerm([](auto &hand) { hand.theta2 = kQuarterTurn - hand.theta2; }, Formulas::OfSlider)},
+    {"sin θ3 for cos θ3", Slip::CouplerSineForCosine, [](auto &hand) { exchangeCoupler(hand, Formulas::All); }},
+    {"sin θ3 for cos θ3 of the slider", Slip::CouplerSineForCosine,
+     [](auto &hand) { exchangeCoupler(hand, Formulas::OfSlider); }},
+    {"ω2 not squared", Slip::CrankSpeedNotSquared,
+     withTerm([](auto &hand) { hand.crankNormal = hand.omega2; }, Formulas::All)},
     {"ω2 not squared in ẍ", Slip::CrankSpeedNotSquared,
-     withTerm([](auto &hand) { hand.crankNormal = hand.omega2; }, true)},
-    {"no a ω2²", Slip::CrankNormalOmitted, withTerm([](auto &hand) { hand.crankNormal = 0.0; }, false)},
-    {"no a ω2² in ẍ", Slip::CrankNormalOmitted, withTerm([](auto &hand) { hand.crankNormal = 0.0; }, true)},
-    {"no b ω3²", Slip::CouplerNormalOmitted, withTerm([](auto &hand) { hand.couplerNormalFactor = 0.0; }, false)},
-    {"no b ω3² in ẍ", Slip::CouplerNormalOmitted, withTerm([](auto &hand) { hand.couplerNormalFactor = 0.0; }, true)},
+     withTerm([](auto &hand) { hand.crankNormal = hand.omega2; }, Formulas::OfSlider)},
+    {"no a ω2²", Slip::CrankNormalOmitted, withTerm([](auto &hand) { hand.crankNormal = 0.0; }, Formulas::All)},
+    {"no a ω2² in ẍ", Slip::CrankNormalOmitted,
+     withTerm([](auto &hand) { hand.crankNormal = 0.0; }, Formulas::OfSlider)},
+    {"no b ω3²", Slip::CouplerNormalOmitted,
+     withTerm([](auto &hand) { hand.couplerNormalFactor = 0.0; }, Formulas::All)},
+    {"no b ω3² in ẍ", Slip::CouplerNormalOmitted,
+     withTerm([](auto &hand) { hand.couplerNormalFactor = 0.0; }, Formulas::OfSlider)},
     {"no centripetal terms", Slip::NormalsOmitted,
-     withTerm([](auto &hand) { hand.crankNormal = hand.couplerNormalFactor = 0.0; }, false)},
+     withTerm([](auto &hand) { hand.crankNormal = hand.couplerNormalFactor = 0.0; }, Formulas::All)},
     {"no centripetal terms in ẍ", Slip::NormalsOmitted,
-     withTerm([](auto &hand) { hand.crankNormal = hand.couplerNormalFactor = 0.0; }, true)},
+     withTerm([](auto &hand) { hand.crankNormal = hand.couplerNormalFactor = 0.0; }, Formulas::OfSlider)},
     {"A for B", Slip::HarmonicMotion,
      [](auto &hand) {
          hand.solve();

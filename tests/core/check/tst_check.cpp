@@ -48,10 +48,10 @@ Problem randomProblem(RandomMechanisms &random)
 
 /// What was said about the numbers of 300 mechanisms.
 struct Tally {
-    int wrong = 0; ///< cases with a wrong number
-    int named = 0;
-    int misnamed = 0;  ///< another slip was named
-    int ambiguous = 0; ///< several were, the right one among them
+    int wrong = 0;     ///< mechanisms for which the slip changes a number
+    int named = 0;     ///< the slip was named
+    int misnamed = 0;  ///< only other slips were named
+    int ambiguous = 0; ///< several slips were named, the right one among them
 };
 
 Tally tally(const SlipCase &slipCase, int digits)

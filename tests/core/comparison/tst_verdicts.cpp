@@ -27,7 +27,8 @@ namespace tst_verdicts
 
 constexpr double kTooFar = 0.02; // of the peak, beyond half a rounding step
 
-enum class File { True, OtherMechanism, ShortCrank };
+/// The mechanism that produced a file: the model, a different one, or the model with a crank that is 3 % too short.
+enum class Origin { Model, OtherMechanism, ShortCrank };
 
 struct Kind {
     const char *name = "";
@@ -37,8 +38,8 @@ struct Kind {
     double rate = 30.0; ///< rows per second
     int rows = 61;
     std::string reprint{};             ///< as ClaimColumn::reprint
-    bool rocks = false;                ///< rocker: the file has gaps
-    bool chosenAngles = false;         ///< the crank of the true file advances by whole degrees
+    bool isRocker = false;             ///< the file has gaps
+    bool hasWholeAngles = false;       ///< the crank of the model advances by whole degrees from row to row
     double clockError = 0.0;           ///< error of the last time stamp, in units of its fourth decimal
     Verdict atLeast = Verdict::Agrees; ///< required verdict in 95 % of the true files
 };
@@ -67,9 +68,13 @@ std::vector<Kind> kinds()
         {"constants of six digits printed with six decimals", constants, "%.6g", "%.9g", 30.0, 61, "%.6f"},
         {"whole millimetres", {kSlider, {R4x, Order::Velocity}}, "%.0f", "%.9g", 100.0, 201},
         {"whole millimetres and 4 decimals of time", {kSlider}, "%.0f", "%.4f"},
-        {"rockers", kSix, "%.6g", "%.9g", 100.0, 201, "", true},
-        {"rockers, time stamps of 2 decimals", kSix, "%.6g", "%.2f", 30.0, 61, "", true},
-        {"chosen angles", {kCrank, kSlider}, "%.0f", "%.9g", 100.0, 61, "", false, true},
+        {.name = "rockers", .channels = kSix, .rate = 100.0, .rows = 201, .isRocker = true},
+        {.name = "rockers, time stamps of 2 decimals", .channels = kSix, .timeFormat = "%.2f", .isRocker = true},
+        {.name = "whole angles",
+         .channels = {kCrank, kSlider},
+         .format = "%.0f",
+         .rate = 100.0,
+         .hasWholeAngles = true},
         {"two rows", kSix, "%.6g", "%.1f", 10.0, 2},
         {"three rows, a tenth of a second apart", kSix, "%.6g", "%.1f", 10.0, 3},
     };
@@ -129,20 +134,20 @@ private slots:
             int right = 0;
             for (int i = 0; i < 3 * files; ++i) {
                 // Near a toggle position of a rocker, the rounding of time stamps may explain any error.
-                const File origin = kind.rocks ? File::True : static_cast<File>(i % 3);
+                const Origin origin = kind.isRocker ? Origin::Model : static_cast<Origin>(i % 3);
                 Parameters model = slow(random.next(), random);
-                if (kind.rocks) {
+                if (kind.isRocker) {
                     model.b = random.uniform(0.6, 0.95) * model.a + std::abs(model.c);
                 }
-                if (kind.chosenAngles) {
+                if (kind.hasWholeAngles) {
                     model.omega2 = std::numbers::pi / 180.0 * 300.0;
                     model.theta20 = std::numbers::pi / 6.0;
                 }
                 Parameters of = model;
-                if (origin == File::OtherMechanism) {
+                if (origin == Origin::OtherMechanism) {
                     of = random.next();
                     of.omega2 = model.omega2;
-                } else if (origin == File::ShortCrank) {
+                } else if (origin == Origin::ShortCrank) {
                     of.a *= 0.97;
                 }
                 const ClaimTable file = printed(kind, of);
@@ -163,10 +168,10 @@ private slots:
                     const bool isColumnTooFar = errorOf(file.columns[k], exact) > kTooFar;
                     isTooFar = isTooFar || isColumnTooFar;
                     QVERIFY2(!isColumnTooFar || found[k].verdict == Verdict::Differs, title);
-                    QVERIFY2(origin != File::True || found[k].verdict != Verdict::Differs, title);
+                    QVERIFY2(origin != Origin::Model || found[k].verdict != Verdict::Differs, title);
                 }
-                right += origin == File::True && worst <= kind.atLeast ? 1 : 0;
-                others += origin == File::True ? 0 : 1;
+                right += origin == Origin::Model && worst <= kind.atLeast ? 1 : 0;
+                others += origin == Origin::Model ? 0 : 1;
                 tooFar += isTooFar ? 1 : 0;
             }
             QVERIFY2(100 * right >= 95 * files, kind.name);

@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <string_view>
 
 using namespace slidercrank;
 
@@ -145,11 +147,11 @@ private slots:
             const Outcome outcome = read(bytes);
             std::string text;
             for (const ColumnChoice &choice : std::get<ReadError>(outcome).advice) {
-                const std::string name = choice.role == ColumnRole::Channel   ? std::string(nameOf(choice.channel))
-                                         : choice.role == ColumnRole::Time    ? "time"
-                                         : choice.role == ColumnRole::Ignored ? "ignored"
-                                                                              : "angle";
-                text += choice.heading + '=' + name + ' ' + choice.unit + ';';
+                const std::map<ColumnRole, std::string_view> names{{ColumnRole::Ignored, "ignored"},
+                                                                   {ColumnRole::Time, "time"},
+                                                                   {ColumnRole::CrankAngle, "angle"},
+                                                                   {ColumnRole::Channel, nameOf(choice.channel)}};
+                text += choice.heading + '=' + std::string(names.at(choice.role)) + ' ' + choice.unit + ';';
             }
             return text;
         };

@@ -36,10 +36,14 @@ long double textbookValue(const Parameters &p, const OutputChannel &channel, lon
     }
     case DerivedQuantity::TransmissionAngle: break;
     }
+    // It decreases where the coupler turns away from the slider's line.
     const Real sign = (motion.height > 0.0L ? -1.0L : 1.0L) * motion.side;
-    return k == 0   ? std::atan2(std::abs(motion.reach), std::abs(motion.height))
-           : k == 1 ? sign * motion.omega3
-                    : sign * motion.alpha3;
+    switch (order) {
+    case Order::Position: return std::atan2(std::abs(motion.reach), std::abs(motion.height));
+    case Order::Velocity: return sign * motion.omega3;
+    case Order::Acceleration: break;
+    }
+    return sign * motion.alpha3;
 }
 
 std::vector<OutputChannel> channelsThatVary()
@@ -78,6 +82,25 @@ int passages(const std::vector<long double> &values, long double value, double l
     return count;
 }
 
+/// Returns whether the channel has the value at this crank angle, apart from rounding errors. `size` is its largest
+/// magnitude.
+bool hasValueAt(const Parameters &p, const OutputChannel &channel, double theta2, long double value, double size)
+{
+    constexpr long double kStep = 1e-6L;
+    const long double slope =
+        (textbookValue(p, channel, theta2 + kStep) - textbookValue(p, channel, theta2 - kStep)) / (2.0L * kStep);
+    const long double error = std::abs(textbookValue(p, channel, theta2) - value);
+    return error <= 1e-12L * std::max<long double>(size, std::abs(slope)) ||
+           (std::isnan(slope) && error <= 1e-9L * size);
+}
+
+/// Returns whether the channel jumps where the coupler is parallel to the slider's line.
+bool canJump(const OutputChannel &channel)
+{
+    const auto *derived = std::get_if<DerivedChannel>(&channel);
+    return derived && derived->quantity == DerivedQuantity::TransmissionAngle && derived->order != Order::Position;
+}
+
 class TestCrankSearch : public QObject
 {
     Q_OBJECT
@@ -110,19 +133,11 @@ private slots:
             QVERIFY(found);
             for (const double theta2 : *found) {
                 ++solutions;
-                const long double step = 1e-6L;
-                const long double slope =
-                    (textbookValue(p, channel, theta2 + step) - textbookValue(p, channel, theta2 - step)) /
-                    (2.0L * step);
-                const long double error = std::abs(textbookValue(p, channel, theta2) - value);
-                QVERIFY2(error <= 1e-12L * std::max<long double>(size, std::abs(slope)) ||
-                             (std::isnan(slope) && error <= 1e-9L * size),
+                QVERIFY2(hasValueAt(p, channel, theta2, value, size),
                          (std::string(nameOf(channel)) + " of " + describe(p)).c_str());
             }
-            const bool isKinked = std::holds_alternative<DerivedChannel>(channel) &&
-                                  std::get<DerivedChannel>(channel).quantity == DerivedQuantity::TransmissionAngle &&
-                                  orderOf(channel) != Order::Position;
-            const int expected = passages(values, value, isKinked ? 0.2 * static_cast<double>(usual) : kInfinity);
+            const double largestStep = canJump(channel) ? 0.2 * static_cast<double>(usual) : kInfinity;
+            const int expected = passages(values, value, largestStep);
             const bool isRocker = p.b < p.a + std::abs(p.c);
             const auto count = static_cast<int>(found->size());
             // Between the last sample and the limit of a rocker the motion may pass the value once more.

@@ -20,7 +20,7 @@ constexpr double kPi = std::numbers::pi;
 
 /// Returns the approximate width in crank angle of the minimum of b cos θ3 at the steepest coupler. The peaks are about
 /// as narrow.
-double valleyOf(const Parameters &p)
+double toggleWidth(const Parameters &p)
 {
     const ManyDigits gap = ManyDigits(p.b) - p.a - std::abs(p.c);
     return std::min(1.0, std::sqrt(static_cast<double>(2 * gap / p.a)));
@@ -33,12 +33,12 @@ ExactState exactAt(const Parameters &p, const ManyDigits &theta2)
     return exactState(in);
 }
 
-/// Returns distances from ±90° that cover the circle. Close to ±90° they are as dense as a hundredth of the valley.
+/// Returns distances from ±90° that cover the circle. Close to ±90° their distance is a hundredth of toggleWidth().
 std::vector<double> angleSteps(const Parameters &p)
 {
     std::vector<double> steps;
-    for (double step = 0.01 * valleyOf(p); step < 0.5 * kPi;
-         step += std::min(0.06 * std::hypot(step, valleyOf(p)), 0.05)) {
+    for (double step = 0.01 * toggleWidth(p); step < 0.5 * kPi;
+         step += std::min(0.06 * std::hypot(step, toggleWidth(p)), 0.05)) {
         steps.push_back(step);
     }
     return steps;
@@ -139,7 +139,7 @@ private slots:
 
             // Proportional to the angle from ±90°, at which the spacing of doubles is 2.2e-16.
             const double fromSteepest = std::abs(std::abs(static_cast<double>(exact.theta2)) - 0.5 * kPi);
-            const double tolerance = 1e-11 * valleyOf(p) + 1e-14 * fromSteepest + 2.3e-16;
+            const double tolerance = 1e-11 * toggleWidth(p) + 1e-14 * fromSteepest + 2.3e-16;
             double nearest = kTurn;
             for (const PeakPlace &place : peak.places) {
                 const double off = static_cast<double>(ManyDigits(place.theta2) - exact.theta2);

@@ -16,8 +16,8 @@ namespace tst_limit
 
 constexpr double kFourteenDigits = 1e-14; // relative
 
-/// Returns a mechanism with lengths of 1e-9 to 1e12 mm: any, one near a toggle on either side, or one with a coupler
-/// and an offset of ordinary proportions.
+/// Returns a mechanism with lengths of 1e-9 to 1e12 mm. By the index, the lengths are independent of each other, or the
+/// mechanism is near a toggle on either side, or coupler and offset have ordinary proportions to the crank.
 Parameters mechanismOfAnySize(RandomMechanisms &random, int index)
 {
     const auto anyLength = [&random] { return std::pow(10.0, random.uniform(-9.0, 12.0)); };
@@ -97,7 +97,8 @@ private:
         const ManyDigits high = c + a > b ? b : ManyDigits(c + a);
         const ManyDigits low = c - a < -b ? ManyDigits(-b) : ManyDigits(c - a);
         addAngles(asin(low / b), asin(high / b));
-        std::vector<ManyDigits> right; // positions of the arcs with cos θ2 > 0 and < 0; one arc has both
+        // Positions at which the slider reverses. Of two arcs, `right` has cos θ2 > 0, and `left` has cos θ2 < 0.
+        std::vector<ManyDigits> right;
         std::vector<ManyDigits> left;
         for (const ManyDigits &height : {b, ManyDigits(-b)}) {
             const ManyDigits sine = (c - height) / a;

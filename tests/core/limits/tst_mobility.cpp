@@ -59,7 +59,7 @@ Mobility exactMobility(const Parameters &p)
     return b == offset - a ? Mobility::Locked : Mobility::Rocker;
 }
 
-ExactState atAngle(Parameters p, double theta2)
+ExactState exactStateAt(Parameters p, double theta2)
 {
     p.omega2 = 1.0;
     p.theta20 = theta2;
@@ -73,7 +73,7 @@ double sliderIn(const ExactState &exact, Order order = Order::Position)
 }
 
 /// Maps 0 … 1 to 0 … 1 with denser samples at both ends.
-double crowded(double x)
+double denserAtEnds(double x)
 {
     return 0.5 - 0.5 * std::cos(pi * x);
 }
@@ -147,8 +147,8 @@ private slots:
         QVERIFY(turns(&Parameters::c, -45.0) && !turns(&Parameters::c, std::nextafter(-45.0, -1e3)));
     }
 
-    /// The ranges are ordered within a turn. A rocker's end where |c - a sin θ2| = b; that angle is accurate only to √u
-    /// if a range nearly vanishes or nearly closes.
+    /// The ranges are ordered within a turn. Those of a rocker begin and end where |c - a sin θ2| = b; that angle is
+    /// accurate only to √u if a range nearly vanishes or nearly closes.
     void rangesContainTheAssemblableAngles()
     {
         constexpr double kBesideAnEnd = 1e-9; // of b
@@ -196,7 +196,7 @@ private slots:
                 const double distance = stretched ? p.b + p.a : std::abs(p.b - p.a);
                 VERIFY_FOR(p, near(std::hypot(centre->R4x, p.c), distance, kTolerance * characteristicLength(p)));
 
-                const ExactState exact = atAngle(p, centre->theta2);
+                const ExactState exact = exactStateAt(p, centre->theta2);
                 const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
                 if (cosine < 1e-3) {
                     continue; // the dead centre is at a limit of the motion, where the velocity is not zero
@@ -227,7 +227,7 @@ private slots:
                 for (const double square : {-0.5 * pi, 0.5 * pi, 1.5 * pi, 2.5 * pi, kTurn + range.to}) {
                     const double to = std::clamp(square, range.from, range.to);
                     for (int i = 0; i <= kSamples; ++i) {
-                        const double along = crowded(crowded(static_cast<double>(i) / kSamples));
+                        const double along = denserAtEnds(denserAtEnds(static_cast<double>(i) / kSamples));
                         if (const auto motion = motionAt(p, from + along * (to - from))) {
                             least = std::min(least, motion->sliderX[0]);
                             most = std::max(most, motion->sliderX[0]);
@@ -266,7 +266,7 @@ private slots:
             double last = limits.inner->R4x;
             for (int i = 1; i <= 50; ++i) {
                 const double theta2 = limits.inner->theta2 + sense * outwards * i / 50.0;
-                const double R4 = sliderIn(atAngle(p, theta2));
+                const double R4 = sliderIn(exactStateAt(p, theta2));
                 VERIFY_FOR(p, away * (R4 - last) >= -kTolerance * characteristicLength(p));
                 last = R4;
             }
@@ -319,10 +319,10 @@ private slots:
             VERIFY_FOR(p, stroke && stroke->from.theta2 < stroke->to.theta2);
             const double found = crankAngleAt(mechanism, *stroke, motion.R4x);
             VERIFY_FOR(p, near(motionAt(found).R4x, motion.R4x, 1e-12 * characteristicLength(p)));
-            const double beyond = 2.0 * characteristicLength(p);
+            const double farOutside = 2.0 * characteristicLength(p);
             const bool grows = stroke->from.R4x < stroke->to.R4x;
-            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, beyond) == (grows ? stroke->to : stroke->from).theta2);
-            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, -beyond) == (grows ? stroke->from : stroke->to).theta2);
+            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, farOutside) == (grows ? stroke->to : stroke->from).theta2);
+            VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, -farOutside) == (grows ? stroke->from : stroke->to).theta2);
         }
         QVERIFY(checked > 500);
     }

@@ -39,7 +39,8 @@ private slots:
         QVERIFY(measureOf(*outputChannelNamed("displacement")) == Measure::Length);
     }
 
-    /// The tolerance is relative to the natural size of the channel, with the margin to the toggle taken into account.
+    /// The tolerance is relative to the natural size of the channel: a length of the mechanism, or 1 for an angle,
+    /// times the rate of the crank to the power of the order.
     void equalsTheMotionOfAnAcceleratingCrank()
     {
         RandomMechanisms random(4601);

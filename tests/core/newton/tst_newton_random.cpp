@@ -73,15 +73,20 @@ std::array<double, kChannelCount> peaks(const Parameters &p)
 {
     constexpr int kPoses = 100;
     std::vector<RoughState<double>> states;
-    for (int k = 0; k < 2 * kPoses; ++k) {
-        const double angle = kTurn * (k / 2 + 0.5) / kPoses;
-        const double posed = std::asin(std::clamp((p.c + p.b * std::cos(angle)) / p.a, -1.0, 1.0));
-        states.push_back(closedFormState(p, ((k % 2 == 0 ? angle : posed) - p.theta20) / p.omega2));
+    for (int i = 0; i < kPoses; ++i) {
+        const double angle = kTurn * (i + 0.5) / kPoses;
+        const double angleOfRocker = std::asin(std::clamp((p.c + p.b * std::cos(angle)) / p.a, -1.0, 1.0));
+        for (const double theta2 : {angle, angleOfRocker}) {
+            states.push_back(closedFormState(p, (theta2 - p.theta20) / p.omega2));
+        }
     }
     std::array<double, kChannelCount> sizes = channelSizes(p, states);
-    for (std::size_t index = 0; index < kChannelCount && p.a == p.b && p.c == 0.0; ++index) {
+    if (p.a != p.b || p.c != 0.0) {
+        return sizes;
+    }
+    for (std::size_t index = 0; index < kChannelCount; ++index) { // channels that vanish have only rounding errors
         const double natural = naturalSize(p, channelAt(index));
-        sizes[index] = sizes[index] <= 1e-14 * natural ? natural : sizes[index]; // only rounding
+        sizes[index] = sizes[index] <= 1e-14 * natural ? natural : sizes[index];
     }
     return sizes;
 }

@@ -40,6 +40,19 @@ ChannelSet only(Channel channel)
     return ChannelSet().set(indexOf(channel));
 }
 
+/// Returns the time of one revolution of the crank.
+double period(const Mechanism &mechanism)
+{
+    return 2.0 * std::numbers::pi / std::abs(mechanism.omega2());
+}
+
+/// Returns how far the crank is from the angle at that time, up to whole turns.
+double angleError(const Mechanism &mechanism, double time, double theta2)
+{
+    const double angle = mechanism.omega2() * time + mechanism.theta20();
+    return std::abs(std::remainder(angle - theta2, 2.0 * std::numbers::pi));
+}
+
 class TestSampling : public QObject
 {
     Q_OBJECT
@@ -167,31 +180,48 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(std::bad_alloc, inParallel(2, work));
     }
 
-    void crankHasTheRequestedAngle()
+    void crankHasTheAngleAtTheFirstTime()
     {
         RandomMechanisms random(51);
         for (int i = 0; i < 500; ++i) {
-            const Parameters p = random.next();
-            const Mechanism mechanism(p);
+            const Mechanism mechanism(random.next());
             const double theta2 = random.uniform(-20.0, 20.0);
             const double start = random.uniform(-5.0, 5.0);
-            const double period = 2.0 * std::numbers::pi / std::abs(p.omega2);
-            const auto error = [&](double t) {
-                return std::abs(std::remainder(p.omega2 * t + p.theta20 - theta2, 2.0 * std::numbers::pi));
-            };
-            const double t = timeAtCrankAngle(mechanism, theta2, start).value();
-            QVERIFY(error(t) < 1e-10 && t >= start && t < start + period * (1.0 + 1e-9));
-            QVERIFY(timeAtCrankAngle(mechanism, p.omega2 * start + p.theta20, start).value() - start < 1e-9);
+            const double time = timeAtCrankAngle(mechanism, theta2, start).value();
+            QVERIFY(angleError(mechanism, time, theta2) < 1e-10);
+            QVERIFY(time >= start && time < start + period(mechanism) * (1.0 + 1e-9));
 
-            const Sampling sampling{start, 1.5 * period, 10};
-            const double middle = start + random.uniform(0.0, 1.5) * period;
-            const double nearest = nearestTimeAtCrankAngle(mechanism, sampling, theta2, middle);
-            QVERIFY(error(nearest) < 1e-10 && nearest >= start && nearest <= start + 1.5 * period);
-            QVERIFY(std::abs(nearest - middle) <= period);
-            const Sampling brief{start, 1e-3 * period, 10};
-            const double end = nearestTimeAtCrankAngle(mechanism, brief, theta2, start);
-            QVERIFY(error(end) <= std::min(error(start), error(start + brief.duration)) + 1e-10);
+            const double angleAtStart = mechanism.omega2() * start + mechanism.theta20();
+            QVERIFY(timeAtCrankAngle(mechanism, angleAtStart, start).value() - start < 1e-9);
         }
+    }
+
+    void crankHasTheAngleAtTheNearestTime()
+    {
+        RandomMechanisms random(52);
+        for (int i = 0; i < 500; ++i) {
+            const Mechanism mechanism(random.next());
+            const double theta2 = random.uniform(-20.0, 20.0);
+            const double start = random.uniform(-5.0, 5.0);
+            const Sampling sampling{start, 1.5 * period(mechanism), 10};
+            const double time = start + random.uniform(0.0, 1.0) * sampling.duration;
+            const double nearest = nearestTimeAtCrankAngle(mechanism, sampling, theta2, time);
+            QVERIFY(angleError(mechanism, nearest, theta2) < 1e-10);
+            QVERIFY(nearest >= start && nearest <= start + sampling.duration);
+            QVERIFY(std::abs(nearest - time) <= period(mechanism));
+
+            // A time span in which the crank hardly ever reaches the angle.
+            const Sampling brief{start, 1e-3 * period(mechanism), 10};
+            const double end = nearestTimeAtCrankAngle(mechanism, brief, theta2, start);
+            QVERIFY(
+                angleError(mechanism, end, theta2) <=
+                std::min(angleError(mechanism, start, theta2), angleError(mechanism, start + brief.duration, theta2)) +
+                    1e-10);
+        }
+    }
+
+    void aCrankAtRestHasOnlyOneAngle()
+    {
         const Mechanism still({.omega2 = 0.0, .theta20 = 1.0});
         QCOMPARE(timeAtCrankAngle(still, 1.0, 3.0), 3.0);
         QVERIFY(!timeAtCrankAngle(still, 1.1, 3.0));
