@@ -49,7 +49,8 @@ public:
              "angle), and every channel of solve. A number alone is in mm, degrees and s; units are accepted: "
              "omega3=5.42rad/s. A number is right if the exact one rounds to it; zeros at the end of a whole number "
              "count up to the third digit. theta3 may also be measured at B, as in Norton's book. A slip is named "
-             "only if no other one gives all wrong numbers, and if their digits exclude chance."),
+             "only if no other slip gives all wrong numbers, and if these have enough digits to exclude a "
+             "coincidence."),
          checkCommand},
         {"compare", "FILE… [options]", QT_TR_NOOP("how far simulation files are from the model"),
          QT_TR_NOOP(
@@ -57,9 +58,10 @@ public:
              "model at the file's own time stamps. A value is uncertain by half a unit of its last digit and by the "
              "motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within "
              "that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; "
-             "otherwise it differs. It also differs if an error exceeds its bound by more than 1 % of half the range "
-             "of the "
-             "motion. For a file that differs, the program says what would explain the difference. A file that cannot "
+             "otherwise it differs. Moreover, no error of a column that agrees may exceed its bound by more than 0.5 % "
+             "of "
+             "half the range of the motion, and none of a close one by more than 1 %. For a file that differs, the "
+             "program says what would explain the difference. A file that cannot "
              "be read is reported, and the others are still compared. FILE may be - for standard input."),
          compareCommand},
         {"identify", "FILE… [options]", QT_TR_NOOP("the mechanism that produced each file"),
@@ -68,9 +70,9 @@ public:
                     "(radians, a different origin or sign …), the program reports that and reads the file accordingly. "
                     "The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured "
                     "from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. "
-                    "Outcomes: identified, rounding explains every column that is used; approximate, a mechanism "
-                    "explains the file with residuals below 2 % of the range; insufficient, the file does not "
-                    "determine the mechanism; none, no mechanism explains the file."),
+                    "Outcomes: identified (rounding explains every column that is used), approximate (a mechanism "
+                    "explains the file with residuals below 2 % of the range), insufficient (the file does not "
+                    "determine the mechanism), none (no mechanism explains the file)."),
          identifyCommand},
         {"study", "[options]", QT_TR_NOOP("speed and error of every method"),
          QT_TR_NOOP(
@@ -78,7 +80,7 @@ public:
              "digits: the largest error of the six plotted channels, relative to the channel's peak, over the time "
              "stamps that the method reports as solved. Times depend on the machine: compare them within one run. With "
              "several cases (--cases), a table of the methods over all cases comes first: largest error, median time, "
-             "and what became of all time steps. The tables of the cases follow, whose rows --format csv has, too."),
+             "and how many time steps were solved. The tables of the cases follow; --format csv has their rows, too."),
          studyCommand},
         {"render", "--output FILE [options]", QT_TR_NOOP("a picture, an animation or a report"),
          QT_TR_NOOP("Draws what the window shows into a file, or writes a report of it. Needs no display. A scene "
@@ -172,15 +174,16 @@ public:
            QT_TR_NOOP(
                "find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: "
                "stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen. "
-               "With time-ratio=1.2 alone, --a and --b: the offset c")},
+               "With time-ratio alone, and with --a and --b: find the offset c")},
           {"limits", "tolerance", "LIST",
            QT_TR_NOOP(
                "a=0.05,b=0.1,c=0.05: how much each limit may decrease and increase if the lengths deviate by this "
                "much (mm)")},
           {"compare", "fail-on-difference", nullptr, QT_TR_NOOP("exit with status 1 if a channel differs")},
           {"study", "cases", kJoinedWords<CaseChoice>.data(),
-           QT_TR_NOOP("the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten "
-                      "ordinary and the hard cases (nominal)")},
+           QT_TR_NOOP(
+               "nominal: the mechanism of the options; hard: the hard cases; all: ten ordinary cases and the hard "
+               "ones; hard and all begin with the mechanism of the options if one is given (nominal)")},
           {"render", "what", "WHAT",
            QT_TR_NOOP(
                "figure (all plots), mechanism, frames (the mechanism moving), report, or one plot: theta3, R4_x, "

@@ -550,8 +550,8 @@
         <translation>qué descuido da los números de un cálculo a mano</translation>
     </message>
     <message>
-        <source>Checks numbers of a calculation by hand for one position of the crank (--at-angle), and names the slip that gives exactly the wrong ones. Names: x, v, a (position, velocity and acceleration of the slider), theta3, omega3, alpha3 (of the coupler), displacement (from the outer dead centre), mu (transmission angle), and every channel of solve. A number alone is in mm, degrees and s; units are accepted: omega3=5.42rad/s. A number is right if the exact one rounds to it; zeros at the end of a whole number count up to the third digit. theta3 may also be measured at B, as in Norton&apos;s book. A slip is named only if no other one gives all wrong numbers, and if their digits exclude chance.</source>
-        <translation>Revisa los números de un cálculo a mano para una posición de la manivela (--at-angle) y nombra el descuido que da exactamente los erróneos. Nombres: x, v, a (posición, velocidad y aceleración de la corredera), theta3, omega3, alpha3 (de la biela), displacement (desde el punto muerto exterior), mu (ángulo de transmisión) y todo canal de solve. Un número sin unidad está en mm, grados y s; se aceptan unidades: omega3=5.42rad/s. Un número es correcto si el exacto se redondea a él; los ceros al final de un número entero cuentan hasta la tercera cifra. theta3 también puede medirse en B, como en el libro de Norton. Un descuido se nombra solo si ningún otro da todos los números erróneos y si sus cifras excluyen el azar.</translation>
+        <source>Checks numbers of a calculation by hand for one position of the crank (--at-angle), and names the slip that gives exactly the wrong ones. Names: x, v, a (position, velocity and acceleration of the slider), theta3, omega3, alpha3 (of the coupler), displacement (from the outer dead centre), mu (transmission angle), and every channel of solve. A number alone is in mm, degrees and s; units are accepted: omega3=5.42rad/s. A number is right if the exact one rounds to it; zeros at the end of a whole number count up to the third digit. theta3 may also be measured at B, as in Norton&apos;s book. A slip is named only if no other slip gives all wrong numbers, and if these have enough digits to exclude a coincidence.</source>
+        <translation>Revisa los números de un cálculo a mano para una posición de la manivela (--at-angle) y nombra el descuido que da exactamente los erróneos. Nombres: x, v, a (posición, velocidad y aceleración de la corredera), theta3, omega3, alpha3 (de la biela), displacement (desde el punto muerto exterior), mu (ángulo de transmisión) y todo canal de solve. Un número sin unidad está en mm, grados y s; se aceptan unidades: omega3=5.42rad/s. Un número es correcto si el exacto se redondea a él; los ceros al final de un número entero cuentan hasta la tercera cifra. theta3 también puede medirse en B, como en el libro de Norton. Un descuido se nombra solo si ningún otro da todos los números erróneos y si estos tienen cifras suficientes para excluir una coincidencia.</translation>
     </message>
     <message>
         <source>crank angle at which the values are checked (--theta20)</source>
@@ -678,12 +678,12 @@
         <translation>Calcula el movimiento y escribe una fila por cada paso de tiempo: el tiempo y después los canales: posiciones (R1_x, R1_y, theta1, R2_x … theta4), primeras derivadas (theta3_diff) y segundas derivadas (theta3_diff2), con 17 cifras significativas. Un valor que no existe es nan en CSV y null en JSON. El nombre de una columna va solo si su unidad es mm, ° o s; cualquier otra unidad sigue al nombre: theta3_diff [rad/s].</translation>
     </message>
     <message>
-        <source>Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the model at the file&apos;s own time stamps. A value is uncertain by half a unit of its last digit and by the motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; otherwise it differs. It also differs if an error exceeds its bound by more than 1 % of half the range of the motion. For a file that differs, the program says what would explain the difference. A file that cannot be read is reported, and the others are still compared. FILE may be - for standard input.</source>
-        <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; es próxima si ninguno supera cien veces la cota; en otro caso difiere. También difiere si un error supera su cota en más de un 1 % de la mitad del recorrido del movimiento. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. FILE puede ser - para la entrada estándar.</translation>
+        <source>Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the model at the file&apos;s own time stamps. A value is uncertain by half a unit of its last digit and by the motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; otherwise it differs. Moreover, no error of a column that agrees may exceed its bound by more than 0.5 % of half the range of the motion, and none of a close one by more than 1 %. For a file that differs, the program says what would explain the difference. A file that cannot be read is reported, and the others are still compared. FILE may be - for standard input.</source>
+        <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; casi coincide (close) si ninguno supera cien veces la cota; en otro caso difiere. Además, ningún error de una columna que coincide puede superar su cota en más de un 0.5 % de la mitad del recorrido del movimiento, ni uno de una que casi coincide en más de un 1 %. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. FILE puede ser - para la entrada estándar.</translation>
     </message>
     <message>
-        <source>Times every method on the same time stamps and measures its error against the exact motion in 115 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run. With several cases (--cases), a table of the methods over all cases comes first: largest error, median time, and what became of all time steps. The tables of the cases follow, whose rows --format csv has, too.</source>
-        <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 115 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición. Con varios casos (--cases), primero viene una tabla de los métodos para todos los casos: error mayor, tiempo mediano y qué resultó de todos los instantes. Siguen las tablas de los casos, cuyas filas también da --format csv.</translation>
+        <source>Times every method on the same time stamps and measures its error against the exact motion in 115 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run. With several cases (--cases), a table of the methods over all cases comes first: largest error, median time, and how many time steps were solved. The tables of the cases follow; --format csv has their rows, too.</source>
+        <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 115 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición. Con varios casos (--cases), primero viene una tabla de los métodos para todos los casos: error mayor, tiempo mediano y cuántos instantes se resolvieron. Siguen las tablas de los casos; --format csv también da sus filas.</translation>
     </message>
     <message>
         <source>Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene) also supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa and error measure.</source>
@@ -699,7 +699,7 @@
     </message>
     <message>
         <source>There is not enough memory: choose fewer steps or a smaller file.</source>
-        <translation>No hay memoria suficiente: elija menos pasos o un archivo menor.</translation>
+        <translation>No hay memoria suficiente: elija menos pasos o un archivo más pequeño.</translation>
     </message>
     <message>
         <source>There is no display for the window: set DISPLAY, or use a command, such as solve, which needs none.</source>
@@ -787,11 +787,11 @@
     </message>
     <message>
         <source>exit with status 1 if a channel differs</source>
-        <translation>termina con el estado 1 si un canal difiere</translation>
+        <translation>termina con el código 1 si un canal difiere</translation>
     </message>
     <message>
-        <source>the mechanism of the options, the hard cases (after the mechanism, if one is given), or ten ordinary and the hard cases (nominal)</source>
-        <translation>el mecanismo de las opciones, los casos difíciles (después del mecanismo, si se da uno), o diez casos corrientes y los difíciles (nominal)</translation>
+        <source>nominal: the mechanism of the options; hard: the hard cases; all: ten ordinary cases and the hard ones; hard and all begin with the mechanism of the options if one is given (nominal)</source>
+        <translation>nominal: el mecanismo de las opciones; hard: los casos difíciles; all: diez casos corrientes y los difíciles; hard y all empiezan con el mecanismo de las opciones si se da uno (nominal)</translation>
     </message>
     <message>
         <source>figure (all plots), mechanism, frames (the mechanism moving), report, or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
@@ -835,7 +835,7 @@
     </message>
     <message>
         <source>--step-angle covers one revolution: remove %1.</source>
-        <translation>--step-angle abarca una vuelta: quite %1.</translation>
+        <translation>--step-angle abarca una revolución: quite %1.</translation>
     </message>
     <message>
         <source>%1: %2; %3 time stamps</source>
@@ -985,7 +985,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>instead of --steps and --duration: a row for each step of this crank angle, over one revolution</source>
-        <translation>en lugar de --steps y --duration: una fila por cada paso de este ángulo de la manivela, durante una vuelta</translation>
+        <translation>en lugar de --steps y --duration: una fila por cada paso de este ángulo de la manivela, durante una revolución</translation>
     </message>
     <message>
         <source>instead of --steps and --duration: one row, for this time</source>
@@ -1068,8 +1068,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>con --at-angle: calcula la velocidad de la manivela con la que una primera derivada tiene este valor, y la indica: v=8m/s</translation>
     </message>
     <message>
-        <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen. With time-ratio=1.2 alone, --a and --b: the offset c</source>
-        <translation>busca el mecanismo con esta carrera, esta relación de tiempos (1) y al menos este ángulo de transmisión mínimo: stroke=80,time-ratio=1.2,transmission-angle=40; entre varios, elige el de mayor ángulo. Solo con time-ratio=1.2, --a y --b: la excentricidad c</translation>
+        <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen. With time-ratio alone, and with --a and --b: find the offset c</source>
+        <translation>busca el mecanismo con esta carrera, esta relación de tiempos (1) y al menos este ángulo de transmisión mínimo: stroke=80,time-ratio=1.2,transmission-angle=40; si hay varios, elige el de mayor ángulo. Solo con time-ratio, y con --a y --b: busca la excentricidad c</translation>
     </message>
     <message>
         <source>a=0.05,b=0.1,c=0.05: how much each limit may decrease and increase if the lengths deviate by this much (mm)</source>
@@ -1165,7 +1165,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>--%1 must be a number with the unit %2, not &quot;%3&quot;.</source>
-        <translation>--%1 debe ser un número con la unidad %2, no &quot;%3&quot;.</translation>
+        <translation>--%1 debe ser un número con la unidad %2, no «%3».</translation>
     </message>
     <message>
         <source>--%1 must be between %2 and %3 %4.</source>
@@ -1196,8 +1196,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>el mecanismo que produjo los datos de cada archivo</translation>
     </message>
     <message>
-        <source>Identifies the mechanism that produced a file, from all of its columns, and how certain each parameter is (± one standard error). If the meaning of a column differs from its heading (radians, a different origin or sign …), the program reports that and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified, rounding explains every column that is used; approximate, a mechanism explains the file with residuals below 2 % of the range; insufficient, the file does not determine the mechanism; none, no mechanism explains the file.</source>
-        <translation>Identifica el mecanismo que produjo los datos de un archivo, a partir de todas sus columnas, y la certeza de cada parámetro (± un error estándar). Si el significado de una columna difiere de su encabezado (radianes, un origen o un signo distintos …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el eje O₂ de la manivela; los ángulos, en sentido antihorario desde x. FILE puede ser - para la entrada estándar. Resultados: identified, el redondeo explica todas las columnas que se usan; approximate, un mecanismo explica el archivo con residuos menores que el 2 % del intervalo de valores; insufficient, el archivo no determina el mecanismo; none, ningún mecanismo explica el archivo.</translation>
+        <source>Identifies the mechanism that produced a file, from all of its columns, and how certain each parameter is (± one standard error). If the meaning of a column differs from its heading (radians, a different origin or sign …), the program reports that and reads the file accordingly. The options of the mechanism supply what the file does not determine. R4_x and R4_y are measured from the crank pivot O₂, angles counter-clockwise from x. FILE may be - for standard input. Outcomes: identified (rounding explains every column that is used), approximate (a mechanism explains the file with residuals below 2 % of the range), insufficient (the file does not determine the mechanism), none (no mechanism explains the file).</source>
+        <translation>Identifica el mecanismo que produjo los datos de un archivo, a partir de todas sus columnas, y la certeza de cada parámetro (± un error estándar). Si el significado de una columna difiere de su encabezado (radianes, un origen o un signo distintos …), el programa lo indica y lee así el archivo. Las opciones del mecanismo aportan lo que el archivo no determina. R4_x y R4_y se miden desde el pivote O₂ de la manivela; los ángulos, en sentido antihorario desde x. FILE puede ser - para la entrada estándar. Resultados: identified (el redondeo explica todas las columnas que se usan), approximate (un mecanismo explica el archivo con residuos menores que el 2 % del intervalo de valores), insufficient (el archivo no determina el mecanismo), none (ningún mecanismo explica el archivo).</translation>
     </message>
     <message>
         <source>The mechanism cannot be assembled at %1: the coupler must be at least %2 long for the crank to make full turns (--b).</source>
@@ -1460,7 +1460,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>close</source>
-        <translation>próximo</translation>
+        <translation>casi coincide</translation>
     </message>
     <message>
         <source>differs</source>
@@ -1549,7 +1549,7 @@ close: none beyond a hundred times, or by 1 %
 differs: anything else</source>
         <translation>Redondeo: media unidad de la última cifra del valor, más el movimiento durante media unidad de la última cifra del instante
 coincide: al menos el 95 % de los valores dentro del redondeo, ninguno más allá de diez veces el redondeo, ni más allá de él en un 0,5 % de la mitad del recorrido
-próximo: ninguno más allá de cien veces, ni en un 1 %
+casi coincide: ninguno más allá de cien veces, ni en un 1 %
 difiere: lo demás</translation>
     </message>
     <message>
@@ -1848,7 +1848,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>close, if the time stamps of the file are rounded</source>
-        <translation>próximo, si los instantes del archivo están redondeados</translation>
+        <translation>casi coincide, si los instantes del archivo están redondeados</translation>
     </message>
     <message>
         <source>Match. Quantities that agree within the rounding of the file: %1 of %2.</source>
@@ -1896,7 +1896,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>rounding step</source>
-        <translation>redondeo</translation>
+        <translation>paso de redondeo</translation>
     </message>
     <message>
         <source>verdict</source>
@@ -1904,7 +1904,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>close: at most %1 times the rounding of the file</source>
-        <translation>próximo: como máximo %1 veces el redondeo del archivo</translation>
+        <translation>casi coincide: como máximo %1 veces el redondeo del archivo</translation>
     </message>
     <message>
         <source>max. relative error [%]</source>
@@ -2187,7 +2187,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>Where slider and crank reverse, the stroke times, and the largest velocities and accelerations over a whole revolution of the crank, whatever part of it is simulated</source>
-        <translation>Dónde se invierten la corredera y la manivela, los tiempos de las carreras, y las mayores velocidades y aceleraciones en una vuelta completa de la manivela, sea cual sea la parte simulada</translation>
+        <translation>Dónde se invierten la corredera y la manivela, los tiempos de las carreras, y las mayores velocidades y aceleraciones en una revolución completa de la manivela, sea cual sea la parte simulada</translation>
     </message>
     <message>
         <source>Positions are those of the slider, measured from O₂; x points to the right, angles are counter-clockwise</source>
@@ -2754,7 +2754,7 @@ PA = %4, PB = %5</translation>
     </message>
     <message>
         <source>Largest value over one revolution of the crank, where its derivative is zero</source>
-        <translation>El mayor valor en una vuelta de la manivela, donde su derivada es cero</translation>
+        <translation>El mayor valor en una revolución de la manivela, donde su derivada es cero</translation>
     </message>
     <message>
         <source>%1 in total, at most %2 at a time step</source>
@@ -2798,7 +2798,7 @@ PA = %4, PB = %5</translation>
     </message>
     <message>
         <source>%1 samples per revolution are too few for a curve: at least %2 are needed.</source>
-        <translation>%1 muestras por vuelta son muy pocas para una curva: se necesitan al menos %2.</translation>
+        <translation>%1 muestras por revolución son muy pocas para una curva: se necesitan al menos %2.</translation>
     </message>
     <message>
         <source>The mechanism cannot be assembled: b = %1 &lt; |c| − a = %2. The crank makes full turns if b ≥ a + |c| = %3.</source>
@@ -2941,8 +2941,8 @@ PA = %4, PB = %5</translation>
 <context>
     <name>slidercrank::MotionTable</name>
     <message>
-        <source>Time; without one, the crank is not there within the time range</source>
-        <translation>Tiempo; si falta, la manivela no pasa por ahí en el intervalo de tiempo</translation>
+        <source>Time; a dash where the crank does not reach this angle within the time range</source>
+        <translation>Tiempo; una raya donde la manivela no alcanza este ángulo en el intervalo de tiempo</translation>
     </message>
     <message>
         <source>Crank angle</source>
@@ -3514,8 +3514,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Velocidad angular de la manivela, positiva en sentido antihorario</translation>
     </message>
     <message>
-        <source>Click: how the limits of the motion depend on %1</source>
-        <translation>Haga clic: cómo dependen de %1 los límites del movimiento</translation>
+        <source>Click to see how the limits of the motion depend on %1</source>
+        <translation>Haga clic para ver cómo dependen de %1 los límites del movimiento</translation>
     </message>
 </context>
 <context>
@@ -3991,7 +3991,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>rounded to</source>
-        <translation>redondeo</translation>
+        <translation>paso de redondeo</translation>
     </message>
     <message>
         <source>Inferred from all values of the column</source>
@@ -4166,7 +4166,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>rounding step</source>
-        <translation>redondeo</translation>
+        <translation>paso de redondeo</translation>
     </message>
     <message>
         <source>verdict</source>
@@ -4411,7 +4411,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>%1 is not a scene: it has no “version” that is a number. Open a file that this program saved.</source>
-        <translation>%1 no es una escena: no tiene un &quot;version&quot; que sea un número. Abra un archivo guardado por este programa.</translation>
+        <translation>%1 no es una escena: no contiene un campo «version» numérico. Abra un archivo guardado por este programa.</translation>
     </message>
     <message>
         <source>%1 was saved by a newer slidercrank (scene version %2; this one reads up to %3). Open it with the newer one.</source>
@@ -4618,11 +4618,11 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>not converged</source>
-        <translation>no convergen</translation>
+        <translation>no convergentes</translation>
     </message>
     <message>
         <source>cannot be assembled</source>
-        <translation>no se puede ensamblar</translation>
+        <translation>no ensamblables</translation>
     </message>
     <message>
         <source>not finite</source>
@@ -4745,7 +4745,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>Every method is timed at the same time steps of one revolution, and its error is measured against a computation with 115 digits.</source>
-        <translation>Cada método se cronometra en los mismos instantes de una vuelta, y su error se mide frente a un cálculo con 115 cifras.</translation>
+        <translation>Cada método se cronometra en los mismos instantes de una revolución, y su error se mide frente a un cálculo con 115 cifras.</translation>
     </message>
     <message>
         <source>How fast and how accurate is each method for this mechanism?</source>
@@ -4824,7 +4824,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>%1 steps a turn</source>
-        <translation>%1 pasos por vuelta</translation>
+        <translation>%1 pasos por revolución</translation>
     </message>
     <message>
         <source>%1 threads</source>
@@ -4987,11 +4987,11 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>One revolution</source>
-        <translation>Una vuelta</translation>
+        <translation>Una revolución</translation>
     </message>
     <message>
         <source>Sets the duration to one revolution of the crank</source>
-        <translation>Fija la duración en una vuelta de la manivela</translation>
+        <translation>Fija la duración en una revolución de la manivela</translation>
     </message>
     <message>
         <source>Steps</source>

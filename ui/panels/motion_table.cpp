@@ -39,7 +39,7 @@ std::vector<OutputChannel> derivedChannels(DerivedQuantity quantity)
 }
 
 constexpr Channel kCouplerAngle{Theta3, Order::Position};
-constexpr const char *kCouplerAngleAtB = "theta3 at B"; ///< its name in files in the notation of textbooks
+constexpr const char *kCouplerAngleAtB = "theta3 at B"; ///< the column of θ3 in files in the notation of textbooks
 
 bool isMeasuredAtB(const OutputChannel &channel)
 {
@@ -70,8 +70,8 @@ QString numberInFile(double value, const CsvStyle &style)
 std::vector<OutputChannel> tableChannels()
 {
     std::vector<OutputChannel> channels;
-    const auto append = [&channels](const std::vector<OutputChannel> &more) {
-        channels.insert(channels.end(), more.begin(), more.end());
+    const auto append = [&channels](const std::vector<OutputChannel> &appended) {
+        channels.insert(channels.end(), appended.begin(), appended.end());
     };
     append(coordinateChannels(Theta3));
     append(coordinateChannels(R4x));
@@ -120,7 +120,7 @@ std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
     };
     const QString angle = shownUnit(Measure::Angle);
     std::vector<TableColumn> columns{
-        {"t [s]", MotionTable::tr("Time; without one, the crank is not there within the time range"),
+        {"t [s]", MotionTable::tr("Time; a dash where the crank does not reach this angle within the time range"),
          settings.step == TableStep::Time ? QStringLiteral("time [s]") : QStringLiteral("first time [s]")},
         {titled("θ₂", angle), MotionTable::tr("Crank angle"), csvName("theta2", Measure::Angle)}};
     for (const OutputChannel &channel : settings.columns) {
@@ -139,7 +139,8 @@ TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &me
     row.time = place.time;
     row.cells.push_back(place.time ? tableNumber(*place.time) : TableCell{.text = dash()});
     row.cells.back().tone = place.time ? Tone::Link : Tone::Normal;
-    const bool isInFirstTurn = place.theta2 >= 0.0 && place.theta2 <= kTurn * (1.0 + 1e-12); // its end is not 0
+    const bool isInFirstTurn =
+        place.theta2 >= 0.0 && place.theta2 <= kTurn * (1.0 + 1e-12); // then 360° is shown, not 0°
     row.cells.push_back(tableNumber(isInFirstTurn ? shownValue(Measure::Angle, place.theta2, notation().units)
                                                   : shownCrankAngle(place.theta2)));
     for (const OutputChannel &channel : settings.columns) {

@@ -42,8 +42,8 @@ std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const M
                                     const Sampling &sampling);
 
 /// Returns the columns: t, θ₂, and those of the settings, in the chosen notation and units. In files, θ3 at B has a
-/// name that differs from that of θ3 at A; and "first time" is no time stamp, since rows by crank angle need not be in
-/// the order of time.
+/// name that differs from that of θ3 at A; and "first time" is no time stamp, since the angles of the rows need not be
+/// reached in the order of time.
 std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings);
 
 /// Returns the row of a place, at which the crank has the acceleration alpha2 (rad/s²). A value that is only a rounding

@@ -82,7 +82,10 @@ protected:
         colour.setAlphaF(kOpacity);
         QPainter painter(this);
         const double top = handle.center().y() - 0.5 * kBandHeight;
-        const double from = m_free.length() < 0.0 ? width() : m_free.lower > lowest ? pixel(m_free.lower) : 0.0;
+        double from = m_free.lower > lowest ? pixel(m_free.lower) : 0.0;
+        if (m_free.length() < 0.0) { // no number is free
+            from = width();
+        }
         const double to = m_free.upper < highest ? std::max(from, pixel(m_free.upper)) : width();
         painter.fillRect(QRectF(0.0, top, from, kBandHeight), colour);
         painter.fillRect(QRectF(to, top, width() - to, kBandHeight), colour);
@@ -169,7 +172,8 @@ void ParameterPanel::addRow(Parameter parameter, const QString &explanation, con
     row.label->setWordWrap(true); // large fonts and long translations must leave space for the slider
     row.label->setToolTip(explanation);
     if (parameter != Parameter::Theta20) {
-        row.label->setToolTip(explanation + u'\n' + tr("Click: how the limits of the motion depend on %1").arg(symbol));
+        row.label->setToolTip(explanation + u'\n' +
+                              tr("Click to see how the limits of the motion depend on %1").arg(symbol));
         row.label->setCursor(Qt::PointingHandCursor);
         row.label->installEventFilter(this);
     }

@@ -51,8 +51,8 @@ private:
         QString name;
         Unit unit;
         double range;                                 ///< initial range of the slider, to both sides of 0
-        std::optional<CrankSpeedUnit> speedUnit = {}; ///< if it is one of the crank speed
-        std::optional<AngleUnit> angleUnit = {};      ///< if it is one of angles
+        std::optional<CrankSpeedUnit> speedUnit = {}; ///< the same unit, if it is for the crank speed
+        std::optional<AngleUnit> angleUnit = {};      ///< the same unit, if it is for angles
 
         bool isCoreUnit() const;
         double toCore(double value) const;
