@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the commands have in common that answer a question about a mechanism as text, CSV or JSON.
+// The common part of the commands that answer a question about a mechanism as text, CSV or JSON.
 
 #include "app/option_groups.h"
 #include "app/option_words.h"
@@ -10,7 +10,7 @@
 namespace slidercrank
 {
 
-/// The same answer in every format.
+/// An answer in each of the formats, of which one is written.
 struct Answer {
     QString text = {};
     std::vector<Record> rows = {};
@@ -21,7 +21,7 @@ struct Answer {
 struct Question {
     Mechanism mechanism;
     OutputFormat format;
-    QString output; ///< empty: standard output
+    QString output; ///< path; empty: standard output
 
     /// Switches to English for JSON and CSV, which are the same in every language. Messages that follow are in English,
     /// too.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The program as a web page: the window alone. main() returns at once, and the browser goes on to call Qt's event loop.
-// What a page does in another way than a desktop program is here, in ui/widgets/page_dialogs.cpp, and in
+// What a page does differently from a desktop program is here, in ui/widgets/page_dialogs.cpp, and in
 // ui/document/background_task.cpp, which does without threads.
 
 #include "ui/document/scene_link.h"
@@ -68,7 +68,7 @@ QStringList copiesOf(const QList<QUrl> &urls)
     return copies;
 }
 
-/// Does in a page what the window cannot do there.
+/// Replaces what the window cannot do in a page.
 class BrowserPage : public QObject
 {
 public:
@@ -85,7 +85,7 @@ public:
     bool eventFilter(QObject *watched, QEvent *event) override
     {
         switch (event->type()) {
-        case QEvent::ContextMenu: // Qt's menus of these wait in an event loop of their own, which never ends in a page
+        case QEvent::ContextMenu: // Qt's own context menus wait in an event loop, which never ends in a page
             return qobject_cast<QAbstractSpinBox *>(watched) || qobject_cast<QScrollBar *>(watched) ||
                    openMenuOfActions(qobject_cast<QWidget *>(watched),
                                      static_cast<const QContextMenuEvent *>(event)->globalPos());
@@ -112,7 +112,7 @@ public:
     }
 
 private:
-    /// Opens the menu of a button, as it opens it itself, but without waiting.
+    /// Opens the menu of a button where the button itself would open it, but without waiting.
     static bool openMenuOf(QToolButton *button)
     {
         if (!button || !button->menu() || !button->isEnabled() || button->popupMode() != QToolButton::InstantPopup) {
@@ -122,7 +122,7 @@ private:
         return true;
     }
 
-    /// Opens the context menu that a widget has of its actions, also without waiting.
+    /// Opens the context menu with the actions of a widget, also without waiting.
     static bool openMenuOfActions(QWidget *widget, QPoint position)
     {
         if (!widget || widget->contextMenuPolicy() != Qt::ActionsContextMenu || widget->actions().isEmpty()) {
@@ -135,7 +135,7 @@ private:
         return true;
     }
 
-    /// Removes the selection that would be dragged, which Qt waits for.
+    /// Removes the selection, because Qt would wait in an event loop if the selection were dragged.
     static void forgetSelection(QObject *watched, const QMouseEvent &press)
     {
         if (press.modifiers() & Qt::ShiftModifier) { // extends the selection
@@ -173,7 +173,7 @@ private:
         }
     }
 
-    /// A page has no folders, no ffmpeg and no end; Ctrl+W closes it.
+    /// Hides the actions that need folders, ffmpeg or a program that can end. Takes Ctrl+W away, which closes the page.
     void withholdWhatNeedsADesktop()
     {
         m_window->findChild<QMenu *>("recentMenu")->menuAction()->setVisible(false);
@@ -188,8 +188,8 @@ private:
     MainWindow *m_window;
 };
 
-/// The layout is kept when the page is left, which it is without a message.
-bool keepLayout(int, const EmscriptenVisibilityChangeEvent *change, void *window)
+/// Stores the layout when the page is hidden, because nothing tells the page that it is left.
+bool storeLayout(int, const EmscriptenVisibilityChangeEvent *change, void *window)
 {
     if (change->hidden) {
         saveLayout(*static_cast<const MainWindow *>(window));
@@ -203,7 +203,7 @@ void fillPage(MainWindow *window)
     new BrowserPage(window);
     window->setWindowFlag(Qt::FramelessWindowHint);
     window->showMaximized();
-    emscripten_set_visibilitychange_callback(window, false, keepLayout);
+    emscripten_set_visibilitychange_callback(window, false, storeLayout);
     const auto remake = [window] {
         fillPage(window->remade().release());
         window->deleteLater();
@@ -228,7 +228,7 @@ int main(int argc, char *argv[])
     char *const text = addressOfPage();
     const QString address = QString::fromUtf8(text);
     std::free(text);
-    if (!address.startsWith("file:")) { // others do not have that file
+    if (!address.startsWith("file:")) { // a link to a file on this computer is of no use to other people
         setPageAddress(address.section(u'#', 0, 0));
     }
     auto *window = new MainWindow;

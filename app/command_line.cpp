@@ -65,15 +65,18 @@ ExitStatus moreSevere(ExitStatus x, ExitStatus y)
 
 void Streams::report(const QString &message) const
 {
-    error.write(printableText(message).toUtf8().replace('\n', ' ') +
-                '\n'); // an argument that it quotes may contain line breaks
+    const QByteArray text = printableText(message).toUtf8();
+    error.write(QByteArray(text).replace('\n', ' ') + '\n'); // the message may quote an argument with line breaks
 }
 
 Platform platformFor(const QString &firstArgument)
 {
     const CommandDescription *command = findCommand(firstArgument);
+    if (command) {
+        return command->platform;
+    }
     const bool isHelp = QStringList{"help", "--help", "-h", "--version"}.contains(firstArgument);
-    return command ? command->platform : isHelp ? Platform::None : Platform::Window;
+    return isHelp ? Platform::None : Platform::Window;
 }
 
 ExitStatus runCommandLine(const QStringList &arguments, const Streams &streams)

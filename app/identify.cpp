@@ -144,7 +144,7 @@ QString identificationText(const Reference &reference, const Identification &fou
         const auto timed = data.crank ? timedBy(Mechanism(found.parameters), data) : std::nullopt;
         lines += '\n' + alignedTable(comparisonTable(found.channels, timed ? *timed : data));
         lines += summaryText(found.channels);
-    } else { // these differ by more than rounding, or are compared over the crank angle
+    } else { // the columns deviate by more than rounding, or are compared over the crank angle
         lines += '\n' + alignedTable(residualTable(found.residuals));
     }
     lines += CommandLine::tr("As options: %1").arg(optionsFor(mechanismToUse(found)));

@@ -55,14 +55,14 @@ struct Change {
 };
 
 /// The limits of a mechanism as the command prints them.
-struct LimitList {
+struct PrintedLimits {
     const Mechanism &mechanism;
     MotionLimits motion;
     std::vector<Limit> limits;
     Units units;
     std::optional<LimitRanges> ranges = {}; ///< of --tolerance
 
-    LimitList(const Mechanism &theMechanism, const Units &theUnits)
+    PrintedLimits(const Mechanism &theMechanism, const Units &theUnits)
         : mechanism(theMechanism)
         , motion(motionLimits(theMechanism))
         , limits(findLimits(theMechanism, motion))
@@ -72,7 +72,8 @@ struct LimitList {
 
     double shown(const Limit &limit) const { return shownValue(describe(limit.kind).measure, limit.value, units); }
 
-    /// Returns what the tolerances may change; a negative peak decreases where its magnitude grows.
+    /// Returns by how much the tolerances may change the limit. The ranges are those of magnitudes, so that a negative
+    /// peak decreases where its magnitude grows.
     Change changeOf(const Limit &limit) const
     {
         const std::optional<LimitRange> &range = (*ranges)[static_cast<std::size_t>(limit.kind)];
@@ -115,7 +116,7 @@ struct LimitList {
             limitTable(motionFacts(mechanism, motion, oneRevolution(mechanism), {.units = units}));
         if (ranges) {
             rows[0] += {CommandLine::tr("minus"), CommandLine::tr("plus")};
-            for (std::size_t i = 0; i < limits.size(); ++i) {
+            for (std::size_t i = 0; i < limits.size(); ++i) { // rows[0] contains the headings
                 const Change change = changeOf(limits[i]);
                 rows[i + 1] += {shortNumber(change.minus), shortNumber(change.plus)};
             }
@@ -278,7 +279,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
                               {.text = csvText(rows), .rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
     }
     options.refuse({"count"}, CommandLine::tr("%1 applies to --vary only: remove it."));
-    LimitList list(mechanism, units);
+    PrintedLimits list(mechanism, units);
     if (options.has("tolerance")) {
         list.ranges = limitRanges(mechanism, readTolerances(options));
     }

@@ -48,7 +48,7 @@ ColumnChoice parseMeaning(const QString &text)
     indexAmong(QStringList{"time", "crank-angle", "ignored"} + channelNames(), name, "column");
     ColumnChoice choice;
     choice.unit = heading.use.unit;
-    readMeaning(name, choice.role, choice.channel);
+    setMeaning(choice, name);
     if (!choice.unit.empty() && !parseColumnUnit(choice.unit, choice.role, choice.channel)) {
         throw UsageError{
             CommandLine::tr("--column: \"%1\" is not a unit of %2.").arg(QString::fromStdString(choice.unit), name)};
@@ -109,7 +109,7 @@ Sampling readSampling(const OptionReader &options)
 
 void checkTimeSteps(const Sampling &sampling, const QString &message)
 {
-    constexpr double kSpacing = 4.5e-16; // of doubles, relative to their size, twice
+    constexpr double kSpacing = 4.5e-16; // twice the relative distance of neighbouring doubles
     if (sampling.duration / sampling.steps < kSpacing * (std::abs(sampling.start) + sampling.duration)) {
         throw UsageError{message};
     }

@@ -71,7 +71,7 @@ void OptionReader::checkRepetitions() const
 {
     const QStringList repeatable{"column", "reference"};
     for (const OptionDescription &option : m_options) {
-        if (!option.value) { // may be repeated, and has no value that could be asked for
+        if (!option.value) { // a switch, which may be repeated
             continue;
         }
         const QStringList given = texts(option.name);

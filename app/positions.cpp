@@ -99,9 +99,9 @@ Positions readSolutions(const OptionReader &options, const Mechanism &mechanism,
         if (mechanism.omega2() == 0.0) {
             return atRest(options, mechanism, theta2);
         }
-        positions.times.push_back(firstTimeAtAngle(options, mechanism, theta2));
+        positions.timeStamps.push_back(firstTimeAtAngle(options, mechanism, theta2));
     }
-    std::ranges::sort(positions.times);
+    std::ranges::sort(positions.timeStamps);
     return positions;
 }
 

@@ -13,10 +13,11 @@
 namespace slidercrank
 {
 
-/// Time stamps (s) of positions, and the mechanism that has them there: --omega2-for computes its crank speed.
+/// The time stamps (s) of positions, and the mechanism that has the positions then: --omega2-for computes its crank
+/// speed.
 struct Positions {
     Mechanism mechanism;
-    std::vector<double> times;
+    std::vector<double> timeStamps;
 };
 
 /// Returns the positions that the options ask for, or nullopt if they ask for time steps. Reports the crank speed that

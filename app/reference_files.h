@@ -19,8 +19,8 @@ struct ReferenceQuestion : Question {
     explicit ReferenceQuestion(const OptionReader &options);
 
     /// Reads each reference, writes the answers about all of them, and returns the most severe status. A file that
-    /// cannot be read is reported, and the others are still answered. The rows and the JSON of the answer about one
-    /// reference do not describe the file.
+    /// cannot be read is reported, and the others are still answered. The rows and the JSON that `answerOne`
+    /// returns need not describe the file: answerEach() adds its name and columns.
     using AnswerOne = std::function<Answer(const Reference &)>;
     ExitStatus answerEach(const Streams &streams, const AnswerOne &answerOne) const;
 };

@@ -98,11 +98,11 @@ QByteArray motionJson(const Mechanism &mechanism, Method method, const Table &ta
 void refuseLargeJson(const Table &table, std::size_t timeStamps)
 {
     constexpr std::size_t kMaxValues = 10'000'000;
-    const std::size_t most = kMaxValues / (table.channels.size() + 1);
-    if (timeStamps > most) {
+    const std::size_t maxTimeStamps = kMaxValues / (table.channels.size() + 1);
+    if (timeStamps > maxTimeStamps) {
         throw UsageError{CommandLine::tr("--format json writes at most %1 time stamps of these channels: choose fewer "
                                          "--channels, or --format csv.")
-                             .arg(QString::number(most))};
+                             .arg(QString::number(maxTimeStamps))};
     }
 }
 
@@ -119,7 +119,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     const SampledChannels channels(table.channels, positions ? readCrankAcceleration(options) : 0.0);
     const Sampling sampling = positions ? Sampling() : readSampling(options);
     if (isJson) {
-        refuseLargeJson(table, positions ? positions->times.size() : static_cast<std::size_t>(sampling.steps) + 1);
+        refuseLargeJson(table, positions ? positions->timeStamps.size() : static_cast<std::size_t>(sampling.steps) + 1);
     }
     Output output(streams, readOutput(options));
     options.refuseFiles();
@@ -136,7 +136,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
         output.write(headerOf(table));
     }
     if (positions || isJson) { // JSON holds all values of a channel together
-        write(sample(mechanism, positions ? positions->times : sampling.timeStamps(), channels, solver));
+        write(sample(mechanism, positions ? positions->timeStamps : sampling.timeStamps(), channels, solver));
     } else {
         sampleInPieces(mechanism, sampling, channels, solver, write);
     }

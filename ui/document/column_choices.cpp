@@ -27,7 +27,11 @@ QString settingsKey(const FileLayout &layout, const QStringList &paths)
     const bool hasHeadings = !parts.join(QString()).isEmpty();
     for (const QString &path : paths) {
         const QFileInfo file(path);
-        parts += !hasHeadings ? file.absoluteFilePath() : paths.size() > 1 ? file.fileName() : QString();
+        if (!hasHeadings) {
+            parts += file.absoluteFilePath();
+        } else {
+            parts += paths.size() > 1 ? file.fileName() : QString();
+        }
     }
     const QByteArray hash = QCryptographicHash::hash(parts.join(u'\x1f').toUtf8(), QCryptographicHash::Sha256);
     return "columnChoices/" + QString::fromLatin1(hash.toHex());

@@ -43,14 +43,12 @@ QString meaningName(ColumnRole role, Channel channel)
     return role == ColumnRole::Channel ? QString::fromUtf8(nameOf(channel)) : QLatin1String(rowOf(kRoles, role).word);
 }
 
-bool readMeaning(const QString &name, ColumnRole &role, Channel &channel)
+void setMeaning(ColumnChoice &choice, const QString &name)
 {
-    const std::optional<Channel> named = channelNamed(name.toStdString());
     const auto wordOfRow = [](const EnumWord<ColumnRole> &row) { return QString(row.word); };
-    const auto found = std::ranges::find(kRoles, name, wordOfRow);
-    role = found == std::end(kRoles) ? ColumnRole::Channel : found->key;
-    channel = named.value_or(Channel());
-    return named || found != std::end(kRoles);
+    const auto row = std::ranges::find(kRoles, name, wordOfRow);
+    choice.role = row == std::end(kRoles) ? ColumnRole::Channel : row->key;
+    choice.channel = channelNamed(name.toStdString()).value_or(Channel());
 }
 
 void describe(Parameters &parameters, JsonNode &node)
@@ -89,7 +87,7 @@ void describe(ColumnChoice &choice, JsonNode &node)
 
     QString use = meaningName(choice.role, choice.channel);
     node("use", use);
-    readMeaning(use, choice.role, choice.channel);
+    setMeaning(choice, use);
 
     QString unit = QString::fromStdString(choice.unit);
     node("unit", unit);

@@ -25,8 +25,8 @@ void describe(MechanismSettings &settings, JsonNode &node);
 /// The name of a column's meaning in files and options: "ignored", "time", "crank-angle", or that of the channel.
 QString meaningName(ColumnRole role, Channel channel);
 
-/// Reads a name that meaningName() returns. Returns false if it is not one.
-bool readMeaning(const QString &name, ColumnRole &role, Channel &channel);
+/// Sets the role and the channel of a column by a name that meaningName() returns. Any other name stands for Channel().
+void setMeaning(ColumnChoice &choice, const QString &name);
 
 bool isValid(const ReferenceSource &source); ///< Whether it names a file.
 
