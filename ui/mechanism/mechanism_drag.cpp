@@ -22,10 +22,14 @@ double roundedTo(double grid, double value)
 std::optional<Parameter> draggedLength(DrawnPart part, bool withShift)
 {
     using enum DrawnPart;
-    return part == Crank || (part == A && withShift) ? std::optional(Parameter::A)
-           : part == G3 || part == Coupler           ? std::optional(Parameter::B)
-           : part == Guide                           ? std::optional(Parameter::C)
-                                                     : std::nullopt;
+    switch (part) {
+    case Crank: return Parameter::A;
+    case A: return withShift ? std::optional(Parameter::A) : std::nullopt;
+    case G3:
+    case Coupler: return Parameter::B;
+    case Guide: return Parameter::C;
+    default: return std::nullopt;
+    }
 }
 
 Qt::CursorShape cursorOver(const MechanismScene &scene, DrawnPart part, bool withShift)
@@ -34,9 +38,14 @@ Qt::CursorShape cursorOver(const MechanismScene &scene, DrawnPart part, bool wit
     if (draggedLength(part, withShift)) {
         return part == Guide ? Qt::SizeVerCursor : Qt::SizeAllCursor;
     }
-    const bool canMove = (part == A || part == B || part == Slider) && scene.mechanism().omega2() != 0.0;
-    const bool isDeadCentre = part == OuterDeadCentre || part == InnerDeadCentre;
-    return canMove ? Qt::OpenHandCursor : isDeadCentre ? Qt::PointingHandCursor : Qt::ArrowCursor;
+    switch (part) {
+    case A:
+    case B:
+    case Slider: return scene.mechanism().omega2() != 0.0 ? Qt::OpenHandCursor : Qt::ArrowCursor;
+    case OuterDeadCentre:
+    case InnerDeadCentre: return Qt::PointingHandCursor;
+    default: return Qt::ArrowCursor;
+    }
 }
 
 std::optional<MechanismDrag> MechanismDrag::begin(const MechanismScene &scene, DrawnPart part, bool withShift,
@@ -47,10 +56,14 @@ std::optional<MechanismDrag> MechanismDrag::begin(const MechanismScene &scene, D
     drag.m_mechanism = scene.mechanism();
     drag.m_limits = scene.result->limits;
     drag.m_start = pointer;
+    if (drag.m_length == Parameter::A) {
+        drag.m_direction = unitVector(scene.crankPin());
+    } else if (drag.m_length == Parameter::B) {
+        drag.m_direction = unitVector(scene.wristPin() - scene.crankPin());
+    } else if (drag.m_length == Parameter::C) {
+        drag.m_direction = {0.0, 1.0}; // y upwards
+    }
     if (drag.m_length) {
-        drag.m_direction = drag.m_length == Parameter::A   ? unitVector(scene.crankPin())
-                           : drag.m_length == Parameter::B ? unitVector(scene.wristPin() - scene.crankPin())
-                                                           : QPointF(0.0, 1.0); // y upwards
         return drag;
     }
     const double omega2 = drag.m_mechanism.omega2();

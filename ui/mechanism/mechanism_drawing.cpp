@@ -118,19 +118,19 @@ void MechanismDrawing::addDimension(QPointF from, QPointF to, const QColor &colo
     addArrowHead(from, -direction, head, colour);
 }
 
-QSizeF MechanismDrawing::textSize(const QString &text, bool isSmall) const
+QSizeF MechanismDrawing::textSize(const QString &text, TextSize letters) const
 {
-    const QFontMetricsF metrics(isSmall ? m_smallFont : m_font);
+    const QFontMetricsF metrics(letters == TextSize::Small ? m_smallFont : m_font);
     return {metrics.horizontalAdvance(text) + 4.0, metrics.height()};
 }
 
 void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double gap, const QString &text,
-                                      const QColor &ink, bool isSmall)
+                                      const QColor &ink, TextSize letters)
 {
     constexpr double kEighth = std::numbers::pi / 4.0;
     const double ahead = std::atan2(direction.y(), direction.x());
     const QRectF inside(QPointF(), size);
-    QRectF box(QPointF(), textSize(text, isSmall));
+    QRectF box(QPointF(), textSize(text, letters));
     box.adjust(0.0, 2.0, 0.0, -2.0); // a line of text is higher than its letters
     QRectF best;
     double lowestCost = 1e9;
@@ -142,26 +142,27 @@ void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double g
         const double larger = std::max(std::abs(away.x()), std::abs(away.y()));
         box.moveCenter(point + (gap + distance * box.height()) * away +
                        QPointF(0.5 * box.width() * away.x(), 0.5 * box.height() * away.y()) / larger);
-        const auto crossed = std::ranges::count_if(m_occupied, [&](const QRectF &it) { return it.intersects(box); });
-        const double cost = static_cast<double>(crossed) + (inside.contains(box) ? 0.0 : 10.0);
+        const auto overlaps = std::ranges::count_if(m_occupied, [&](const QRectF &it) { return it.intersects(box); });
+        const double cost = static_cast<double>(overlaps) + (inside.contains(box) ? 0.0 : 10.0);
         if (cost < lowestCost) {
             lowestCost = cost;
             best = box;
         }
     }
     avoid(best);
-    m_labels.push_back({text, best.adjusted(0.0, -2.0, 0.0, 2.0), ink, withAlpha(m_paper, 0.6), isSmall});
+    m_labels.push_back(
+        {text, best.adjusted(0.0, -2.0, 0.0, 2.0), ink, withAlpha(m_paper, 0.6), letters == TextSize::Small});
 }
 
 void MechanismDrawing::addCornerLabel(int line, double indent, const QString &text)
 {
-    const QRectF box(QPointF(3.0 + indent, cornerLineTop(line)), textSize(text, true));
+    const QRectF box(QPointF(3.0 + indent, cornerLineTop(line)), textSize(text, TextSize::Small));
     m_labels.push_back({text, box, m_ink, m_paper, true});
 }
 
 double MechanismDrawing::cornerLineTop(int line) const
 {
-    return 6.0 + line * (textSize({}, true).height() + 2.0);
+    return 6.0 + line * (textSize({}, TextSize::Small).height() + 2.0);
 }
 
 void MechanismDrawing::avoid(const QLineF &line, double width)

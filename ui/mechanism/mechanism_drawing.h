@@ -83,13 +83,14 @@ protected:
     void addArrowHead(QPointF tip, QPointF direction, double length, const QColor &colour);
     void addDimension(QPointF from, QPointF to, const QColor &colour); ///< a line with an arrow head at both ends
 
-    QSizeF textSize(const QString &text, bool isSmall = false) const;
+    enum class TextSize { Normal, Small };
+    QSizeF textSize(const QString &text, TextSize letters = TextSize::Normal) const;
 
     /// Adds text beside the point, at the first free place: in that direction, then in the directions to either side,
     /// then farther away. `gap` is the distance (px) from the point. The place depends only on the current pose, so
     /// that a motion looks the same forwards and backwards. In extreme poses labels may overlap.
     void addLabelBeside(QPointF point, QPointF direction, double gap, const QString &text, const QColor &ink,
-                        bool isSmall = false);
+                        TextSize letters = TextSize::Normal);
 
     /// Adds small text in that line of the upper left corner.
     void addCornerLabel(int line, double indent, const QString &text);

@@ -183,13 +183,13 @@ void MechanismSketch::addGhost()
         return;
     }
     const bool isFile = !m_scene->result->difference;
-    const std::size_t pinned = m_scene->result->pinned.size(); // the ghost is the last of them
-    const QColor &colour =
-        isFile ? m_colours.reference : m_colours.*kPinnedColours[std::max<std::size_t>(pinned, 1) - 1];
+    const std::size_t pinned = m_scene->result->pinned.size();
+    const std::size_t last = std::max<std::size_t>(pinned, 1) - 1; // the pinned motion that is drawn
+    const QColor &colour = isFile ? m_colours.reference : m_colours.*kPinnedColours[last];
     const QLineF coupler = addOutline(ghost, QPen(colour, 1.6));
     avoid(coupler, 2.0);
     addLabelBeside(coupler.p2(), {0.0, coupler.dy() > 0.0 ? 1.0 : -1.0}, 22.0, isFile ? tr("file") : tr("pinned"),
-                   colour, true);
+                   colour, TextSize::Small);
 }
 
 } // namespace slidercrank

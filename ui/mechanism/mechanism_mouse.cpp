@@ -30,7 +30,7 @@ bool MechanismView::event(QEvent *event)
     case QEvent::Hide: endDrag(); break;
     case QEvent::Leave:
         if (!m_pressed) {
-            pointAt(DrawnPart::Background, false);
+            pointAt(DrawnPart::Background);
         }
         break;
     default: break;
@@ -64,7 +64,7 @@ void MechanismView::keyPressEvent(QKeyEvent *event)
             break;
         }
         cancelDrag();
-        pointAt(DrawnPart::Background, false);
+        pointAt(DrawnPart::Background);
         break;
     default: QWidget::keyPressEvent(event); break;
     }
@@ -79,9 +79,10 @@ void MechanismView::mousePressEvent(QMouseEvent *event)
     }
     const QPointF pixel = event->position();
     const bool withShift = event->modifiers().testFlag(Qt::ShiftModifier);
-    m_pressed = PressedButton{std::nullopt, event->button(), pixel, pixel, false, m_scene.pose.time};
+    m_pressed = PressedButton{
+        .drag = std::nullopt, .button = event->button(), .start = pixel, .last = pixel, .time = m_scene.pose.time};
     if (isLeft) {
-        pointAt(partUnder(pixel), withShift);
+        pointAt(partUnder(pixel), event->modifiers());
         m_pressed->drag = MechanismDrag::begin(m_scene, m_pointed, withShift, projection().toModel(pixel));
     }
     if (m_pressed->drag && m_pressed->drag->length()) {
@@ -96,7 +97,7 @@ void MechanismView::mouseMoveEvent(QMouseEvent *event)
     constexpr double kClickMoves = 3.0; // px that the pointer may move during a click
     const QPointF pixel = event->position();
     if (!m_pressed) {
-        pointAt(partUnder(pixel), event->modifiers().testFlag(Qt::ShiftModifier));
+        pointAt(partUnder(pixel), event->modifiers());
         return;
     }
     if (!m_pressed->hasMoved && (pixel - m_pressed->start).manhattanLength() < kClickMoves) {
@@ -135,8 +136,7 @@ void MechanismView::mouseReleaseEvent(QMouseEvent *event)
         goToCrankAngle((m_pointed == DrawnPart::OuterDeadCentre ? limits.outer : limits.inner)->theta2);
     }
     const bool isInside = rect().contains(event->position().toPoint());
-    pointAt(isInside ? partUnder(event->position()) : DrawnPart::Background,
-            event->modifiers().testFlag(Qt::ShiftModifier));
+    pointAt(isInside ? partUnder(event->position()) : DrawnPart::Background, event->modifiers());
 }
 
 void MechanismView::mouseDoubleClickEvent(QMouseEvent *event)
@@ -205,7 +205,7 @@ DrawnPart MechanismView::partUnder(QPointF pixel) const
     return moving == DrawnPart::Background ? m_scenery.partAt(position) : moving;
 }
 
-void MechanismView::pointAt(DrawnPart part, bool withShift)
+void MechanismView::pointAt(DrawnPart part, Qt::KeyboardModifiers modifiers)
 {
     if (part != m_pointed) {
         m_pointed = part;
@@ -213,7 +213,7 @@ void MechanismView::pointAt(DrawnPart part, bool withShift)
         m_noteDelay->start();
         update();
     }
-    setCursor(m_scene.result ? cursorOver(m_scene, part, withShift) : Qt::ArrowCursor);
+    setCursor(m_scene.result ? cursorOver(m_scene, part, modifiers.testFlag(Qt::ShiftModifier)) : Qt::ArrowCursor);
 }
 
 /// Points at the next part, or with -1 at the previous one, in the order of DrawnPart.
@@ -227,7 +227,7 @@ void MechanismView::pointAtNext(int step)
     do {
         part = static_cast<DrawnPart>((static_cast<int>(part) + step + kCount) % kCount);
     } while (part != DrawnPart::Background && !m_scenery.has(part) && !linkage().has(part));
-    pointAt(part, false);
+    pointAt(part);
     m_noteDelay->stop();
     showNote();
 }

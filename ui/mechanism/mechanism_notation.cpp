@@ -65,7 +65,7 @@ QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanis
 
 /// Adds an arrow with a filled head for a velocity and with a hollow head for an acceleration, so that they differ not
 /// only in colour.
-void MechanismSketch::addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, bool isCut)
+void MechanismSketch::addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, Qt::PenStyle line)
 {
     const double length = QLineF(tail, tip).length();
     if (length < 1.0) {
@@ -74,7 +74,7 @@ void MechanismSketch::addArrow(QPointF tail, QPointF tip, const ArrowScale &arro
     const QPointF direction = (tip - tail) / length;
     const double head = std::min(10.0, 0.6 * length);
     const QColor &colour = arrows.isOfVelocity() ? m_colours.errorOther : m_colours.error;
-    addLine(tail, tip - 0.9 * head * direction, QPen(colour, 2.0, isCut ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
+    addLine(tail, tip - 0.9 * head * direction, QPen(colour, 2.0, line, Qt::FlatCap));
     addArrowHead(tip, direction, head, colour);
     if (!arrows.isOfVelocity()) {
         addArrowHead(tip - 0.3 * head * direction, direction, 0.5 * head, m_paper);
@@ -93,7 +93,8 @@ void MechanismSketch::addMotionArrows(const ArrowScale &arrows, bool withCentreO
             const double mmPerUnit = shortened * arrows.length / arrows.amount;
             const QPointF tail(motion.position.x, motion.position.y);
             const QPointF tip = toPixels(tail + mmPerUnit * QPointF(vector.x, vector.y));
-            addArrow(toPixels(tail), tip, arrows, shortened < 1.0 - 1e-9);
+            const bool isShortened = shortened < 1.0 - 1e-9;
+            addArrow(toPixels(tail), tip, arrows, isShortened ? Qt::DashLine : Qt::SolidLine);
             addArrowName({toPixels(tail), tip}, point, arrows);
         }
     }
@@ -102,13 +103,13 @@ void MechanismSketch::addMotionArrows(const ArrowScale &arrows, bool withCentreO
 /// Adds the name of an arrow at its tip, unless the arrow is too short to be distinguished.
 void MechanismSketch::addArrowName(const QLineF &arrow, LinkagePoint point, const ArrowScale &arrows)
 {
-    constexpr double kShortest = 12.0; // px
+    constexpr double kMinNamedLength = 12.0; // px
     constexpr double kGap = 3.0;
-    if (arrow.length() < kShortest || !QRectF(QPointF(), size).contains(arrow.p2())) {
+    if (arrow.length() < kMinNamedLength || !QRectF(QPointF(), size).contains(arrow.p2())) {
         return;
     }
     const QString name = QLatin1String(arrows.isOfVelocity() ? "v_" : "a_") + pointName(point);
-    addLabelBeside(arrow.p2(), unitVector(arrow.p2() - arrow.p1()), kGap, name, m_ink, true);
+    addLabelBeside(arrow.p2(), unitVector(arrow.p2() - arrow.p1()), kGap, name, m_ink, TextSize::Small);
 }
 
 /// Adds the coupler's instant centre P with rays to A and B.
@@ -136,7 +137,7 @@ void MechanismSketch::addInstantCentre()
     }
 }
 
-/// Adds the lines of the legend about the instant centre, the first one in that line.
+/// Adds the text of the legend about the instant centre, beginning in that line.
 void MechanismSketch::addInstantCentreText(const InstantCentre &centre, int line)
 {
     for (const QString &text : instantCentreText(centre, mechanism()).split(u'\n')) { // too long for a narrow drawing

@@ -29,14 +29,14 @@ QRectF MechanismScene::inFreeCorner(const QRectF &area, const QSizeF &size) cons
 
 ArrowScale MechanismScene::arrows(PlaneVector PointMotion::*vector) const
 {
-    constexpr double kArrowOfA = 0.2; // times the mechanism's extent
-    constexpr double kLargest = 2.5;  // times the arrow of A
+    constexpr double kArrowOfA = 0.2;      // times the mechanism's extent
+    constexpr double kMaxArrowRatio = 2.5; // times the arrow of A
     ArrowScale scale{vector};
     const QRectF bounds = motionBounds(mechanism(), result->limits);
     const double arrowOfA = kArrowOfA * std::max(bounds.width(), bounds.height());
     const double omega2 = std::abs(mechanism().omega2());
     const double amountOfA = mechanism().a() * (scale.isOfVelocity() ? omega2 : omega2 * omega2);
-    scale.largest = kLargest * amountOfA;
+    scale.largest = kMaxArrowRatio * amountOfA;
     scale.length = nextRoundNumber(0.5 * arrowOfA);
     scale.amount = amountOfA > 0.0 ? nextRoundNumber(amountOfA / arrowOfA * scale.length) : 0.0;
     return scale;

@@ -59,7 +59,7 @@ void MechanismSketch::addGrid()
     const QRectF shown = visible();
     const auto captions = deadCentreCaptions(); // near an edge, they replace numbers
     const auto addNumber = [&](QPointF lowerLeft, const QString &text) {
-        const QSizeF extent = textSize(text, true);
+        const QSizeF extent = textSize(text, TextSize::Small);
         const QRectF box(lowerLeft - QPointF(-1.0, extent.height()), extent);
         if (std::ranges::none_of(captions, [&](const auto &caption) { return caption.second.intersects(box); })) {
             m_labels.push_back({text, box, m_muted, Qt::transparent, true});
@@ -71,7 +71,7 @@ void MechanismSketch::addGrid()
         const double x = std::floor(toPixels({i * step, 0.0}).x());
         m_grid << QRectF(x, 0.0, 1.0, size.height());
         const QString text = numberText(i * shownStep);
-        if (x > corner.right() && x + textSize(text, true).width() < size.width()) {
+        if (x > corner.right() && x + textSize(text, TextSize::Small).width() < size.width()) {
             addNumber({x, size.height()}, text);
         }
     }
@@ -151,14 +151,14 @@ std::vector<std::pair<QString, QRectF>> MechanismSketch::deadCentreCaptions() co
         for (const auto &[centre, name] : {std::pair(limits().outer, outer), {limits().inner, inner}}) {
             if (centre) {
                 const QPointF mark = toPixels({centre->R4x, mechanism().c()});
-                QRectF box(QPointF(), textSize(name, true));
+                QRectF box(QPointF(), textSize(name, TextSize::Small));
                 box.moveCenter(mark + QPointF(0.0, kBelowLine + kHatch + 2.0 + 0.5 * box.height()));
                 boxes.emplace_back(name, box);
             }
         }
         return boxes;
     };
-    const double numbers = textSize({}, true).height(); // of the grid, along the lower edge
+    const double numbers = textSize({}, TextSize::Small).height(); // of the grid, along the lower edge
     const QRectF inside = QRectF(QPointF(), size).adjusted(0.0, 0.0, 0.0, -numbers);
     const QRectF pivot(m_O2 - QPointF(kPivot, 0.0), QSizeF(2.0 * kPivot, kPivot + kHatch));
     const auto fits = [&](const QRectF &box) { return inside.contains(box) && !box.intersects(pivot); };
@@ -232,14 +232,14 @@ void MechanismSketch::addDimensionsAndScales()
     }
 }
 
-/// Adds the scales of the arrows to the legend, the first one in that line.
+/// Adds the scales of the arrows to the legend, beginning in that line.
 void MechanismSketch::addScales(int line)
 {
     constexpr double kSample = 26.0;
     const MechanismSettings &settings = m_scene->settings;
     const auto addScale = [&](const ArrowScale &arrows) {
-        const QPointF left(7.0, cornerLineTop(line) + 0.5 * textSize({}, true).height());
-        addArrow(left, left + QPointF(kSample, 0.0), arrows, false);
+        const QPointF left(7.0, cornerLineTop(line) + 0.5 * textSize({}, TextSize::Small).height());
+        addArrow(left, left + QPointF(kSample, 0.0), arrows, Qt::SolidLine);
         addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows));
     };
     if (settings.showsVelocity()) {
@@ -278,7 +278,7 @@ QStringList MechanismSketch::lengthLines() const
         lengths << lengthText(mechanism(), length);
     }
     const QString line = lengths.join("   ");
-    return textSize(line, true).width() < (1.0 - kButton) * size.width() ? QStringList(line) : lengths;
+    return textSize(line, TextSize::Small).width() < (1.0 - kButton) * size.width() ? QStringList(line) : lengths;
 }
 
 /// Returns the number of text lines in the upper left corner.

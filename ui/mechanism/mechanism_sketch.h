@@ -71,7 +71,7 @@ private:
     void addMarked();
     QLineF addOutline(const ReferencePose &pose, const QPen &pen);
 
-    void addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, bool isCut);
+    void addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, Qt::PenStyle line);
     void addArrowName(const QLineF &arrow, LinkagePoint point, const ArrowScale &arrows);
     void addMotionArrows(const ArrowScale &arrows, bool withCentreOfMass);
     void addInstantCentre();

@@ -77,7 +77,7 @@ MechanismProjection pictureProjection(const MechanismScene &scene, const Mechani
                                       const QFont &font)
 {
     constexpr double kRail = 22.0; // px
-    constexpr int kRounds = 3;     // a smaller scale makes the space larger in mm
+    constexpr int kRounds = 3;     // the space in mm depends on the scale, and the scale on the space
     MechanismProjection projection = frame.projection(size);
     if (!scene.result || frame.zoomed() || frame.fitted().isNull()) {
         return projection;
@@ -280,10 +280,10 @@ void MechanismView::highlight(MechanismPart part)
 /// Returns the bounds of the mechanism, with those of the ghost unless they would make the mechanism too small.
 QRectF MechanismView::bounds() const
 {
-    constexpr double kLargest = 3.0; // times the mechanism
+    constexpr double kMaxGhostRatio = 3.0; // times the mechanism
     const QRectF own = motionBounds(m_scene.mechanism(), m_scene.result->limits);
     const QRectF both = own.united(m_ghostBounds);
-    const bool fits = std::max(both.width(), both.height()) <= kLargest * std::max(own.width(), own.height());
+    const bool fits = std::max(both.width(), both.height()) <= kMaxGhostRatio * std::max(own.width(), own.height());
     return fits ? both : own; // also own if the ghost's bounds are not finite
 }
 
@@ -343,7 +343,7 @@ void MechanismView::paintEvent(QPaintEvent *)
 {
     const double ratio = devicePixelRatioF();
     QPainter painter(this);
-    if (std::exchange(m_isSceneryNew, false)) { // a picture of it pays only if it is painted again
+    if (std::exchange(m_isSceneryNew, false)) { // storing a picture is worth it only from the second time on
         paintScenery(painter);
     } else {
         if (m_sceneryPicture.isNull() || m_sceneryPicture.devicePixelRatio() != ratio) {
@@ -412,16 +412,16 @@ int MechanismView::pictureHeight(int width) const
 /// reason instead.
 void MechanismView::showNote()
 {
-    constexpr int kWidest = 330;
+    constexpr int kMaxWidth = 330; // px
     const QString text = m_scene.pose.exists() ? partText(m_scene, m_pointed) : QString();
     m_note->setVisible(!text.isEmpty());
     if (text.isEmpty()) {
         return;
     }
     m_note->setText(text);
-    const int widest = std::min(kWidest, width() - 2 * kInset);
+    const int noteWidth = std::min(kMaxWidth, width() - 2 * kInset);
     const QRectF inside = QRectF(rect()).adjusted(kInset, kInset, -kInset, -kInset);
-    m_note->setGeometry(m_scene.inFreeCorner(inside, QSizeF(widest, m_note->heightForWidth(widest))).toRect());
+    m_note->setGeometry(m_scene.inFreeCorner(inside, QSizeF(noteWidth, m_note->heightForWidth(noteWidth))).toRect());
 }
 
 } // namespace slidercrank

@@ -133,7 +133,7 @@ private:
 
     // mechanism_mouse.cpp: what the mouse and the keyboard do
     DrawnPart partUnder(QPointF pixel) const;
-    void pointAt(DrawnPart part, bool withShift);
+    void pointAt(DrawnPart part, Qt::KeyboardModifiers modifiers = {});
     void pointAtNext(int step);
     void goToCrankAngle(double theta2);
     void endDrag();
