@@ -61,7 +61,7 @@ void addShade(PlotDrawing &drawing, const Interval &unshaded, QColor colour)
     colour.setAlphaF(kOpacity);
     const QCPRange all = drawing.xAxis->range();
     const double from = std::min(unshaded.lower, all.upper);
-    const double to = std::clamp(unshaded.upper, from, all.upper); // reversed: the shaded parts meet
+    const double to = std::clamp(unshaded.upper, from, all.upper); // a reversed range leaves nothing unshaded
     for (const auto &[left, right] : {std::pair{all.lower, from}, {to, all.upper}}) {
         auto *shade = new QCPItemRect(&drawing);
         shade->setLayer("background");

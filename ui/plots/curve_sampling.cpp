@@ -77,7 +77,7 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
         const double column = columnOf(next);
         do {
             if (std::isfinite(values[next])) {
-                lowest = values[next] >= values[lowest] ? lowest : next; // also from NaN
+                lowest = values[next] >= values[lowest] ? lowest : next; // also replaces a NaN
                 highest = values[next] <= values[highest] ? highest : next;
             } else {
                 firstGap = std::min(firstGap, next);
@@ -97,7 +97,7 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
 namespace
 {
 
-/// Inserts points of a curve between two others.
+/// Inserts further points of a curve between two given ones.
 struct CurveRefinement {
     const std::function<double(double)> &valueAt;
     CurveScale scale; ///< px
@@ -115,13 +115,13 @@ struct CurveRefinement {
         return std::abs(dx * y - dy * x) / std::hypot(dx, dy);
     }
 
-    /// Appends the points between two others.
+    /// Appends the points that the curve needs between two given ones.
     void insertBetween(const CurvePoint &from, const CurvePoint &to, int depth)
     {
-        constexpr int kDeepest = 12;
+        constexpr int kMaxDepth = 12;
         const auto isBeyond = [&](double value) { return value < values.lower ? -1 : int(value > values.upper); };
         const bool isSeen = isBeyond(from.value) == 0 || isBeyond(from.value) != isBeyond(to.value);
-        if (depth == kDeepest || !isSeen) {
+        if (depth == kMaxDepth || !isSeen) {
             return;
         }
         const auto pointAt = [&](double part) {

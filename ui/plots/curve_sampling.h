@@ -47,9 +47,9 @@ std::vector<CurvePoint> refine(std::span<const CurvePoint> points, const std::fu
 /// is left with a quarter of its points. Gaps and the points beside them are never removed.
 std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points, double tolerance);
 
-/// Returns the range of the values within the time range; nullopt if there are none. Where they are unbounded, as near
-/// the limits of an oscillating crank, returns the range of the middle nine tenths of them. They are unbounded if one
-/// of them is ±kBeyondAll.
+/// Returns the range of the values within the time range; nullopt if there are none. If they are unbounded, as near the
+/// limits of an oscillating crank, returns the range of the middle nine tenths of them. They are unbounded if the
+/// caller says so or one of them is ±kBeyondAll.
 std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Interval &time, bool isUnbounded = false);
 
 /// Returns the parts of the polyline within both ranges, cut exactly at the edges, with a gap between two parts.

@@ -13,7 +13,8 @@ namespace slidercrank
 namespace
 {
 
-/// Returns a vertical line in each pixel column for each part of a turn without gaps.
+/// Returns the band of a motion that makes a whole turn within each pixel column: vertical lines over the values of
+/// `turn`, one for each part of it between two gaps.
 std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Interval &range, std::size_t columns)
 {
     std::vector<Interval> bands;

@@ -21,17 +21,18 @@ void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font)
     const double height = QFontMetricsF(font).height();
     std::ranges::stable_sort(cursor.labels, {},
                              [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
-    double top =
-        std::max(0.0, std::min(axes.top(), axes.bottom() - static_cast<double>(cursor.labels.size()) * height));
-    double lowest = std::max(top, axes.bottom() - static_cast<double>(cursor.labels.size()) * height);
+    const double total = static_cast<double>(cursor.labels.size()) * height;
+    // The next label may begin between these two: below the labels before it, with space for those after it.
+    double highest = std::max(0.0, std::min(axes.top(), axes.bottom() - total));
+    double lowest = std::max(highest, axes.bottom() - total);
     for (PlotCursor::Label &label : cursor.labels) {
         label.text.prepare({}, font);
         const double width = label.text.size().width();
         const bool fits = cursor.x + kGap + width <= axes.right();
         const double x = fits ? cursor.x + kGap : std::max(axes.left() + 1.0, cursor.x - kGap - width);
-        const double wanted = std::max(top, label.dot ? label.dot->y() - 0.5 * height : top);
+        const double wanted = std::max(highest, label.dot ? label.dot->y() - 0.5 * height : highest);
         label.place = QRectF(x, std::min(lowest, wanted), width, height);
-        top = label.place.bottom();
+        highest = label.place.bottom();
         lowest += height;
     }
 }

@@ -66,7 +66,7 @@ void PlotFigure::setResult(const std::shared_ptr<const Result> &result)
 void PlotFigure::setSettings(const PlotSettings &settings)
 {
     for (std::size_t plot = kErrorColumn; plot < kPlotCount; plot += kPlotColumns) {
-        m_zoom.values[plot].reset(); // the ranges are not valid for another measure
+        m_zoom.values[plot].reset(); // the ranges are those of the previous measure
     }
     m_settings = settings;
     requestRefresh();
@@ -134,7 +134,7 @@ double PlotFigure::zeroTime() const
     return isOverAngle() ? -m_result->mechanism.theta20() / m_result->mechanism.omega2() : 0.0;
 }
 
-/// Returns how the values of a plot are shown; errors are computed as they are shown.
+/// Returns how the values of a plot are shown. Errors need no conversion: they are computed in the unit that is shown.
 ShownScale PlotFigure::shownScaleOf(std::size_t plot) const
 {
     return isErrorPlot(plot) ? ShownScale()
@@ -162,24 +162,29 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
         curve.width = m_isPresentation ? curve.width : 1.0;
     }
     const bool isNamed = m_isPresentation && !pinned.empty() && pinned.back() != parameters;
-    const QString tooFew = model().isExact() ? QString() : fewSamplesSentence(m_result->mechanism, m_result->sampling);
+    const QString fewSamples =
+        model().isExact() ? QString() : fewSamplesSentence(m_result->mechanism, m_result->sampling);
     const QString name = isNamed ? pinnedText(parameters, pinned.back()) : tr("model");
-    PlotCurve &curve = add(tooFew.isEmpty() ? name : tooFew, &SeriesColours::model, m_curves.back()[channel]);
+    PlotCurve &curve = add(fewSamples.isEmpty() ? name : fewSamples, &SeriesColours::model, m_curves.back()[channel]);
     curve.read = [this, channel](const ReadTime &at) { return modelValue(channel, at); };
     if (model().isExact()) {
         curve.valueAt = [this, channel](double t) { return model().value(channel, t); };
     } else {
         constexpr std::size_t kPixelsPerDot = 12;
-        if (!tooFew.isEmpty() || curve.points.size() * kPixelsPerDot < m_columns) {
+        if (!fewSamples.isEmpty() || curve.points.size() * kPixelsPerDot < m_columns) {
             curve.dots = curve.points;
         }
-        if (!tooFew.isEmpty() && !m_curves.back()[channel].isDense) { // dense samples look like a band
+        if (!fewSamples.isEmpty() && !m_curves.back()[channel].isDense) { // dense samples look like a band
             curve.points.clear();
         }
     }
     const Reference *file = m_result->reference.get();
     const ReferenceSeries *series = file ? file->data.find(kPlottedChannels[channel]) : nullptr;
-    plot.note = !m_curves.back()[channel].values ? missingModel() : file && !series ? tr("not in the file") : QString();
+    if (!m_curves.back()[channel].values) {
+        plot.note = missingModel();
+    } else {
+        plot.note = file && !series ? tr("not in the file") : QString();
+    }
     if (series) {
         const std::vector<CurvePoint> points = decimate(file->data.time, series->values, timeRange(), m_columns);
         PlotCurve &reference = add(file->name, &SeriesColours::reference, {points, usualRange(points, timeRange())});

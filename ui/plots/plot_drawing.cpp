@@ -30,26 +30,26 @@ protected:
             return QCPGraph::drawLinePlot(painter, points);
         }
         constexpr double kEndless = 1e9;
-        constexpr double kShortest = 1e-3; // px
+        constexpr double kMinSegment = 1e-3; // px
         QPen pen = painter->pen();
         const QVector<double> dashes = pen.style() == Qt::SolidLine ? QVector<double>{kEndless} : pen.dashPattern();
         qsizetype dash = 0; // odd in a gap between two dashes
-        double left = dashes[0] * pen.widthF();
+        double remaining = dashes[0] * pen.widthF();
         QVector<QLineF> segments;
         for (qsizetype i = 1; i < points.size(); ++i) {
             const QLineF line(points[i - 1], points[i]);
             const double length = line.length();
             double from = 0.0;
-            while (length - from > kShortest) { // not if a value is NaN
-                const double to = std::min(from + left, length);
+            while (length - from > kMinSegment) { // not if a value is NaN
+                const double to = std::min(from + remaining, length);
                 if (dash % 2 == 0) {
                     segments << QLineF(line.pointAt(from / length), line.pointAt(to / length));
                 }
-                left -= to - from;
+                remaining -= to - from;
                 from = to;
-                if (left < kShortest) {
+                if (remaining < kMinSegment) {
                     dash = (dash + 1) % dashes.size();
-                    left = dashes[dash] * pen.widthF();
+                    remaining = dashes[dash] * pen.widthF();
                 }
             }
         }

@@ -151,13 +151,15 @@ void PlotFigure::chooseTitles()
     const int space = axes.outerRect().right() - axes.left();
     for (const std::size_t index : plots()) {
         Plot &plot = m_plots[index];
+        const auto isTooLong = [&](std::size_t variant) {
+            return std::ranges::any_of(plots(), [&](std::size_t other) {
+                const bool isAlike = m_plots[other].row == plot.row && isErrorPlot(other) == isErrorPlot(index);
+                return isAlike && m_plots[other].titles[variant].size().width() > space;
+            });
+        };
         plot.title = 0;
-        for (const std::size_t other : plots()) {
-            const bool isAlike = m_plots[other].row == plot.row && isErrorPlot(other) == isErrorPlot(index);
-            while (isAlike && plot.title + 1 < plot.titles.size() &&
-                   m_plots[other].titles[plot.title].size().width() > space) {
-                ++plot.title;
-            }
+        while (plot.title + 1 < plot.titles.size() && isTooLong(plot.title)) {
+            ++plot.title;
         }
     }
 }
@@ -270,9 +272,9 @@ bool PlotFigure::drawBesideLegend(QPainter &painter, const QString &text) const
 void PlotFigure::setTimeScale()
 {
     constexpr double kMinTickDistance = 44.0; // px from tick to tick
-    constexpr double kSpace = 14.0;
-    constexpr int kAround = 3;      // px; a label that ends at the edge of the figure is not drawn
-    constexpr int kUsualDigits = 6; // of a value; the axes do not move until a label has more
+    constexpr double kLabelDistance = 14.0;   // px from label to label
+    constexpr int kAround = 3;                // px; a label that ends at the edge of the figure is not drawn
+    constexpr int kUsualDigits = 6;           // of a value; the axes do not move until a label has more
     const QFontMetrics metrics(m_fonts.tick);
     const Interval time = timeRange();
     m_timeTicker->perUnit = 1.0 / perSecond();
@@ -290,18 +292,18 @@ void PlotFigure::setTimeScale()
     for (const QString &label : labels) {
         labelWidth = std::max(labelWidth, metrics.horizontalAdvance(label));
     }
-    const double narrowest = labelWidth + kSpace;
-    setDistance(axesWidth < 2.0 * kMinTickDistance ? narrowest : std::max(kMinTickDistance, narrowest));
+    const double minTickDistance = labelWidth + kLabelDistance;
+    setDistance(axesWidth < 2.0 * kMinTickDistance ? minTickDistance : std::max(kMinTickDistance, minTickDistance));
     const QString title = isOverAngle() ? QStringLiteral("θ₂ [%1]").arg(shownUnit(Measure::Angle)) : "t [s]";
     const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
-    const QMargins least(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kAround, 0);
+    const QMargins minMargins(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kAround, 0);
     for (const std::size_t index : plots()) {
         const bool hasLabels = m_plots[index].hasTimeLabels;
         QCPAxis &axis = *m_plots[index].timeAxis;
         axis.setRange(time.lower, time.upper);
         axis.setTickLabels(hasLabels);
         axis.setLabel(hasLabels ? title : QString());
-        m_plots[index].axes->setMinimumMargins(least);
+        m_plots[index].axes->setMinimumMargins(minMargins);
     }
 }
 

@@ -38,7 +38,7 @@ namespace slidercrank
 class NumberTicker;
 class PlotDrawing;
 
-/// A colour in the current palette.
+/// A colour by its member of SeriesColours, so that it follows the palette.
 using Ink = QColor SeriesColours::*;
 
 /// A time at which values are read. Within the time of a reference file, it is one of the time stamps of the file.

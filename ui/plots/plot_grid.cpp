@@ -172,20 +172,19 @@ void PlotGrid::refresh()
 /// Returns the cursors of a plot, in its pane: at the current time and at the pointer.
 std::vector<PlotCursor> PlotGrid::cursors(std::size_t plot)
 {
+    const QPoint corner = m_panes[plot]->pos();
     std::vector<PlotCursor> cursors;
-    const auto add = [&](double time, const QStringList &headings, bool isLight = false) {
-        if (std::optional<PlotCursor> cursor = cursorAt(plot, time, headings)) {
-            const QPoint corner = m_panes[plot]->pos();
-            cursor->isLight = isLight;
+    const auto add = [&](std::optional<PlotCursor> cursor) {
+        if (cursor) {
             cursor->x -= corner.x();
             for (PlotCursor::Label &label : cursor->labels) {
                 label.dot = label.dot ? std::optional(*label.dot - corner) : std::nullopt;
             }
-            cursors.push_back(*cursor);
+            cursors.push_back(*std::move(cursor));
         }
     };
     if (m_time) {
-        add(*m_time, {});
+        add(cursorAt(plot, *m_time, {}));
     }
     if (m_hovered) {
         const ReadTime hovered = readTime(m_hoverTime);
@@ -196,7 +195,11 @@ std::vector<PlotCursor> PlotGrid::cursors(std::size_t plot)
                 headings << timeText(hovered.t, m_time);
             }
         }
-        add(hovered.t, headings, true);
+        std::optional<PlotCursor> atPointer = cursorAt(plot, hovered.t, headings);
+        if (atPointer) {
+            atPointer->isLight = true;
+        }
+        add(std::move(atPointer));
     }
     return cursors;
 }
@@ -211,7 +214,8 @@ void PlotGrid::moveCursors()
     if (m_isStale) {
         return; // refresh() moves them
     }
-    if (m_picture.isNull() && isVisible()) { // while the figure changes, as during a drag, it is of no use
+    // The picture is not made earlier, because it would be of no use while the figure changes, as during a drag.
+    if (m_picture.isNull() && isVisible()) {
         m_picture = QPixmap(size() * devicePixelRatioF());
         m_picture.setDevicePixelRatio(devicePixelRatioF());
         drawInto(m_picture);

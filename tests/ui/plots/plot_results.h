@@ -30,7 +30,7 @@ inline std::shared_ptr<const Result> resultOf(const Shown &shown)
     return compute({shown.model, shown.sampling, solver, shown.reference, shown.pinned}, {});
 }
 
-/// Returns the motion of another mechanism at 41 time stamps as a reference with that many channels.
+/// Returns the motion with this coupler length at 41 time stamps as a reference with that many channels.
 inline std::shared_ptr<Reference> referenceOf(double b, std::size_t channels = kPlottedChannels.size())
 {
     const std::shared_ptr<const Result> result = resultOf({.model = withCoupler(b), .sampling = {0.0, 1.0, 40}});

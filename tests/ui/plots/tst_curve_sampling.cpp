@@ -49,8 +49,8 @@ private slots:
         const std::vector<CurvePoint> points = decimate(time, values, kWhole, 100);
         QVERIFY(points.size() <= 200 && std::ranges::is_sorted(points, {}, &CurvePoint::t));
         for (std::size_t column = 0; column < 100; ++column) {
-            const std::span<const double> part(&values[200 * column], 200);
-            for (const double extreme : {std::ranges::min(part), std::ranges::max(part)}) {
+            const std::span<const double> ofColumn(&values[200 * column], 200);
+            for (const double extreme : {std::ranges::min(ofColumn), std::ranges::max(ofColumn)}) {
                 const auto point = std::ranges::find(points, extreme, &CurvePoint::value);
                 QVERIFY(point != points.end() && values[nearestIndex(time, point->t)] == extreme);
             }
@@ -73,12 +73,13 @@ private slots:
         QCOMPARE(written({points.begin(), points.begin() + 3}), "0.001,- 0.0015,-7 0.002,9");
         QCOMPARE(usualRange(points, kWhole), std::optional(Interval{-7.0, 9.0}));
         QVERIFY(!usualRange(std::vector<CurvePoint>{{0.0, kNone}}, kWhole));
+        constexpr bool kIsUnbounded = true;
         std::vector<CurvePoint> ramp;
         for (int i = 0; i <= 100; ++i) {
             ramp.push_back({0.01 * i, double(i)});
         }
         QCOMPARE(usualRange(ramp, {0.0, 0.505}), std::optional(Interval{0.0, 50.5})); // cut at the edge
-        QCOMPARE(usualRange(ramp, kWhole, true), std::optional(Interval{5.0, 95.0}));
+        QCOMPARE(usualRange(ramp, kWhole, kIsUnbounded), std::optional(Interval{5.0, 95.0}));
         ramp.push_back({1.0, kBeyondAll});
         QCOMPARE(usualRange(ramp, kWhole), std::optional(Interval{5.0, 95.0}));
     }

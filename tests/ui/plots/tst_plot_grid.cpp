@@ -29,6 +29,8 @@ const QString kAngle = "plot_theta3";
 const QString kSlider = "plot_R4_x";
 const QString kErrors = "plot_error_velocity";
 
+enum class DragEnd { Release, Escape };
+
 /// A visible grid that counts how often one of its plots is painted completely.
 class ShownGrid : public QObject
 {
@@ -72,13 +74,13 @@ public:
         settle();
     }
 
-    void drag(const QString &name, const QPoint &from, const QPoint &to, bool isCancelled = false,
+    void drag(const QString &name, const QPoint &from, const QPoint &to, DragEnd end = DragEnd::Release,
               Qt::MouseButton button = Qt::LeftButton, Qt::KeyboardModifiers modifiers = {})
     {
         QTest::mousePress(&pane(name), button, modifiers, from);
         QTest::mouseMove(&pane(name), to);
         hasDrawnBox = box().isVisible();
-        if (isCancelled) {
+        if (end == DragEnd::Escape) {
             QTest::keyClick(&pane(name), Qt::Key_Escape);
         }
         QTest::mouseRelease(&pane(name), button, modifiers, to);
@@ -221,7 +223,8 @@ private slots:
             for (const char *wanted : {"t = 0.5000 s", "Δt = 0.4000 s", "24.62", "22.62"}) {
                 QVERIFY2(textOf(shown.pane(kAngle)).contains(QString::fromUtf8(wanted)), wanted);
             }
-            shown.drag(kAngle, shown.at(kAngle, 0.4), shown.at(kAngle, 0.6)); // zooms: the pointer is at another time
+            shown.drag(kAngle, shown.at(kAngle, 0.4),
+                       shown.at(kAngle, 0.6)); // zooms: then the pointer is at a different time
             QVERIFY(std::ranges::none_of(shown.pane(kAngle).cursors(), &PlotCursor::isLight));
             shown.grid.showAll();
             settle();
@@ -296,9 +299,9 @@ private slots:
               {Qt::MiddleButton, Qt::NoModifier}}) {
             shown.grid.setZoom({Interval{0.3, 0.5}, {}});
             settle();
-            shown.drag(kAngle, shown.at(kAngle, 0.6), shown.at(kAngle, 0.4), true, button, modifiers);
+            shown.drag(kAngle, shown.at(kAngle, 0.6), shown.at(kAngle, 0.4), DragEnd::Escape, button, modifiers);
             QCOMPARE(shown.time(), (Interval{0.3, 0.5})); // Escape
-            shown.drag(kAngle, shown.at(kAngle, 0.6), shown.at(kAngle, 0.4), false, button, modifiers);
+            shown.drag(kAngle, shown.at(kAngle, 0.6), shown.at(kAngle, 0.4), DragEnd::Release, button, modifiers);
             QVERIFY(std::abs(shown.time().lower - 0.34) < 2e-3 && std::abs(shown.time().length() - 0.2) < 1e-9);
         }
     }
@@ -323,7 +326,7 @@ private slots:
                                Row{"along the axis of the values", {-0.05, 0.3}, {-0.05, 0.8}, false, true}}) {
             const QPoint from = shown.at(kErrors, row.from.x(), row.from.y());
             const QPoint to = shown.at(kErrors, row.to.x(), row.to.y());
-            shown.drag(kErrors, from, to, true);
+            shown.drag(kErrors, from, to, DragEnd::Escape);
             QVERIFY2(shown.hasDrawnBox && shown.grid.zoom() == PlotZoom(), row.name);
             shown.drag(kErrors, from, to);
             QVERIFY2(!QWidget::keyboardGrabber() && !shown.box().isVisible(), row.name);

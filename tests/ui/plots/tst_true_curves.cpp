@@ -40,9 +40,9 @@ public:
         const double speed = std::abs(p.omega2);
         const auto [start, end] =
             std::minmax({result.sampling.start, result.sampling.start + result.sampling.duration});
-        // Near a toggle, events are as narrow as the square root of what the coupler is longer than necessary.
+        // Near a toggle, the features of the motion are about this wide (rad).
         const double width = std::sqrt(2.0 * std::abs(p.b - p.a - std::abs(p.c)) / p.a);
-        const double looksPerRadian = 30.0 / std::clamp(width, 0.01, 0.3);
+        const double stepsPerRadian = 30.0 / std::clamp(width, 0.01, 0.3);
         int turn = -1; // a column that contains one
         for (int column = 0; column < m_columns; ++column) {
             const double from = std::max(start, timeAt(column));
@@ -52,8 +52,8 @@ public:
                 std::copy_n(m_passed.begin() + cell(turn, 0), m_rows, m_passed.begin() + cell(column, 0));
             } else if (from <= to) {
                 turn = holdsTurns ? column : turn;
-                const int looks = holdsTurns ? 20'000 : 12 + static_cast<int>(looksPerRadian * speed * (to - from));
-                look(column, from, holdsTurns ? from + kTurn / speed : to, looks);
+                const int steps = holdsTurns ? 20'000 : 12 + static_cast<int>(stepsPerRadian * speed * (to - from));
+                markValues(column, from, holdsTurns ? from + kTurn / speed : to, steps);
             }
         }
     }
@@ -111,11 +111,12 @@ private:
             std::clamp(std::round(kPerPixel * (y - m_plot.axes->top() + kMargin)), -1.0, double(m_rows)));
     }
 
-    void look(int column, double from, double to, int looks)
+    /// Marks the values between two times in the column, from samples in equal steps.
+    void markValues(int column, double from, double to, int steps)
     {
-        std::vector<double> times(static_cast<std::size_t>(looks) + 1);
+        std::vector<double> times(static_cast<std::size_t>(steps) + 1);
         for (std::size_t i = 0; i < times.size(); ++i) {
-            times[i] = from + (to - from) * static_cast<double>(i) / looks;
+            times[i] = from + (to - from) * static_cast<double>(i) / steps;
         }
         std::vector<double> values(times.size());
         std::vector<Status> statuses(times.size());
@@ -142,6 +143,7 @@ private:
         }
     }
 
+    /// Marks the pixels from one value to the other in the column.
     void mark(int column, double first, double second)
     {
         const auto [top, bottom] = std::minmax({rowAt(first), rowAt(second)});
@@ -285,30 +287,26 @@ private slots:
     /// With Newton-Raphson only the samples are known.
     void fewSamplesAreNotConnectedAndTheLegendWarns()
     {
-        struct Row {
-            double turns;
-            int steps;
-            bool isJoined;
-            const char *name; // in the legend
+        const auto resultWith = [](double turns, int steps, Method method) {
+            return resultOf({.model = turningAt(turns), .sampling = {0.0, 1.0, steps}, .method = method});
         };
-        for (const auto &[turns, steps, isJoined, name] :
-             {Row{50.0, 200, false, "4 samples per revolution are too few for a curve: at least 20 are needed."},
-              Row{50.0, 1000, true, "model"}, Row{5000.0, 1000, true, nullptr}}) { // dense samples look like a band
-            const std::shared_ptr<const Result> result =
-                resultOf({turningAt(turns), nullptr, {}, {0.0, 1.0, steps}, Method::Newton});
-            BareFigure shown;
+        BareFigure shown;
+        const auto curveOf = [&shown](const std::shared_ptr<const Result> &result) {
             shown.show(result);
-            const PlotCurve &curve = shown.figure.shownPlot(0).curves.front();
-            QCOMPARE(!curve.points.empty(), isJoined);
-            QVERIFY(!name || curve.name == name);
-            for (std::size_t i = 0; i < curve.dots.size() && !isJoined; ++i) {
-                QCOMPARE(curve.dots[i].value, result->trajectory[kPlottedChannels[0]][i]);
-            }
-            QVERIFY(isJoined || curve.dots.size() == result->trajectory.time.size());
-        }
-        BareFigure exact;
-        exact.show(resultOf({.model = turningAt(50.0), .sampling = {0.0, 1.0, 2}}));
-        QCOMPARE(exact.figure.shownPlot(0).curves.front().name, "model");
+            return shown.figure.shownPlot(0).curves.front();
+        };
+        const std::shared_ptr<const Result> sparse = resultWith(50.0, 200, Method::Newton);
+        const PlotCurve dots = curveOf(sparse);
+        QCOMPARE(dots.name, "4 samples per revolution are too few for a curve: at least 20 are needed.");
+        QVERIFY(dots.points.empty());
+        const std::vector<double> &samples = sparse->trajectory[kPlottedChannels[0]];
+        QVERIFY(std::ranges::equal(dots.dots, samples, {}, &CurvePoint::value));
+
+        const PlotCurve line = curveOf(resultWith(50.0, 1000, Method::Newton));
+        QVERIFY(!line.points.empty() && line.name == "model");
+        const PlotCurve band = curveOf(resultWith(5000.0, 1000, Method::Newton)); // samples so dense look like a band
+        QVERIFY(!band.points.empty());
+        QCOMPARE(curveOf(resultWith(50.0, 2, Method::ClosedForm)).name, "model");
     }
 
     void aLongMotionInClosedFormIsCountedButNotStored()
