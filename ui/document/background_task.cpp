@@ -116,7 +116,7 @@ void BackgroundTask::run(const Work &work, const std::function<void()> &done, co
     });
 }
 
-/// Between the pieces the window shows what has changed, and reacts.
+/// Between two pieces the event loop runs: the window is painted and handles input.
 void BackgroundTask::runPieces(const Pieces &pieces, const std::function<void()> &done, const Failed &failed)
 {
     auto *const watcher = begin<QObject>();

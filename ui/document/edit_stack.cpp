@@ -4,9 +4,9 @@
 #include "ui/text/parameter_text.h"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <utility>
+#include <vector>
 
 namespace slidercrank
 {
@@ -37,33 +37,41 @@ bool haveSameFile(const Choices &first, const Choices &second)
 EditName nameEdit(const Choices &before, const Choices &after)
 {
     if (after.reference != before.reference) {
-        const QString text = haveSameFile(before, after) ? EditStack::tr("new interpretation of %1")
-                             : after.reference           ? EditStack::tr("opening of %1")
-                                                         : EditStack::tr("closing of %1");
-        return {text.arg((after.reference ? after.reference : before.reference)->name)};
+        if (!after.reference) {
+            return {EditStack::tr("closing of %1").arg(before.reference->name)};
+        }
+        const QString text =
+            haveSameFile(before, after) ? EditStack::tr("new interpretation of %1") : EditStack::tr("opening of %1");
+        return {text.arg(after.reference->name)};
     }
     if (after.pinned != before.pinned) {
         return {after.pinned.empty() ? EditStack::tr("removal of the pinned motions")
                                      : EditStack::tr("pinning of the motion")};
     }
-    int changed = before.parameters.branch == after.parameters.branch ? 0 : 1 << kParameterCount; // a bit per parameter
-    QString symbol;
+    std::vector<Parameter> changed;
     for (const Parameter parameter : kAllParameters) {
         if (valueOf(before.parameters, parameter) != valueOf(after.parameters, parameter)) {
-            changed |= 1 << indexOf(parameter);
-            symbol = symbolText(parameter);
+            changed.push_back(parameter);
         }
     }
-    if (changed == 0 && after.alpha2 != before.alpha2) {
+    const bool isBranchChanged = before.parameters.branch != after.parameters.branch;
+    const bool isMechanismChanged = isBranchChanged || !changed.empty();
+    if (!isMechanismChanged && after.alpha2 != before.alpha2) {
         return {EditStack::tr("change of %1").arg(QStringLiteral("α₂")), kAccelerationIdentity};
     }
-    if (changed == 0) {
+    if (!isMechanismChanged) {
         return after.sampling == before.sampling
                    ? EditName{EditStack::tr("change of the method"), kSolverIdentity}
                    : EditName{EditStack::tr("change of the time range"), kSamplingIdentity};
     }
-    const bool isOne = !symbol.isEmpty() && std::has_single_bit(static_cast<unsigned>(changed));
-    return {isOne ? EditStack::tr("change of %1").arg(symbol) : EditStack::tr("change of the mechanism"), changed};
+    int identity = isBranchChanged ? 1 << kParameterCount : 0;
+    for (const Parameter parameter : changed) {
+        identity |= 1 << indexOf(parameter);
+    }
+    const bool isOneParameter = changed.size() == 1 && !isBranchChanged;
+    return {isOneParameter ? EditStack::tr("change of %1").arg(symbolText(changed.front()))
+                           : EditStack::tr("change of the mechanism"),
+            identity};
 }
 
 /// Restores the choices before or after an edit. Qt merges successive commands with the same id().

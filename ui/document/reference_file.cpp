@@ -25,8 +25,8 @@ struct ReferenceFileText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ReferenceFileText)
 };
 
-constexpr auto kLargest = static_cast<qint64>(kLargestReferenceFile);
-const QString kNameSeparator = " + "; // between the names of joined files
+constexpr auto kMaxFileSize = static_cast<qint64>(kLargestReferenceFile); // bytes
+const QString kNameSeparator = " + ";                                     // between the names of joined files
 
 /// Whether the file is so long that its beginning is read first, which shows at once if it is no table.
 bool isLong(const QString &path)
@@ -118,13 +118,13 @@ std::optional<QString> readWhole(const QString &path, Content content, QByteArra
         return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(name, withoutFullStop(file.errorString()));
     }
     const qint64 size = file.size(); // 0 for a pipe
-    const auto isTooLarge = [&bytes, size] { return std::max<qint64>(size, bytes.size()) > kLargest; };
+    const auto isTooLarge = [&bytes, size] { return std::max<qint64>(size, bytes.size()) > kMaxFileSize; };
     try {
         bytes = file.read(kFileBeginning);
         if (const auto error = content == Content::Table ? findForeignFormat(toView(bytes)) : std::nullopt) {
             return readErrorText(*error, {name});
         }
-        bytes.reserve(static_cast<qsizetype>(std::min(size, kLargest)));
+        bytes.reserve(static_cast<qsizetype>(std::min(size, kMaxFileSize)));
         for (QByteArray block = bytes; !block.isEmpty() && !isTooLarge();) {
             block = file.read(kBlock);
             bytes += block;

@@ -23,7 +23,7 @@ SamplingSummary summarize(const Choices &choices, std::stop_token stop)
     const Mechanism mechanism(choices.parameters);
     if (mechanism.b() > shortestCouplerForFullTurn(mechanism) && poseAt(choices.parameters, start).exists() &&
         poseAt(choices.parameters, start + duration).exists()) {
-        constexpr auto kSolved = static_cast<std::size_t>(Status::Solved); // all time steps are
+        constexpr auto kSolved = static_cast<std::size_t>(Status::Solved); // the status of every time step
         summary.timeSteps = summary.statusCounts[kSolved] = static_cast<std::size_t>(steps) + 1;
         summary.firstTimes[kSolved] = start;
         return summary;

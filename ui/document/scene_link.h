@@ -5,9 +5,9 @@
 //
 //     slidercrank.html#a=40&b=120&c=20&omega2=60rpm&theta20=30deg
 //
-// It contains the mechanism, and of α₂, the time steps, the method and the view what differs from the window's first
-// ones; no reference, pinned motions or zoom. Numbers may have units; without one they are in the unit of scene files,
-// except that angles other than 0 need one.
+// It contains the mechanism, and those settings of α₂, the time steps, the method and the view that are not the initial
+// ones of the window. It contains no reference, pinned motions or zoom. Numbers may have units; without one they are in
+// the unit of scene files, except that angles other than 0 need one.
 
 #include "ui/document/scene.h"
 

@@ -129,7 +129,8 @@ void Session::edit(const Choices &choices, const QString &name, TimeRange timeRa
     }
     Choices complete = choices;
     if (choices.reference) {
-        // A time range that is that of the file remains so: the time stamps of an angle-indexed file depend on ω₂.
+        // If the time range is that of the file, it remains so: a new ω₂ changes the time stamps of an angle-indexed
+        // file.
         const Reference *shown = m_result->reference.get();
         const bool isOfFile = shown && shown->source.paths == choices.reference->source.paths &&
                               choices.sampling == rangeOf(shown->data.time, choices.sampling);
@@ -332,8 +333,8 @@ void Session::useFoundMechanism()
     }
     const auto finish = [this, use, reference,
                          text = shownDriveText(found, parameters.omega2)](const ReferenceOutcome &outcome) {
-        const auto *read = std::get_if<std::shared_ptr<const Reference>>(&outcome);
-        use(read ? *read : reference); // a crank that reverses its direction cannot be read over its angle
+        const auto *overAngle = std::get_if<std::shared_ptr<const Reference>>(&outcome);
+        use(overAngle ? *overAngle : reference); // a crank that reverses its direction cannot be read over its angle
         emit confirmed(text);
     };
     const auto work = [source = *angleIndexed](const auto &, const auto &) { return readReference(source); };

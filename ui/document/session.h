@@ -128,7 +128,7 @@ signals:
 private:
     enum class TimeRange {
         Kept,
-        OfReference ///< that of the reference replaces one that does not contain it
+        OfReference ///< is replaced by that of the reference, unless it contains the latter
     };
     enum class Asker { User, Scene };
 

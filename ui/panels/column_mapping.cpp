@@ -82,7 +82,7 @@ void fillUnits(QComboBox &combo, const ColumnChoice &choice, const FileColumn &c
             choice.role == ColumnRole::CrankAngle ? Channel{Theta2, Order::Position} : choice.channel;
         units = isAngle(channel.coordinate) ? QStringList{"°", "rad"} : QStringList{"mm", "cm", "m", "in"};
         usual = unitText(channel);
-        units.replaceInStrings(QRegularExpression("$"), usual.mid(units.first().size())); // "/s²"
+        units.replaceInStrings(QRegularExpression("$"), usual.mid(units.first().size())); // appends "/s²"
     }
     combo.addItem(column.unit.empty() ? ColumnMapping::tr("none given: %1").arg(usual)
                                       : ColumnMapping::tr("as printed: %1").arg(QString::fromUtf8(column.unit)),
@@ -134,8 +134,8 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
     rows->addWidget(createRows(), 1);
     rows->addWidget(m_problem);
     addButtons(rows);
-    constexpr int kWidth = 1200; // px, for reasons in one or two lines
-    constexpr int kAround = 40;  // px of the screen
+    constexpr int kWidth = 1200; // px: the reason of each row fits into one or two lines
+    constexpr int kAround = 40;  // px of the screen, left and right of the dialog together
     resize(std::min(kWidth, screen()->availableGeometry().width() - kAround), 560);
 
     for (const ColumnChoice &choice : savedChoices(m_layout, m_paths)) {

@@ -219,7 +219,7 @@ void MotionTablePanel::offerTextbookNotation()
     auto *question =
         new QLabel(tr("θ₃ measured at B, and x<sub>B</sub>, v<sub>B</sub>, a<sub>B</sub>, as in textbooks?"));
     question->setWordWrap(true);
-    question->setMinimumHeight(1); // otherwise that of the narrowest paragraph
+    question->setMinimumHeight(1); // by default it is as high as the text in its narrowest form
     row->addWidget(question, 1);
     const auto addButton = [&](const QString &name, const QString &text, Symbols symbols) {
         auto *button = named(name, new QPushButton(text));
@@ -254,7 +254,7 @@ void MotionTablePanel::makeTables()
     m_table->horizontalHeader()->hide();
     m_present->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_present->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // its width is known
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // so that m_presentRow can reserve its width
     m_present->setFixedHeight(1); // until fitColumns() knows the rows; a higher one would make the tabs higher
     m_present->setEditable(1, 2); // without t and θ₂
     m_present->setSelectionMode(QAbstractItemView::NoSelection); // it would hide the colours of the verdicts
@@ -270,8 +270,8 @@ void MotionTablePanel::makeTables()
             &QScrollBar::setValue);
     connect(m_table, &NumberTable::timeRequested, this, &MotionTablePanel::timeRequested);
     connect(m_table, &NumberTable::rowHovered, this, [this](int row) {
-        const bool isPlace = row >= 0 && row < static_cast<int>(m_places.size());
-        emit placeHovered(isPlace ? std::optional(m_places[static_cast<std::size_t>(row)].theta2) : std::nullopt);
+        const bool isRow = row >= 0 && row < static_cast<int>(m_places.size());
+        emit placeHovered(isRow ? std::optional(m_places[static_cast<std::size_t>(row)].theta2) : std::nullopt);
     });
     for (NumberTable *table : {m_present, m_table}) {
         connect(table, &NumberTable::copied, this,

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab with the table of the motion. The first row is the present position and stays; below it are rows for every so
-// many degrees of the crank angle, or for time steps. A person can type values of a calculation by hand below the
-// present position, which are checked at once. The tab also finds the positions in which a quantity has a value.
+// The tab with the table of the motion. The first row is the present position and stays; below it are rows at equal
+// steps of the crank angle, or for time steps. A person can type values of a calculation by hand below the present
+// position, which are checked at once. The tab also finds the positions in which a quantity has a value.
 
 #include "ui/panels/motion_table.h"
 #include "ui/text/notation.h"

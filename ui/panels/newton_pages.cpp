@@ -90,17 +90,26 @@ TimeStepEquations solvedEquations(const Result &result, double time)
     return equationsAt(result.mechanism, time, result.sampling.duration / result.sampling.steps, result.solver);
 }
 
-/// The residual after each iteration.
-ChartSeries residualSeries(const IterationHistory &history, QColor SeriesColours::*colour, bool isHollow)
+/// A solid line with discs.
+ChartSeries roughStartSeries()
+{
+    ChartSeries series{.colour = &SeriesColours::model, .line = ChartSeries::Line::Solid};
+    series.mark.addEllipse(QPointF(), 3.5, 3.5);
+    return series;
+}
+
+/// A dashed line with hollow squares.
+ChartSeries warmStartSeries()
+{
+    ChartSeries series{.colour = &SeriesColours::reference, .line = ChartSeries::Line::Dashed, .isHollow = true};
+    series.mark.addRect(-3.5, -3.5, 7.0, 7.0);
+    return series;
+}
+
+/// Returns the series with the residual after each iteration.
+ChartSeries withResiduals(ChartSeries series, const IterationHistory &history)
 {
     constexpr double kSmallestDrawn = 1e-18; // a residual of 0 is drawn here
-    ChartSeries series{.colour = colour, .isHollow = isHollow};
-    series.line = isHollow ? ChartSeries::Line::Dashed : ChartSeries::Line::Solid;
-    if (isHollow) {
-        series.mark.addRect(-3.5, -3.5, 7.0, 7.0);
-    } else {
-        series.mark.addEllipse(QPointF(), 3.5, 3.5);
-    }
     for (const Iteration &iteration : history) {
         const double residual = std::isfinite(iteration.residual) ? std::max(kSmallestDrawn, iteration.residual) : 1.0;
         series.points.push_back({static_cast<double>(series.points.size()), residual});
@@ -205,15 +214,15 @@ Page NewtonPages::jacobian(const Result &result, double time)
     }
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
-        TableRow shown{{{.text = constraintName(row)}}, {}, partOf(row), kEquations[i].text};
+        TableRow tableRow{{{.text = constraintName(row)}}, {}, partOf(row), kEquations[i].text};
         for (const double value : equations.Cq.row(i)) {
-            TableCell &cell = shown.cells.emplace_back(shortNumberCell(value));
+            TableCell &cell = tableRow.cells.emplace_back(shortNumberCell(value));
             cell.tone = value < 0.0 ? Tone::Fair : Tone::Model;
             if (value == 0.0) {
                 cell.text.clear();
             }
         }
-        table.rows.push_back(shown);
+        table.rows.push_back(tableRow);
     }
     page.tables = {table};
     if (equations.hasPosition()) {
@@ -238,10 +247,9 @@ Page NewtonPages::iterations(const Result &result, double time)
     const QString warmStart = tr("From the position %1 s before").arg(numberText(step));
 
     Page page = emptyPage(solvedEquations(result, time).state.status, result);
-    page.chart = PageChart{"iterationPlot", tr("Residual ‖C‖ over the iterations"),
-                           residualChart({residualSeries(rough, &SeriesColours::model, false),
-                                          residualSeries(warm, &SeriesColours::reference, true)},
-                                         options)};
+    page.chart = PageChart{
+        "iterationPlot", tr("Residual ‖C‖ over the iterations"),
+        residualChart({withResiduals(roughStartSeries(), rough), withResiduals(warmStartSeries(), warm)}, options)};
     PageTable table{"iterationTable",
                     tr("Iterations, a row for each"),
                     {{tr("iteration"), tr("0: the start"), "step"},

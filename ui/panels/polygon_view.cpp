@@ -115,14 +115,13 @@ private:
     void drawVector(const PlacedVector &placed)
     {
         const SeriesColours colours = seriesColours(m_palette);
-        const QColor colour = isSum(placed.vector)          ? colours.model
-                              : m_measure == Measure::Speed ? colours.errorOther
-                                                            : colours.error;
+        const QColor &ofPart = m_measure == Measure::Speed ? colours.errorOther : colours.error;
+        const QColor &colour = isSum(placed.vector) ? colours.model : ofPart;
         const QLineF line(toPixels(placed.from), toPixels(placed.to));
         m_painter.setPen(QPen(colour, isSum(placed.vector) ? 2.5 : 1.6, Qt::SolidLine, Qt::FlatCap));
         drawArrow(m_painter, line.p1(), line.p2());
-        constexpr double kShortest = 3.0; // px: a shorter vector has no name
-        if (line.length() < kShortest) {
+        constexpr double kMinNamedLength = 3.0; // px: a shorter vector has no name
+        if (line.length() < kMinNamedLength) {
             return;
         }
         const QStaticText text = withSubscripts(vectorText(placed.vector), m_painter.font());
@@ -227,7 +226,7 @@ private:
     const QPalette &m_palette;
     double m_scale = 1.0; ///< px per mm/s or mm/s²
     QPointF m_pole;
-    std::vector<QRectF> m_names; ///< px, that are drawn
+    std::vector<QRectF> m_names; ///< px; the names that have been drawn
 };
 
 /// The area that shows the polygons.

@@ -66,14 +66,22 @@ QString fullTurnText(Parameter parameter, const ResponseRange &range)
     const bool hasLower = lower > range.assembled.lower;
     const bool hasUpper = upper < range.assembled.upper;
     const QString symbol = symbolText(parameter);
-    return lower > upper          ? ResponseText::tr("The crank makes full turns for no value of %1.").arg(symbol)
-           : hasLower && hasUpper ? ResponseText::tr("The crank makes full turns for %1 ≤ %2 ≤ %3; the rest is shaded.")
-                                        .arg(lengthText(lower), symbol, lengthText(upper))
-           : hasLower ? ResponseText::tr("The crank makes full turns for %1 ≥ %2; the rest is shaded.")
-                            .arg(symbol, lengthText(lower))
-           : hasUpper ? ResponseText::tr("The crank makes full turns for %1 ≤ %2; the rest is shaded.")
-                            .arg(symbol, lengthText(upper))
-                      : QString();
+    if (lower > upper) {
+        return ResponseText::tr("The crank makes full turns for no value of %1.").arg(symbol);
+    }
+    if (hasLower && hasUpper) {
+        return ResponseText::tr("The crank makes full turns for %1 ≤ %2 ≤ %3; the rest is shaded.")
+            .arg(lengthText(lower), symbol, lengthText(upper));
+    }
+    if (hasLower) {
+        return ResponseText::tr("The crank makes full turns for %1 ≥ %2; the rest is shaded.")
+            .arg(symbol, lengthText(lower));
+    }
+    if (hasUpper) {
+        return ResponseText::tr("The crank makes full turns for %1 ≤ %2; the rest is shaded.")
+            .arg(symbol, lengthText(upper));
+    }
+    return {};
 }
 
 Response computeResponse(const Parameters &parameters, Parameter parameter, int count, const std::stop_token &stop)

@@ -119,7 +119,7 @@ struct ChartRows {
     int height() const { return rows * (title + chart); }
 };
 
-/// Returns a dot for each of the mechanisms that has the limit.
+/// Returns a dot for each mechanism in which this limit exists and is finite.
 ChartSeries dotsOf(const std::vector<Parameters> &mechanisms, Parameter parameter, std::size_t limit)
 {
     constexpr double kRadius = 4.5; // px

@@ -389,12 +389,12 @@ void Timeline::refreshNotation()
 
 void Timeline::goToAngle(double angle)
 {
-    constexpr double kStepping = 12.0 / kDegreesPerRadian; // ten steps, as of a page
+    constexpr double kMaxStep = 12.0 / kDegreesPerRadian; // Page Up and Page Down: ten steps of the box
     const Parameters &parameters = m_session->parameters();
     const double present = m_session->pose().motion.theta2;
     const double shown = degreesFromZero(present) / kDegreesPerRadian;
     double theta2 = coreValue(Measure::Angle, angle, notation().units);
-    if (std::abs(theta2 - shown) < kStepping) { // a step of the box stays in the present revolution
+    if (std::abs(theta2 - shown) < kMaxStep) { // a step of the box stays in the present revolution
         theta2 += present - shown;
     }
     if (parameters.omega2 == 0.0) { // at rest: the box turns the crank
@@ -402,7 +402,7 @@ void Timeline::goToAngle(double angle)
         showTime();
         return;
     }
-    const double time = (theta2 - parameters.theta20) / parameters.omega2; // of this angle, including whole turns
+    const double time = (theta2 - parameters.theta20) / parameters.omega2; // of exactly this angle, not modulo 2π
     m_session->setTime(
         time >= startTime() && time <= endTime()
             ? time

@@ -145,7 +145,7 @@ private slots:
         QCOMPARE(QList<QVariantList>(running), kStartedAndEnded);
     }
 
-    /// Whether it is started while other work is running, or by the callback of other work.
+    /// The new work may be started while other work is running, or by the callback of other work.
     void newWorkReplacesRunningWork()
     {
         BackgroundTask task;

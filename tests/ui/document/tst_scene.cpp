@@ -91,7 +91,11 @@ QByteArray sceneWith(const QString &place, const QJsonValue &value)
     const auto replaced = [&value](auto &&self, QJsonObject object, QStringList keys) -> QJsonObject {
         const QString key = keys.takeFirst();
         const QJsonValue inner = keys.isEmpty() ? value : self(self, object.value(key).toObject(), keys);
-        inner.isUndefined() ? object.remove(key) : static_cast<void>(object.insert(key, inner));
+        if (inner.isUndefined()) {
+            object.remove(key);
+        } else {
+            object.insert(key, inner);
+        }
         return object;
     };
     return QJsonDocument(replaced(replaced, toObject(scene), place.split(u'.'))).toJson();

@@ -110,7 +110,7 @@ private slots:
         QCOMPARE(session.result()->trajectory.time.size(), std::size_t(400001));
     }
 
-    /// As another edit, which can be undone.
+    /// The return is an edit of its own, which can be undone.
     void cancelReturnsToTheChoicesOfTheResult()
     {
         Session session;
@@ -257,7 +257,7 @@ private slots:
             session.endDrag();
         };
         dragTo({66.0, 67.0, 68.0});
-        dragTo({69.0, 70.0}); // another drag
+        dragTo({69.0, 70.0}); // a second drag
         QCOMPARE(session.undoStack().count(), 2);
         session.undoStack().undo();
         QCOMPARE(session.parameters().b, 68.0);

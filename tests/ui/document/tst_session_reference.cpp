@@ -138,7 +138,7 @@ private slots:
         QVERIFY(allAgree(session.result()->comparison));
         QCOMPARE(lastTime(), 1.0);
 
-        // With another speed, the time stamps and the time range change, and the file still agrees.
+        // With a different speed, the time stamps and the time range change, and the file still agrees.
         Parameters parameters;
         parameters.omega2 = -4.0;
         parameters.theta20 = 0.5;

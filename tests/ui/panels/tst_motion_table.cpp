@@ -299,7 +299,7 @@ private slots:
                                         2.0 * std::numbers::pi)) < 1e-9);
     }
 
-    /// The table would show another acceleration at the positions that have it at constant speed.
+    /// The positions are found for a constant speed; there the table would show a different acceleration.
     void findsNoAccelerationOfACrankThatAccelerates()
     {
         ShownTable shown;

@@ -39,6 +39,9 @@ std::shared_ptr<const Result> resultOf(const SolverSettings &solver, double b = 
     return session.result();
 }
 
+/// The columns of the table of equations.
+enum EquationColumn : Eigen::Index { Joint, Equation, Residual, TimeDerivative, RightHandSide };
+
 class TestNewtonPanel : public QObject
 {
     Q_OBJECT
@@ -52,15 +55,15 @@ private slots:
         const State state = ClosedForm(Mechanism()).stateAt(0.2);
         const Page equations = NewtonPages::equations(*result, 0.2);
         const Vector12 Qd = quadraticVelocityTerm(Mechanism(), state.q, state.qDot);
-        QCOMPARE(cell(equations, CrankPinX, 0).text, "pin A, x");
-        QCOMPARE(cell(equations, CrankDrive, 0).text, "drive");
-        QCOMPARE(cell(equations, CrankDrive, 3).text, "−6.283");
+        QCOMPARE(cell(equations, CrankPinX, Joint).text, "pin A, x");
+        QCOMPARE(cell(equations, CrankDrive, Joint).text, "drive");
+        QCOMPARE(cell(equations, CrankDrive, TimeDerivative).text, "−6.283");
         QCOMPARE(equations.tables[0].rows[CrankPinX].part, MechanismPart::PinA);
         const Page jacobian = NewtonPages::jacobian(*result, 0.2);
         const Matrix12 Cq = constraintJacobian(Mechanism(), state.q);
         for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
-            QVERIFY(std::abs(number(equations, i, 2)) <= 1e-12);
-            QVERIFY(std::abs(number(equations, i, 4) - Qd[i]) <= 1e-9);
+            QVERIFY(std::abs(number(equations, i, Residual)) <= 1e-12);
+            QVERIFY(std::abs(number(equations, i, RightHandSide) - Qd[i]) <= 1e-9);
             for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
                 const TableCell &entry = cell(jacobian, i, j + 1);
                 QVERIFY(std::abs(*entry.number - Cq(i, j)) <= 1e-12);

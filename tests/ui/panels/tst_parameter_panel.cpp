@@ -38,7 +38,7 @@ struct ShownParameters {
     explicit ShownParameters(const Parameters &parameters = givenParameters())
     {
         session.setParameters(parameters);
-        session.endDrag(); // what follows is another step
+        session.endDrag(); // what follows is a new undo step
         panel.resize(430, panel.sizeHint().height());
         panel.show();
     }

@@ -32,7 +32,7 @@ struct Bench {
         session.setParameters(parameters);
         session.setSampling(sampling);
         session.setTime(sampling.start);
-        session.endDrag(); // what follows is another step
+        session.endDrag(); // what follows is a new undo step
         timeline.setClock([this] { return clock; });
     }
 
@@ -61,7 +61,7 @@ private slots:
         bench.click("playButton");
         QCOMPARE(child<QToolButton>(bench.timeline, "playButton")->accessibleName(), "Pause");
         double time = 0.0;
-        for (const double speed : {1.0, 2.0, 0.1}) { // continues at another speed
+        for (const double speed : {1.0, 2.0, 0.1}) { // the speed changes while it plays
             bench.timeline.setSpeed(speed);
             for (const double frame : {0.016, 0.016, 0.2, 0.016}) { // one frame is late
                 bench.passTime(frame);
