@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/figure_form.h"
 
+#include "ui/document/view_settings.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/enum_box.h"
 #include "ui/widgets/named.h"
@@ -88,7 +89,7 @@ void chooseFigure(QWidget *parent, const FigureSubject &subject,
     form->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(form, &QDialog::accepted, parent, [form, parent, subject, write] {
         const FigureOptions options = form->options();
-        FigureOptions stored = options; // what this figure does not offer stays as it was chosen for another one
+        FigureOptions stored = options; // an option that this figure does not offer keeps its stored value
         stored.plots = options.plots.isEmpty() ? storedFigureOptions().plots : options.plots;
         stored.showsCursor = subject.hasCursor ? options.showsCursor : storedFigureOptions().showsCursor;
         storeFigureOptions(stored);
@@ -166,13 +167,14 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
 
 void FigureForm::addPlots(const FigureOptions &options, QFormLayout &form)
 {
-    constexpr int kWithErrors = 9;
-    const int columns = m_subject.plots.size() < kWithErrors ? 2 : 3; // as in the window
+    const bool hasErrorPlots = m_subject.plots.size() >= kPlotCount;
+    const int columns = hasErrorPlots ? 3 : 2; // as in the window
     auto *grid = new QGridLayout;
     const auto isChosen = [&](const std::pair<QString, QString> &plot) {
         return options.plots.isEmpty() || options.plots.contains(plot.first);
     };
-    const bool isAnyChosen = std::ranges::any_of(m_subject.plots, isChosen); // otherwise other plots were chosen
+    // If none of these plots is chosen, the stored choice is that of a different figure: then all of them are checked.
+    const bool isAnyChosen = std::ranges::any_of(m_subject.plots, isChosen);
     for (const auto &[name, text] : m_subject.plots) {
         auto *box = named(name, new QCheckBox(text));
         box->setChecked(!isAnyChosen || isChosen({name, text}));
@@ -213,16 +215,16 @@ void FigureForm::showPreview()
 {
     FigureOptions chosen = options();
     const bool isInPixels = chosen.unit == WidthUnit::Pixel;
-    const bool isSizePossible = isInPixels ? chosen.width >= kSmallestPicture : chosen.width <= kLargestFigure;
-    const bool isPossible = isSizePossible && (m_plots.empty() || !chosen.plots.isEmpty());
-    m_export->setEnabled(isPossible);
-    if (!isPossible) {
+    // The box accepts every width that is possible in one of the units: in px some are too small, in mm too large.
+    const bool isWidthPossible = isInPixels ? chosen.width >= kSmallestPicture : chosen.width <= kLargestFigure;
+    const bool hasPlots = m_plots.empty() || !chosen.plots.isEmpty();
+    m_export->setEnabled(isWidthPossible && hasPlots);
+    if (!isWidthPossible || !hasPlots) {
         m_preview->setPixmap({});
-        m_outcome->setText(m_plots.empty() || !chosen.plots.isEmpty()
-                               ? tr("Choose a width from %1 mm to %2 mm, or from %3 px to %4 px.")
-                                     .arg(numberText(kSmallestFigure), numberText(kLargestFigure),
-                                          numberText(kSmallestPicture), numberText(kLargestPicture))
-                               : tr("Choose a plot."));
+        m_outcome->setText(hasPlots ? tr("Choose a width from %1 mm to %2 mm, or from %3 px to %4 px.")
+                                          .arg(numberText(kSmallestFigure), numberText(kLargestFigure),
+                                               numberText(kSmallestPicture), numberText(kLargestPicture))
+                                    : tr("Choose a plot."));
         return;
     }
     FigureSize size = figureSize(chosen, m_subject.height(chosen));

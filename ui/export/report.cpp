@@ -202,15 +202,15 @@ struct DrawingLayout {
 DrawingLayout layOutDrawing(const ReportContent &content, const QFont &font, double textWidth)
 {
     constexpr double kApart = 48.0; // px
-    constexpr double kSmallest = 240.0;
-    constexpr double kLargest = 380.0;
-    constexpr double kBesideValues = 270.0;
+    constexpr double kMinWidth = 240.0;
+    constexpr double kMaxWidth = 380.0;
+    constexpr double kWidthBesideValues = 270.0;
     constexpr double kHeight = 0.6; // widths
     QTextDocument table;
     setText(table, font, parameterTable(content));
     const double beside = textWidth - table.idealWidth() - kApart;
-    const bool hasSpace = beside >= kSmallest;
-    const double width = hasSpace ? std::min(beside, kLargest) : kBesideValues;
+    const bool hasSpace = beside >= kMinWidth;
+    const double width = hasSpace ? std::min(beside, kMaxWidth) : kWidthBesideValues;
     return {hasSpace ? DrawingPlace::BesideParameters : DrawingPlace::BesideValues,
             {static_cast<int>(width), static_cast<int>(kHeight * width)}};
 }

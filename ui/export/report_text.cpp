@@ -152,9 +152,8 @@ QString errorTable(const std::vector<ChannelComparison> &comparison, const Refer
     for (const ChannelComparison &channel : comparison) {
         const QString unit = shownUnit(channel.channel);
         const auto shown = [&channel](std::optional<double> error) { return shownDifference(channel.channel, error); };
-        const QString place = file             ? placeText(channel, *file)
-                              : channel.maxAbs ? numberText(channel.timeOfMaxAbs)
-                                               : dash();
+        const QString time = channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash();
+        const QString place = file ? placeText(channel, *file) : time;
         const QString largest = errorText(shown(channel.maxAbs));
         rows.push_back({QStringLiteral("%1 %2").arg(quantityName(channel.channel), symbolText(channel.channel)),
                         channel.maxAbs ? withUnit(largest, unit) : largest, place, errorText(shown(channel.rms)),
@@ -272,9 +271,10 @@ QString reportHtml(const ReportContent &content, DrawingPlace place)
         caption += u' ' + (result.reference ? Report::tr("Thin lines: the motion in the file.")
                                             : Report::tr("Thin lines: the pinned mechanism."));
     }
-    const QString comparison = result.reference    ? comparisonText(content)
-                               : result.difference ? differenceText(result)
-                                                   : QString();
+    QString comparison;
+    if (result.isCompared()) {
+        comparison = result.reference ? comparisonText(content) : differenceText(result);
+    }
     return element("h1", Report::tr("Motion of an offset slider-crank")) +
            note(Report::tr("%1, by %2 %3")
                     .arg(QLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),

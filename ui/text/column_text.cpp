@@ -181,10 +181,14 @@ QString unitText(const FileColumn &column)
     if (!column.unit.empty()) {
         return QString::fromUtf8(column.unit);
     }
-    const QString unit = column.role == ColumnRole::Time         ? "s"
-                         : column.role == ColumnRole::CrankAngle ? "°"
-                                                                 : unitText(column.channel);
-    return column.role == ColumnRole::Ignored ? dash() : ColumnText::tr("%1 (none given)").arg(unit);
+    const auto noneGiven = [](const QString &unit) { return ColumnText::tr("%1 (none given)").arg(unit); };
+    switch (column.role) {
+    case ColumnRole::Ignored: return dash();
+    case ColumnRole::Time: return noneGiven("s");
+    case ColumnRole::CrankAngle: return noneGiven("°");
+    case ColumnRole::Channel: return noneGiven(unitText(column.channel));
+    }
+    return {};
 }
 
 QString reasonText(ColumnReason reason)

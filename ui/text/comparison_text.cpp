@@ -43,11 +43,15 @@ QString verdictText(const ChannelComparison &channel)
 
 QString placeText(const ChannelComparison &channel, const ReferenceData &file)
 {
+    if (!channel.maxAbs) {
+        return dash();
+    }
     const double time = channel.timeOfMaxAbs;
-    return !channel.maxAbs ? dash()
-           : file.crank    ? numberText(shownValue(Measure::Angle, file.crank->omega2 * time + file.crank->theta20,
-                                                   notation().units))
-                           : numberText(time);
+    if (!file.crank) {
+        return numberText(time);
+    }
+    const double crankAngle = file.crank->omega2 * time + file.crank->theta20;
+    return numberText(shownValue(Measure::Angle, crankAngle, notation().units));
 }
 
 std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file)

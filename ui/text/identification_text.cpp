@@ -279,7 +279,7 @@ const char *reasonName(Reason reason)
 Notation notationOf(const Identification &found)
 {
     Notation shown = notation();
-    if (shown.units.length == LengthUnit::Millimetre) {
+    if (shown.units.length == LengthUnit::Millimetre) { // the default: no unit was chosen
         shown.units.length = lengthUnitOf(found.lengthUnit);
     }
     return shown;
@@ -297,9 +297,12 @@ QString measuredText(Parameter parameter, const Identification &found, const Not
     if (found.hasSystematicResiduals || (found.drive && std::isnan(standardError))) {
         return numberText(value, kUncertainDigits) + unit;
     }
-    const double scale = parameter == Parameter::Omega2    ? std::abs(found.parameters.omega2)
-                         : parameter == Parameter::Theta20 ? 1.0
-                                                           : characteristicLength(found.parameters);
+    double scale = characteristicLength(found.parameters);
+    if (parameter == Parameter::Omega2) {
+        scale = std::abs(found.parameters.omega2);
+    } else if (parameter == Parameter::Theta20) {
+        scale = 1.0;
+    }
     return measuredText(value, factor * standardError, factor * scale) + unit;
 }
 

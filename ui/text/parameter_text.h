@@ -26,7 +26,7 @@ QString assemblyText(Branch branch);
 /// Returns "open assembly" or "crossed assembly".
 QString withNoun(Branch branch);
 
-/// Converts a value from the unit of the core to the displayed unit: θ₂₀ from radians to degrees.
+/// Returns the factor from the unit of the core to the displayed unit: 57.3 for θ₂₀ in degrees.
 double shownFactor(Parameter parameter, const Notation &shown = notation());
 
 /// Returns the displayed unit, preceded by a space where one is needed.

@@ -35,7 +35,7 @@ const UnitDescription &lengthUnit(const Units &units)
     return rowOf(kLengthUnits, units.length).unit;
 }
 
-/// Returns the unit of an angle, or that of its derivatives without the time.
+/// Returns the unit of an angle; for its derivatives the unit without "/s": "rad" of "rad/s".
 const UnitDescription &angleUnit(Measure measure, const Units &units)
 {
     switch (units.angle) {
@@ -46,7 +46,7 @@ const UnitDescription &angleUnit(Measure measure, const Units &units)
     return measure == Measure::Angle ? kDegreeUnit : kRadianUnit;
 }
 
-/// Returns the unit of a length or of an angle, without the time.
+/// Returns the unit of a length or of an angle; for derivatives the unit without "/s": "mm" of "mm/s".
 QString baseUnit(Measure measure, const Units &units)
 {
     return QString::fromUtf8(isAngular(measure) ? angleUnit(measure, units).text : lengthUnit(units).text);

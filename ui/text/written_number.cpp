@@ -14,9 +14,13 @@ namespace
 QString withPowerOfTen(const QString &mantissa, int exponent)
 {
     const QString power = powerOfTenText(exponent);
-    return mantissa == QLocale().toString(1)    ? power
-           : mantissa == QLocale().toString(-1) ? QLocale().negativeSign() + power
-                                                : QStringLiteral("%1·%2").arg(mantissa, power);
+    if (mantissa == QLocale().toString(1)) {
+        return power;
+    }
+    if (mantissa == QLocale().toString(-1)) {
+        return QLocale().negativeSign() + power;
+    }
+    return QStringLiteral("%1·%2").arg(mantissa, power);
 }
 
 QString toText(double value, char format, int digits)

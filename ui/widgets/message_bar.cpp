@@ -119,10 +119,10 @@ bool MessageBar::eventFilter(QObject *watched, QEvent *event)
 
 void MessageBar::place()
 {
-    constexpr int kMargin = 6;  // px
-    constexpr int kWidest = 64; // characters
+    constexpr int kMargin = 6;    // px
+    constexpr int kMaxWidth = 64; // characters
     const int space = parentWidget()->width() - 2 * kMargin;
-    const int width = std::min(space, kWidest * fontMetrics().averageCharWidth());
+    const int width = std::min(space, kMaxWidth * fontMetrics().averageCharWidth());
     setGeometry(kMargin, kMargin, width, std::max(0, m_rows->heightForWidth(width)));
     setVisible(m_rows->count() > 0 && !m_isMuted);
     raise();

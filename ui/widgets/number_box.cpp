@@ -250,10 +250,9 @@ bool NumberBox::event(QEvent *event)
         const bool isClipboard =
             is(QKeySequence::Copy) || is(QKeySequence::Cut) || is(QKeySequence::Paste) || is(QKeySequence::SelectAll);
         const bool isPlayback = key->key() == Qt::Key_Space && !m_hasTyped; // "120 in" begins like "120 mm"
-        const bool isMeant = isPlayback     ? false
-                             : isUndo(*key) ? isTyping()
-                                            : isClipboard || !key->modifiers().testFlag(Qt::ControlModifier);
-        if (!isMeant) {
+        const bool isOtherControlKey = key->modifiers().testFlag(Qt::ControlModifier) && !isClipboard;
+        const bool isOfWindow = isUndo(*key) ? !isTyping() : isPlayback || isOtherControlKey;
+        if (isOfWindow) {
             event->ignore();
             return false;
         }

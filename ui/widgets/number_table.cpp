@@ -187,7 +187,9 @@ void NumberTable::fillCells()
             const TableCell &cell = content.cells[static_cast<std::size_t>(column)];
             const QModelIndex index = m_model->index(row, column);
             const QString before = index.data().toString();
-            if (cell.text.size() > before.size() || (!cell.number && cell.text != before)) { // digits are equally wide
+            if (cell.text.size() > before.size() ||
+                (!cell.number &&
+                 cell.text != before)) { // a number needs no more space than one with as many characters
                 widen(column, cell.text);
             }
             m_model->setData(index, cell.text, Qt::DisplayRole);

@@ -20,8 +20,8 @@ struct OpenRequest {
     std::function<void(const QStringList &paths)> open;
 };
 
-/// Opens the dialog as a child of `parent` and returns at once. request.open is called when files have been chosen. (Of
-/// native_dialogs.cpp, or in a browser of page_dialogs.cpp.)
+/// Opens the dialog as a child of `parent` and returns at once. request.open is called when files have been chosen.
+/// Defined in native_dialogs.cpp or, for a browser, in page_dialogs.cpp.
 void chooseFilesToOpen(QWidget *parent, const OpenRequest &request);
 
 } // namespace slidercrank

@@ -21,7 +21,8 @@ QLabel *plainText(const QString &text)
     policy.setHeightForWidth(true);
     paragraph->setSizePolicy(policy);
     paragraph->setTextFormat(Qt::PlainText);
-    paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse); // by keyboard, a click would leave a caret
+    paragraph->setTextInteractionFlags(
+        Qt::TextSelectableByMouse); // not by the keyboard, for which a click would leave a caret
     return paragraph;
 }
 

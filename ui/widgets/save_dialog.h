@@ -22,8 +22,8 @@ struct SaveRequest {
     QString folder = {}; ///< if empty, the folder in which a file was last saved
 };
 
-/// Opens the dialog as a child of `parent` and returns at once. request.save is called when a name has been chosen. (Of
-/// native_dialogs.cpp, or in a browser of page_dialogs.cpp.)
+/// Opens the dialog as a child of `parent` and returns at once. request.save is called when a name has been chosen.
+/// Defined in native_dialogs.cpp or, for a browser, in page_dialogs.cpp.
 void chooseFileToSave(QWidget *parent, const SaveRequest &request);
 
 /// Returns the path, with the suffix of `filter` appended if the path has no suffix of `filters`.

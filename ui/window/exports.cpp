@@ -38,14 +38,14 @@ Exports::Exports(Session *session, const Views &views, QWidget *window)
     session->track(m_task);
 }
 
-FigureDrawing Exports::drawMechanism() const
+FigureDrawing Exports::mechanismDrawing() const
 {
     return [this](QPainter &painter, const QSize &size) {
         m_views.mechanism->paintMechanism(painter, size, paletteFor(Theme::Light));
     };
 }
 
-FigureDrawing Exports::drawPlots(const FigureContent &content) const
+FigureDrawing Exports::plotsDrawing(const FigureContent &content) const
 {
     return [this, content](QPainter &painter, const QSize &size) {
         m_views.plots->paintFigure(painter, content, size, paletteFor(Theme::Light));
@@ -82,7 +82,7 @@ FigureSubject Exports::plot(const QString &name) const
         return withParameters(FigureHeight(height), mechanism);
     };
     subject.draw = [this, mechanism, choose](const FigureOptions &options) {
-        return withParameters(drawPlots(choose(options)), mechanism, paletteFor(Theme::Light));
+        return withParameters(plotsDrawing(choose(options)), mechanism, paletteFor(Theme::Light));
     };
     return subject;
 }
@@ -96,7 +96,7 @@ FigureSubject Exports::mechanism() const
         return withParameters(FigureHeight(height), m_session->result()->mechanism);
     };
     subject.draw = [this](const FigureOptions &) {
-        return withParameters(drawMechanism(), m_session->result()->mechanism, paletteFor(Theme::Light));
+        return withParameters(mechanismDrawing(), m_session->result()->mechanism, paletteFor(Theme::Light));
     };
     return subject;
 }
@@ -172,7 +172,7 @@ void Exports::writeReport(const QString &path, PaperSize paper)
         }
         content.found = identification->found;
     }
-    m_session->reportWritten(path, exportReport(path, content, drawMechanism(), drawPlots({})));
+    m_session->reportWritten(path, exportReport(path, content, mechanismDrawing(), plotsDrawing({})));
 }
 
 Animation Exports::animationShown() const

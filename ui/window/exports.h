@@ -60,8 +60,8 @@ public:
     Animation animationShown() const;
 
 private:
-    FigureDrawing drawMechanism() const;
-    FigureDrawing drawPlots(const FigureContent &content) const;
+    FigureDrawing mechanismDrawing() const;
+    FigureDrawing plotsDrawing(const FigureContent &content) const;
     FigureContent contentOf(const FigureOptions &options) const;
 
     Session *m_session;

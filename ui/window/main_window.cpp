@@ -258,7 +258,8 @@ QWidget *MainWindow::makeMotionTable()
     if (!isNotationChosen()) {
         table->offerTextbookNotation();
     }
-    // The table is hidden once more while the window is destroyed, and then marks no place: only the view is used.
+    // While the window is destroyed, the table is hidden and reports that no row is hovered. That does not use
+    // `session`.
     const auto mark = [session = m_session, view = m_views.mechanism](const std::optional<double> &theta2) {
         view->setMarked(theta2 ? referencePoseAt(withCrankAt(Mechanism(session->parameters()), *theta2), 0.0)
                                : ReferencePose());

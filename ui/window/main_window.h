@@ -43,7 +43,7 @@ public:
     std::unique_ptr<MainWindow> remade();
 
 signals:
-    /// The widgets have the language in which they were made: remade() makes a window in this one.
+    /// Another language was chosen. Widgets keep the language in which they were made: remade() makes a new window.
     void languageChosen();
 
 public slots:

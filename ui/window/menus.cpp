@@ -87,14 +87,14 @@ Menus::Menus(MainWindow &window, const Views &views)
     , m_window(window)
     , m_views(views)
 {
-    addFile();
-    addEdit();
-    addView();
+    addFileMenu();
+    addEditMenu();
+    addViewMenu();
     views.timeline->fillMenu(addMenu(tr("&Playback")));
-    addHelp();
+    addHelpMenu();
 }
 
-void Menus::addFile()
+void Menus::addFileMenu()
 {
     Session *session = &m_window.session();
     SceneFile *scene = &m_window.scene();
@@ -113,12 +113,12 @@ void Menus::addFile()
     menu->addAction(tr("Save scene &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, scene, [scene] { scene->saveAs(); });
     menu->addAction(tr("Copy lin&k"), scene, &SceneFile::copyLink);
     menu->addSeparator();
-    addExport(menu->addMenu(tr("E&xport")));
+    addExportMenu(menu->addMenu(tr("E&xport")));
     menu->addSeparator();
     menu->addAction(tr("&Quit"), QKeySequence::Quit, &m_window, &QWidget::close)->setObjectName("quit");
 }
 
-void Menus::addExport(QMenu *menu)
+void Menus::addExportMenu(QMenu *menu)
 {
     Exports *exports = &m_window.exports();
     menu->addAction(tr("&Figure…"), Qt::CTRL | Qt::Key_E, exports, [exports] { exports->choose(exports->plot()); });
@@ -141,7 +141,7 @@ void Menus::fillRecent(QMenu *menu)
     }
 }
 
-void Menus::addEdit()
+void Menus::addEditMenu()
 {
     Session *session = &m_window.session();
     Exports *exports = &m_window.exports();
@@ -162,7 +162,7 @@ void Menus::addEdit()
     menu->addAction(tr("Rese&t all parameters"), session, [session] { session->setParameters(Parameters()); });
 }
 
-void Menus::addView()
+void Menus::addViewMenu()
 {
     FoldingTabs *tabs = m_views.tabs;
     Presentation *presentation = &m_window.presentation();
@@ -170,7 +170,7 @@ void Menus::addView()
     menu->addAction(tr("&Reset plot zoom"), Qt::CTRL | Qt::Key_0, m_views.plots, &PlotGrid::showAll);
     menu->addMenu(tr("M&echanism"))->addActions(m_views.mechanism->choices());
     menu->addMenu(tr("Pl&ots"))->addActions(m_views.plots->choices());
-    addNotation(menu->addMenu(tr("&Notation and units")));
+    addNotationMenu(menu->addMenu(tr("&Notation and units")));
     QAction *present = addSwitch(menu, tr("Presentation &mode"), false, Qt::Key_F11);
     connect(present, &QAction::triggered, presentation, &Presentation::setOn);
     connect(presentation, &Presentation::changed, present, &QAction::setChecked);
@@ -196,7 +196,7 @@ void Menus::addView()
                          setLanguage);
 }
 
-void Menus::addNotation(QMenu *menu)
+void Menus::addNotationMenu(QMenu *menu)
 {
     const auto addGroup = [this, menu]<typename Value>(const QStringList &texts,
                                                        const std::function<Value &(Notation &)> &member) {
@@ -221,7 +221,7 @@ void Menus::addNotation(QMenu *menu)
                                     [](Notation &shown) -> LengthUnit & { return shown.units.length; });
 }
 
-void Menus::addHelp()
+void Menus::addHelpMenu()
 {
     QMenu *menu = addMenu(tr("&Help"));
     menu->addAction(tr("&Theory and help"), QKeySequence::HelpContents, this,

@@ -19,12 +19,12 @@ public:
     Menus(MainWindow &window, const Views &views);
 
 private:
-    void addFile();
-    void addExport(QMenu *menu);
-    void addEdit();
-    void addView();
-    void addNotation(QMenu *menu);
-    void addHelp();
+    void addFileMenu();
+    void addExportMenu(QMenu *menu);
+    void addEditMenu();
+    void addViewMenu();
+    void addNotationMenu(QMenu *menu);
+    void addHelpMenu();
 
     void fillRecent(QMenu *menu);
     void showAbout();

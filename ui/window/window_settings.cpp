@@ -77,11 +77,12 @@ void restoreTable(const QSettings &settings, MotionTablePanel &panel)
                        settings.value(kTable + "localSeparators", false).toBool()});
 }
 
-/// Returns a stored enumerator; of a damaged setting a valid one. `last`: the last of the enumeration.
-template <typename Enum>
-Enum stored(const QSettings &settings, const QString &key, Enum last)
+/// Returns a stored enumerator, by default the first one. `last` is the last enumerator of the enumeration, which
+/// limits a damaged setting.
+template <auto last>
+auto storedUpTo(const QSettings &settings, const QString &key)
 {
-    return static_cast<Enum>(std::clamp(settings.value(key, 0).toInt(), 0, static_cast<int>(last)));
+    return static_cast<decltype(last)>(std::clamp(settings.value(key, 0).toInt(), 0, static_cast<int>(last)));
 }
 
 FoldingTabs &tabsIn(const QMainWindow &window)
@@ -119,10 +120,10 @@ QString recentFolder()
 Notation chosenNotation()
 {
     const QSettings settings;
-    return {stored(settings, kSymbols, Symbols::Textbook),
-            {stored(settings, kLengthUnit, LengthUnit::Inch),
-             stored(settings, kAngleUnit, AngleUnit::DegreeAndRadianPerSecond)},
-            stored(settings, kCrankSpeedUnit, CrankSpeedUnit::TurnPerMinute)};
+    return {storedUpTo<Symbols::Textbook>(settings, kSymbols),
+            {storedUpTo<LengthUnit::Inch>(settings, kLengthUnit),
+             storedUpTo<AngleUnit::DegreeAndRadianPerSecond>(settings, kAngleUnit)},
+            storedUpTo<CrankSpeedUnit::TurnPerMinute>(settings, kCrankSpeedUnit)};
 }
 
 bool isNotationChosen()
@@ -141,7 +142,7 @@ void rememberNotation(const Notation &notation)
 
 Theme chosenTheme()
 {
-    return stored(QSettings(), kTheme, Theme::Dark);
+    return storedUpTo<Theme::Dark>(QSettings(), kTheme);
 }
 
 void rememberTheme(Theme theme)
@@ -174,10 +175,10 @@ void restoreLayout(QMainWindow &window)
 {
     const QSettings settings;
     FoldingTabs &tabs = tabsIn(window);
-    constexpr QSize kLargest(16'384, 16'384); // px: a larger size can only be a damaged one
+    constexpr QSize kMaxSize(16'384, 16'384); // px: a larger size can only be a damaged one
     const QSize size = window.size();
     window.restoreGeometry(settings.value(kWindow).toByteArray());
-    if (window.size() != window.size().boundedTo(kLargest)) {
+    if (window.size() != window.size().boundedTo(kMaxSize)) {
         window.resize(size);
     }
     window.findChild<Timeline *>()->setSpeed(settings.value(kSpeed, 1.0).toDouble());
