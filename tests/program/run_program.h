@@ -58,8 +58,8 @@ inline RunResult run(const QString &line)
 /// Waits until a program ends, and returns its exit status and output.
 inline RunResult resultOf(QProcess &process)
 {
-    const bool hasEnded = process.waitForFinished(kPatience) && process.exitStatus() == QProcess::NormalExit;
-    return {hasEnded ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
+    const bool exitedNormally = process.waitForFinished(kPatience) && process.exitStatus() == QProcess::NormalExit;
+    return {exitedNormally ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
 /// Runs the program itself, without a display. `variables`: "NAME=value" in its environment.

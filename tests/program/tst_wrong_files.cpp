@@ -94,7 +94,8 @@ private slots:
         QTest::newRow("nothing") << "/dev/null" << QByteArray("The file is empty");
         QTest::newRow("a folder") << "/" << QByteArray("/ is a folder");
         QTest::newRow("unreadable") << "/proc/self/mem" << QByteArray("cannot be read");
-        QTest::newRow("text that is not a table") << "/proc/self/status" << QByteArray("a text without rows of numbers");
+        QTest::newRow("text that is not a table")
+            << "/proc/self/status" << QByteArray("a text without rows of numbers");
         QTest::newRow("missing") << "/nowhere/x.csv" << QByteArray("cannot be opened");
     }
 
@@ -167,7 +168,7 @@ private slots:
             process.start(QStringLiteral(SLIDERCRANK_PROGRAM), {"compare", m_file});
             return resultOf(process);
         };
-        rlim_t smallest = 64; // MB that the program itself needs
+        rlim_t smallest = 64; // MB; raised until the program can compare a small file
         while (runWithin(smallest).status != 0) {
             smallest += 32;
             QVERIFY(smallest < 8192);

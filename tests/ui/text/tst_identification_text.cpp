@@ -45,8 +45,9 @@ Identification approximate()
 constexpr const char *kMechanism = "a = 20.000001 ± 0.000003 mm, b = 60.00000 ± 0.00001 mm, c = 24.999974 ± 0.000008 "
                                    "mm, ω₂ = 6.2831856 ± 3·10⁻⁷ rad/s, θ₂₀ = −0.00002 ± 0.00001°, open assembly.";
 
-/// Beside Table 1, where b = 65 mm.
-QString changed(Parameter parameter, double value, Outcome outcome = Outcome::Identified)
+/// Returns the text that a different value of one parameter explains the file. The given mechanism is that of Table 1,
+/// where b = 65 mm.
+QString changeTextFor(Parameter parameter, double value, Outcome outcome = Outcome::Identified)
 {
     Identification found;
     found.outcome = outcome;
@@ -256,17 +257,17 @@ private slots:
     void namesTheLengthThatExplainsTheDifference()
     {
         QCOMPARE(changeText(Identification(), Parameters()), QString());
-        QCOMPARE(changed(Parameter::B, 59.9999987),
+        QCOMPARE(changeTextFor(Parameter::B, 59.9999987),
                  QString("With b = 60 mm instead of 65 mm, this mechanism agrees with the file."));
-        QCOMPARE(changed(Parameter::B, 60.0, Outcome::Approximate),
+        QCOMPARE(changeTextFor(Parameter::B, 60.0, Outcome::Approximate),
                  QString("With b = 60 mm instead of 65 mm, this mechanism fits the file as well as any other."));
         Identification uneven = identified();
         uneven.change = {Parameter::B, 60.0};
         uneven.drive = {5.0, 0.1, 4.0, 6.0, {}};
         QVERIFY(changeText(uneven, Parameters()).endsWith("the file. The crank speed of the file is not constant."));
-        QVERIFY(changed(Parameter::B, 65.00002).startsWith("With b = 65.00002 mm instead of 65 mm, "));
+        QVERIFY(changeTextFor(Parameter::B, 65.00002).startsWith("With b = 65.00002 mm instead of 65 mm, "));
         QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
-        const QString spanish = changed(Parameter::B, 60.5);
+        const QString spanish = changeTextFor(Parameter::B, 60.5);
         QLocale::setDefault(QLocale::c());
         QVERIFY2(spanish.contains("60,5 mm instead of 65 mm"), qPrintable(spanish));
     }

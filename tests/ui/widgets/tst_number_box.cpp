@@ -187,14 +187,14 @@ private slots:
         struct Row {
             double value;
             Qt::Key key;
-            double next;
+            double expected;
         };
         const Row rows[] = {{65.0, Qt::Key_Up, 66.0},   {65.0, Qt::Key_Down, 64.0}, {100.0, Qt::Key_Down, 99.0},
                             {100.0, Qt::Key_Up, 110.0}, {0.2, Qt::Key_Up, 0.21},    {1e-6, Qt::Key_Down, 9.9e-7}};
         for (const Row &row : rows) {
             Shown shown(row.value);
             QTest::keyClick(shown.box, row.key);
-            QVERIFY2(shown.box->value() == row.next, qPrintable(shown.box->text()));
+            QVERIFY2(shown.box->value() == row.expected, qPrintable(shown.box->text()));
             QCOMPARE(shown.edits.count(), 1);
         }
         Shown shown;

@@ -52,6 +52,8 @@ private slots:
 
     void savesASceneAndOpensItAgain()
     {
+        constexpr MechanismSettings kDrawn{
+            .velocity = true, .path = true, .dimensions = true, .angles = true, .instantCentre = true};
         const QString rig = path("rig.slidercrank");
         openSample();
         setB(61.25);
@@ -62,7 +64,7 @@ private slots:
         zoom.values[4] = Interval{-10.0, 20.0};
         view<PlotGrid>()->setSettings({.error = ErrorMeasure::Absolute, .abscissa = Abscissa::CrankAngle});
         view<PlotGrid>()->setZoom(zoom);
-        view<MechanismView>()->setSettings({true, false, true, false, true, true, true});
+        view<MechanismView>()->setSettings(kDrawn);
         view<MechanismView>()->setZoom(QRectF(-15.0, -10.0, 60.0, 40.0)); // mm
         QVERIFY(m_window->isWindowModified());
         QVERIFY(m_window->scene().saveTo(rig));

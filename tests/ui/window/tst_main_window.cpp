@@ -67,7 +67,7 @@ private slots:
         m_window->exports().write(m_window->exports().plot(), {}, "/no/such/folder/figure.png");
         QVERIFY(messages()->isVisible() && said().contains("figure.png cannot be written"));
         openSample();
-        setB(-1.0); // a problem of another kind
+        setB(-1.0); // a different kind of problem
         m_window->exports().copy(m_window->exports().plot());
         QCOMPARE(said().count('\n'), 2);
         settle();
@@ -137,7 +137,7 @@ private slots:
         QVERIFY(!session().reference() && !action("Close reference")->isEnabled());
     }
 
-    /// A former defect: a click had no visible effect while the plots were zoomed to another time range.
+    /// A former defect: a click had no visible effect while the plots were zoomed to a different time range.
     void aRowOfTheErrorTableShowsItsTime()
     {
         openSample();

@@ -95,7 +95,7 @@ public:
             {"a slider", 20, &Monkey::moveSlider}, {"text", 12, &Monkey::type},
             {"the mouse", 34, &Monkey::useMouse},  {"the wheel", 8, &Monkey::turnWheel},
             {"a key", 16, &Monkey::press},         {"a tab", 4, &Monkey::switchTab},
-            {"a menu", 8, &Monkey::trigger},       {"a context menu", 2, &Monkey::askContextMenu},
+            {"a menu", 8, &Monkey::trigger},       {"a context menu", 2, &Monkey::openContextMenu},
             {"a file", 5, &Monkey::drop},          {"cancel", 3, &Monkey::cancel},
             {"the size", 4, &Monkey::resize},      {"a moment", 3, &Monkey::wait}};
         int choice = below(119);
@@ -253,7 +253,7 @@ private:
         action->trigger();
     }
 
-    void askContextMenu()
+    void openContextMenu()
     {
         if (auto *widget = randomWidget<QWidget>()) {
             const QPoint at = within(*widget);
@@ -347,7 +347,9 @@ private slots:
     void initTestCase()
     {
         QVERIFY(m_folder.isValid());
-        qputenv("HOME", m_folder.path().toLocal8Bit()); // files that are saved under their proposed names
+        qputenv("HOME",
+                m_folder.path()
+                    .toLocal8Bit()); // so that files that are saved under their proposed names are in this folder
         QVERIFY(QDir::setCurrent(m_folder.path()));
         QStandardPaths::setTestModeEnabled(true);
         QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, m_folder.filePath("settings"));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The views are painted at the full resolution for every device pixel ratio (QT_SCALE_FACTOR; ctest uses 1, 1.5 and 2),
-// also after the window was moved to a screen with another ratio. In a picture that was scaled up, some neighbouring
-// columns of pixels hardly differ.
+// also after the window was moved to a screen with a different ratio. In a picture that was scaled up, some
+// neighbouring columns of pixels hardly differ.
 
 #include "tests/ui/window/window_fixture.h"
 #include "ui/widgets/folding_tabs.h"
