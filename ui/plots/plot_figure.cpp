@@ -36,14 +36,14 @@ int lineHeight(const QFont &font)
 /// removes those that make no visible difference. Both together are off by less than a third of the detail.
 void fit(PlotCurve &curve, const Interval &time, const Interval &values, const QSize &axes, double detail)
 {
-    constexpr double kScreenDetail = 1.0; // px, for which the samples of a curve suffice
-    constexpr double kMissing = 0.1;      // details
-    constexpr double kInvisible = 0.2;    // details
-    constexpr double kBelowEdge = 3.0;    // px
+    constexpr double kScreenDetail = 1.0;    // px: for details of this size the samples of a curve suffice
+    constexpr double kInsertTolerance = 0.1; // details
+    constexpr double kRemoveTolerance = 0.2; // details
+    constexpr double kBelowEdge = 3.0;       // px
     const double pixel = values.length() / std::max(axes.height(), 1);
     if (curve.valueAt && detail < kScreenDetail) {
         const CurveScale scale{axes.width() / time.length(), 1.0 / pixel};
-        curve.points = refine(curve.points, curve.valueAt, scale, kMissing * detail, values);
+        curve.points = refine(curve.points, curve.valueAt, scale, kInsertTolerance * detail, values);
     }
     for (CurvePoint &dot : curve.dots) {
         dot.value = dot.value == PlotCurve::kUpperEdge ? values.upper - kBelowEdge * pixel : dot.value;
@@ -54,7 +54,7 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, const Q
     if (curve.dots.empty()) {
         curve.dots = isolatedPoints(curve.points);
     }
-    curve.points = withoutNeedlessPoints(curve.points, kInvisible * detail * pixel);
+    curve.points = withoutNeedlessPoints(curve.points, kRemoveTolerance * detail * pixel);
 }
 
 /// Returns the number of plots side by side: as in the grid if rows are complete, otherwise at most three. Six plots

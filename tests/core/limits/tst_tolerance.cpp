@@ -31,7 +31,8 @@ class TestTolerance : public QObject
     Q_OBJECT
 
 private slots:
-    /// The exact range is that over a dense grid of the box, whose faces are among its points.
+    /// The expected range is that over points of the box of tolerances: the ends and the middle of a and b with 33
+    /// values of c.
     void rangesEqualThoseOverTheBox()
     {
         RandomMechanisms random(463);

@@ -215,7 +215,7 @@ private slots:
         result.comparison[0].verdict = Verdict::Agrees; // nothing to explain
         QVERIFY(errorPage(result, &identification).findings.empty());
         result.comparison[0].verdict = Verdict::Differs;
-        result.choices.reference = std::make_shared<Reference>(); // another file
+        result.choices.reference = std::make_shared<Reference>(); // a different file
         QVERIFY(errorPage(result, &identification).findings.empty());
     }
 
