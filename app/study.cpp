@@ -50,7 +50,7 @@ QString caseReport(const CaseResult &result)
     return tablesWithHeading(heading, studyPage(result));
 }
 
-/// The methods over all cases: largest error, median time, and what became of all time steps.
+/// The methods over all cases: largest error, median time, and how many time steps have each status.
 QString summaryReport(const StudyResult &result)
 {
     const CaseResult allCases{.name = {}, .parameters = {}, .timeStamps = 0, .methods = resultsOverAllCases(result)};
