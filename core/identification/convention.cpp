@@ -52,7 +52,7 @@ void change(const Convention &convention, int timePower, std::vector<double> &va
 /// angles are measured from the new x axis.
 void rotateAxes(ReferenceSeries &series)
 {
-    constexpr double kQuarterTurn = 90.0;
+    constexpr double kQuarterTurn = 90.0; // °
     if (isAngle(series.channel.coordinate)) {
         shift(series.values, series.rounding, -kQuarterTurn);
     } else if (series.channel.coordinate == R4x) {
@@ -63,11 +63,31 @@ void rotateAxes(ReferenceSeries &series)
     }
 }
 
+/// Whether the slider moves along y and not along x, by its positions, velocities and accelerations.
+bool movesAlongY(const ReferenceData &data)
+{
+    constexpr double kStationaryFraction = 1e-3; // of the motion along the other axis: rounding or misalignment
+    const auto widthOf = [&](Channel channel) {
+        const ReferenceSeries *const series = data.find(channel);
+        return series ? rangeOf(series->values).width() : 0.0;
+    };
+    bool moves = false;
+    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+        const double alongX = widthOf({R4x, order});
+        const double alongY = widthOf({R4y, order});
+        if (alongX > kStationaryFraction * alongY) {
+            return false;
+        }
+        moves = moves || alongY > 0.0;
+    }
+    return moves;
+}
+
 } // namespace
 
 double nearestFactor(std::span<const double> units, double wanted, double unitOfHeading)
 {
-    constexpr double kSameUnit = 1e-9;
+    constexpr double kSameUnit = 1e-9; // relative error of a factor that conventions have changed
     const auto distance = [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); };
     double nearest = 1.0;
     for (const double unit : units) {
@@ -87,24 +107,19 @@ bool concerns(const Convention &convention, Channel channel)
 
 std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
 {
-    constexpr double kStationaryFraction = 1e-3; // of the motion along the other axis: rounding or misalignment
+    if (!movesAlongY(data)) {
+        return std::nullopt;
+    }
     Convention axis{Kind::Axis, {}, 1.0};
-    bool movesAlongY = false;
-    for (const auto &[channel, values, rounding] : data.series) {
-        const auto widthAlong = [&, order = channel.order](Coordinate coordinate) {
-            const ReferenceSeries *const series = data.find({coordinate, order});
-            return series ? rangeOf(series->values).width() : 0.0;
-        };
+    for (const ReferenceSeries &series : data.series) {
+        const Channel channel = series.channel;
         const bool isOfSlider = channel.coordinate == R4x || channel.coordinate == R4y;
-        if (isOfSlider && !(widthAlong(R4x) <= kStationaryFraction * widthAlong(R4y))) {
-            return std::nullopt;
-        }
-        movesAlongY = movesAlongY || (isOfSlider && widthAlong(R4y) > 0.0);
-        if (isOfSlider || (withAngles && isAngle(channel.coordinate) && channel.order == Order::Position)) {
+        const bool isDirection = isAngle(channel.coordinate) && channel.order == Order::Position;
+        if (isOfSlider || (withAngles && isDirection)) {
             axis.channels.push_back(channel);
         }
     }
-    return movesAlongY ? std::optional(std::move(axis)) : std::nullopt;
+    return axis;
 }
 
 ReferenceData applied(const Convention &convention, ReferenceData data)
