@@ -22,7 +22,7 @@ using Kind = Convention::Kind;
 /// Whether two mechanisms have the same lengths and speed, within three standard errors or 0.2 %.
 bool areNear(const Parameters &found, const Parameters &given, const ParameterErrors &errors)
 {
-    constexpr double kRelativeTolerance = 2e-3;
+    constexpr double kRelativeTolerance = 2e-3; // of exact files, whose standard errors are tiny
     return std::ranges::all_of(kAllParameters, [&](Parameter parameter) {
         const bool isLength = std::ranges::find(kLengths, parameter) != kLengths.end();
         const double size = isLength ? characteristicLength(given) : std::abs(given.omega2);
@@ -86,21 +86,7 @@ WholeFileChange changeTowards(const Parameters &given, const Parameters &found, 
     return change;
 }
 
-/// The mechanism that is found in the file after a change of the file. The conventions are still to be appended.
-WholeFileReading changedBy(const WholeFileChange &change, Parameters found, ParameterErrors standardError)
-{
-    for (const Parameter parameter : kLengths) {
-        valueOf(found, parameter) *= change.lengthFactor;
-        standardError[indexOf(parameter)] *= change.lengthFactor;
-    }
-    const double sense = change.isReversed ? -1.0 : 1.0;
-    found.c *= sense;
-    found.omega2 *= sense / change.timeFactor;
-    found.theta20 *= sense;
-    standardError[indexOf(Parameter::Omega2)] /= change.timeFactor;
-    return {.parameters = found, .standardError = standardError};
-}
-
+/// Appends the conventions that make a change.
 void appendChange(std::vector<ConventionFinding> &conventions, const WholeFileChange &change, const ReferenceData &data,
                   Branch branch)
 {
@@ -120,6 +106,23 @@ void appendChange(std::vector<ConventionFinding> &conventions, const WholeFileCh
                    [&](Channel channel) { return channel == coupler; });
         }
     }
+}
+
+/// Adds a change of the whole file to a reading: its conventions, and the mechanism that is found after it.
+WholeFileReading withChange(WholeFileReading reading, const WholeFileChange &change, const ReferenceData &data)
+{
+    Parameters &found = reading.parameters;
+    for (const Parameter length : kLengths) {
+        valueOf(found, length) *= change.lengthFactor;
+        reading.standardError[indexOf(length)] *= change.lengthFactor;
+    }
+    const double sense = change.isReversed ? -1.0 : 1.0;
+    found.c *= sense;
+    found.omega2 *= sense / change.timeFactor;
+    found.theta20 *= sense;
+    reading.standardError[indexOf(Parameter::Omega2)] /= change.timeFactor;
+    appendChange(reading.conventions, change, data, found.branch);
+    return reading;
 }
 
 /// Appends a late start if the crank is not at the given angle at t = 0.
@@ -187,12 +190,10 @@ WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &foun
     // turns and where it starts; it needs no second change.
     const std::size_t maxConventions = data.find(kCrankAngle) ? 1 : 2;
     const WholeFileReading unchanged{.parameters = found, .standardError = standardError};
-    const WholeFileChange change = changeTowards(given, found, data);
-    WholeFileReading reading = changedBy(change, found, standardError);
+    WholeFileReading reading = withChange(unchanged, changeTowards(given, found, data), data);
     if (!areNear(reading.parameters, given, reading.standardError)) {
         return unchanged;
     }
-    appendChange(reading.conventions, change, data, found.branch);
     if (found.branch != given.branch) {
         reading.conventions.push_back({{Kind::Branch, {}, 1.0}});
     }

@@ -35,8 +35,8 @@ struct WholeFileReading {
 
 /// A different length unit, times per millisecond, the other sense of rotation, a late start and the other assembly
 /// cannot be distinguished from another mechanism. They are reported only if the mechanism found then is the given one.
-/// `data` has been read with the other conventions. Returns no conventions if nothing or more than two changes are
-/// necessary.
+/// `data` has been read with the other conventions. Returns no conventions if none is necessary, or more than two; in a
+/// file with θ2, more than one.
 WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &found, const ParameterErrors &standardError,
                                const Parameters &given);
 
