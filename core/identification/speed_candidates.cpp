@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace slidercrank
 {
@@ -43,8 +42,8 @@ int crossings(const ObservedColumn &column)
     return count;
 }
 
-/// The misfit of a constant and two harmonics of one speed.
-double periodogram(const Observations &observations, const Indices &columns, double speed)
+/// The misfit of a constant and two harmonics of one speed: the height of the periodogram there.
+double misfitOfHarmonics(const Observations &observations, const Indices &columns, double speed)
 {
     constexpr double kFloor = 1e-9; // of the squared range: rounding errors of the equations
     const Values cosine = (speed * observations.time).cos();
@@ -62,6 +61,24 @@ double periodogram(const Observations &observations, const Indices &columns, dou
     return misfit;
 }
 
+struct Trial {
+    double speed = 0.0; ///< rad/s
+    double misfit = 0.0;
+};
+
+/// The trials that are no worse than their neighbours, the best first.
+std::vector<Trial> minimaOf(const std::vector<Trial> &trials)
+{
+    std::vector<Trial> minima;
+    for (std::size_t i = 1; i + 1 < trials.size(); ++i) {
+        if (trials[i].misfit <= std::min(trials[i - 1].misfit, trials[i + 1].misfit)) {
+            minima.push_back(trials[i]);
+        }
+    }
+    std::ranges::stable_sort(minima, {}, &Trial::misfit);
+    return minima;
+}
+
 /// The part of the time of the file in which there are rows, at their usual distance. Gaps hide crossings.
 double coverage(const Observations &observations)
 {
@@ -74,14 +91,14 @@ double coverage(const Observations &observations)
 /// speeds up to half a turn per row are tried: a higher one gives the same positions as one of these.
 std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 {
-    constexpr double kSpacing = 0.1; // a tenth of the width of a minimum of the periodogram
-    constexpr double kMinTurns = 0.7;
-    constexpr double kUncounted = 1.0;    // turns at the ends of the file that may have no crossing
-    constexpr double kMiscounted = 0.005; // of the crossings
-    constexpr int kMaxPairsPerTurn = 5;   // of crossings; accelerations have several
-    constexpr double kManyPairs = 25.0;   // of crossings: with these, the count excludes other speeds
-    constexpr double kFullCoverage = 0.95;
-    constexpr double kRowsPerPair = 8.0;
+    constexpr double kSpacing = 0.1;       // a tenth of the width of a minimum of the periodogram
+    constexpr double kMinTurns = 0.7;      // with less, two harmonics fit any speed; findSpeedCandidates() adds arcs
+    constexpr double kUncounted = 1.0;     // turns: both ends of the file may belong to turns that are not complete
+    constexpr double kMiscounted = 0.005;  // of the crossings
+    constexpr int kMaxPairsPerTurn = 5;    // accelerations have several pairs of crossings per turn
+    constexpr double kManyPairs = 25.0;    // with these, their number excludes other speeds
+    constexpr double kFullCoverage = 0.95; // with less, gaps hide crossings
+    constexpr double kRowsPerPair = 8.0;   // with fewer, the rows may miss crossings
     const double pairs = 0.5 * crossings;
     const bool isSparse = static_cast<double>(rows) < kRowsPerPair * pairs;
     const bool isCounted = pairs >= kManyPairs && coverage >= kFullCoverage && !isSparse;
@@ -101,8 +118,8 @@ std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 
 std::vector<double> findSpeedCandidates(const Observations &observations, const Indices &columns)
 {
-    constexpr Index kRows = 400;
-    constexpr std::size_t kCandidates = 4;
+    constexpr Index kRows = 400;           // limit the time of the periodogram
+    constexpr std::size_t kCandidates = 4; // each costs a search of the geometry
     constexpr int kCrossingsOfOneTurn = 2;
     constexpr double kLongestArc = 1.5;   // turns that may have no more crossings than one
     constexpr double kShortestArc = 0.05; // turns: a shorter arc has no recognizable shape
@@ -113,22 +130,17 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
         maxCrossings = std::max(maxCrossings, crossings(observations.columns[column]));
     }
     const Observations selected = thinned(observations, kRows);
-    std::vector<std::pair<double, double>> trials; // misfit and speed
+    std::vector<Trial> trials;
     for (const double turns : possibleTurns(maxCrossings, coverage(observations), observations.size())) {
         if (!selected.stop.stop_requested()) {
-            trials.emplace_back(periodogram(selected, columns, turns * speedOfOneTurn), turns * speedOfOneTurn);
+            const double speed = turns * speedOfOneTurn;
+            trials.push_back({speed, misfitOfHarmonics(selected, columns, speed)});
         }
     }
-    std::vector<std::pair<double, double>> minima;
-    for (std::size_t i = 1; i + 1 < trials.size(); ++i) {
-        if (trials[i].first <= std::min(trials[i - 1].first, trials[i + 1].first)) {
-            minima.push_back(trials[i]);
-        }
-    }
-    std::ranges::sort(minima);
+    const std::vector<Trial> minima = minimaOf(trials);
     std::vector<double> speeds;
     for (std::size_t i = 0; i < std::min(kCandidates, minima.size()); ++i) {
-        speeds.push_back(minima[i].second);
+        speeds.push_back(minima[i].speed);
     }
     if (maxCrossings <= kCrossingsOfOneTurn) {
         for (double turns = kLongestArc; turns > kShortestArc; turns /= kRatio) {
