@@ -24,15 +24,14 @@ double bestFactor(const Values &motion, const Values &values)
 
 double largestFurtherResidual(bool othersAreExact)
 {
-    constexpr double kLargestBesideExactColumns = 1e-3;
+    constexpr double kLargestBesideExactColumns = 1e-3; // of the range: a program may compute derivatives less exactly
     return othersAreExact ? kLargestBesideExactColumns : kLargestNoise;
 }
 
 std::span<const double> unitFactors(Channel channel)
 {
-    static constexpr std::array kOfAngles{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
-    static constexpr std::array kOfLengths{1.0, 10.0, 0.1, 25.4, 1.0 / 25.4, 1000.0, 0.001};
-    return isAngle(channel.coordinate) ? std::span<const double>(kOfAngles) : std::span<const double>(kOfLengths);
+    static constexpr std::array kLengthUnits{1.0, 10.0, 0.1, 25.4, 1.0 / 25.4, 1000.0, 0.001}; // cm, in, m
+    return isAngle(channel.coordinate) ? std::span<const double>(kAngleUnits) : std::span<const double>(kLengthUnits);
 }
 
 double signOfCoordinate(const Observations &observations, const Fit &fit, Coordinate coordinate)
@@ -65,13 +64,16 @@ double usualFactor(const Observations &observations, const Fit &fit, Index k)
     if (column.channel == kSliderLine) {
         return 1.0; // another sign is another c
     }
-    if (column.range == 0.0 && coordinate != Theta2) {
+    const bool isSpeedOfCrank = coordinate == Theta2; // constant, but not zero
+    if (column.range == 0.0 && !isSpeedOfCrank) {
         return sign; // zeros have neither sign nor scale
     }
-    const double wanted = scaleOf(observations, fit, fit.model, k, false).factor;
-    const auto mismatch = [&](double unit) { return std::abs(std::log(std::abs(wanted) / unit)); };
-    const double unit = coordinate == Theta2 ? 1.0 : std::ranges::min(unitFactors(column.channel), {}, mismatch);
-    return sign * std::copysign(unit, wanted);
+    const double factor = sign * scaleOf(observations, fit, fit.model, k, false).factor;
+    if (isSpeedOfCrank) {
+        return std::copysign(1.0, factor); // a different value is a different speed
+    }
+    const auto mismatch = [&](double unit) { return std::abs(std::log(std::abs(factor) / unit)); };
+    return std::copysign(std::ranges::min(unitFactors(column.channel), {}, mismatch), factor);
 }
 
 } // namespace slidercrank

@@ -5,10 +5,14 @@
 
 #include "core/identification/fit.h"
 
+#include <array>
 #include <span>
 
 namespace slidercrank
 {
+
+/// What a column of angles may have to be multiplied by because radians and degrees were confused.
+inline constexpr std::array kAngleUnits{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
 
 /// The largest residual with which a mechanism explains a further column: rms, relative to the range of the column. If
 /// the mechanism explains the other columns exactly (within rounding), the further column may have hardly any residual.

@@ -19,8 +19,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::array kAngleUnits{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
-
 /// The origins that a search allows: the usual ones (0, half turns of θ3), or any for each column of positions.
 enum class Origins { Usual, Any };
 enum class ColumnOrigin { None, HalfTurns, Any };
@@ -101,7 +99,7 @@ Candidate scaledToColumns(Model model, const Observations &observations, const I
     Candidate candidate{.misfit = 0.0, .model = std::move(model)};
     Parameters &mechanism = candidate.model.mechanism;
     double crankLength = given.a; // mm
-    std::optional<double> speed;  // |ω2| in a table over the crank angle, whose motion is that of ω2 = 1
+    std::optional<double> speed;  // |ω2| in a table over the crank angle, where the motion is computed for ω2 = 1
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const ObservedColumn &column = observations.columns[columns[k]];
         const double order = static_cast<double>(column.channel.order);
@@ -136,9 +134,16 @@ struct GridResult {
     std::vector<Candidate> usualOrigins, anyOrigins;
 };
 
+void replaceIfBetter(Candidate &best, Candidate candidate)
+{
+    if (candidate.misfit < best.misfit) {
+        best = std::move(candidate);
+    }
+}
+
 void keepBest(std::vector<Candidate> &candidates)
 {
-    constexpr std::size_t kCandidates = 6;
+    constexpr std::size_t kCandidates = 6; // each costs a fit
     std::erase_if(candidates, [](const Candidate &candidate) { return !std::isfinite(candidate.misfit); });
     std::ranges::sort(candidates, {}, &Candidate::misfit);
     candidates.resize(std::min(kCandidates, candidates.size()));
@@ -151,10 +156,11 @@ GridResult searchGrid(const Observations &observations, const Indices &columns, 
 {
     constexpr std::array kCouplers{0.6, 0.85, 1.08, 1.25, 1.5, 1.9, 2.5, 3.5, 5.5, 10.0};        // b / (a + |c|)
     constexpr std::array kOffsets{0.0, -0.3, 0.3, -0.6, 0.6, -0.9, 0.9, -2.0, 2.0, -12.0, 12.0}; // c / a
-    constexpr int kAngles = 16;
+    constexpr int kAngles = 16; // of the crank, every 22.5°
     GridResult result;
     Model model = start;
-    const double speed = start.followsAngle ? 1.0 : start.mechanism.omega2; // the derivatives are by the angle, then
+    // In a table over the crank angle, derivatives are compared with those by the angle, which are those of ω2 = 1.
+    const double speed = start.followsAngle ? 1.0 : start.mechanism.omega2;
     for (const double offset : kOffsets) {
         for (const double coupler : kCouplers) {
             Candidate usual, any;
@@ -169,12 +175,8 @@ GridResult searchGrid(const Observations &observations, const Indices &columns, 
                 for (Index k = 0; k < motion.cols(); ++k) {
                     moments.push_back(momentsOf(motion.col(k), observations.columns[columns[k]].values));
                 }
-                for (auto &[origins, best] : {std::pair(Origins::Usual, &usual), std::pair(Origins::Any, &any)}) {
-                    Candidate candidate = scaledToColumns(model, observations, columns, moments, given, origins);
-                    if (candidate.misfit < best->misfit) {
-                        *best = std::move(candidate);
-                    }
-                }
+                replaceIfBetter(usual, scaledToColumns(model, observations, columns, moments, given, Origins::Usual));
+                replaceIfBetter(any, scaledToColumns(model, observations, columns, moments, given, Origins::Any));
             }
             result.usualOrigins.push_back(std::move(usual));
             result.anyOrigins.push_back(std::move(any));
@@ -212,7 +214,7 @@ Unknowns geometryUnknowns(const Observations &observations, const Indices &colum
 bool fitCandidates(const Observations &observations, const Indices &columns, const std::vector<Candidate> &candidates,
                    const Unknowns &unknowns, std::vector<Fit> &fits)
 {
-    constexpr int kIterations = 20;
+    constexpr int kIterations = 20; // enough to find out which candidates are worth more
     for (const Candidate &candidate : candidates) {
         fits.push_back(refined(observations, candidate.model, columns, unknowns, kIterations));
         if (isExact(observations, fits.back())) {
@@ -225,7 +227,7 @@ bool fitCandidates(const Observations &observations, const Indices &columns, con
 /// Fits the best two fits of some rows to more rows, and returns the better one.
 Fit bestOf(const Observations &observations, std::vector<Fit> fits)
 {
-    constexpr std::size_t kFinalists = 2;
+    constexpr std::size_t kFinalists = 2; // the best fit of some rows may be the second one of all
     Fit best;
     std::ranges::sort(fits, {}, &Fit::misfit);
     fits.resize(std::min(kFinalists, fits.size()));
@@ -291,8 +293,8 @@ bool determineLengths(const Observations &observations, const Indices &columns)
 Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,
                  const Parameters &given)
 {
-    constexpr Index kGridRows = 40;
-    constexpr Index kSearchRows = 120;
+    constexpr Index kGridRows = 40;    // the grid is coarse, and has many points
+    constexpr Index kSearchRows = 120; // some dozens of candidates are fitted to them
     const Observations gridRows = thinned(observations, kGridRows);
     const Observations searchRows = thinned(observations, kSearchRows);
     Model start{.mechanism = given, .followsAngle = observations.angle.size() > 0};
