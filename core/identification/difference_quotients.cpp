@@ -92,7 +92,7 @@ bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn
 
 Observations withComputedColumnsMarked(Observations observations)
 {
-    constexpr Index kMinRows = 3;
+    constexpr Index kMinRows = 3; // of a second difference
     for (ObservedColumn &column : observations.columns) {
         if (observations.size() >= kMinRows && column.range > 0.0) {
             column.isDifference = containsDifferences(observations, column);

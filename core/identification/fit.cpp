@@ -30,7 +30,7 @@ Dual independent(double value, int position)
 }
 
 /// The partial derivatives of a prediction by each kind of unknown, and the residual behind them.
-constexpr int kKinds = 6;
+constexpr int kKinds = 6; // of Unknown::Kind
 constexpr int kResidual = kKinds;
 using Row = Eigen::Matrix<double, kKinds + 1, 1>;
 

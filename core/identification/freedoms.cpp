@@ -68,7 +68,7 @@ bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown u
 /// Whether the residuals are small compared with the ranges of the columns.
 bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 {
-    constexpr double kMaxFraction = 0.01;
+    constexpr double kMaxFraction = 0.01; // rms: a filter or an interpolation leaves no more
     bool isSmall = fit.isFinite();
     for (Index k = 0; isSmall && k < fit.residuals.cols(); ++k) {
         isSmall = fit.rms[k] < kMaxFraction * sizeOf(observations, fit, k);
@@ -79,8 +79,8 @@ bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 /// Whether an origin is so close to its usual value that a filter may have shifted the curve by as much.
 bool isSmallOrigin(const Observations &observations, const Model &model, Unknown unknown, double usual)
 {
-    constexpr double kMaxOriginFraction = 0.02; // of the range of the column
-    constexpr double kMaxAngle = std::numbers::pi / 180.0;
+    constexpr double kMaxOriginFraction = 0.02;            // of the range of the column
+    constexpr double kMaxAngle = std::numbers::pi / 180.0; // 1°, of the crank
     const double change = std::abs(valueOf(model, unknown) - usual);
     return change < (unknown.kind == Unknown::Kind::Origin
                          ? kMaxOriginFraction * observations.columns[unknown.column].range

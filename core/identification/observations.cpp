@@ -154,8 +154,8 @@ void observeTime(Observations &observations, const ReferenceData &data)
 /// Whether the crank makes so much of a turn between two rows that it might as well make some turns more.
 bool isSparse(const Values &angle)
 {
-    constexpr double kQuarter = 0.25 * kTurn;
-    constexpr double kMinFraction = 0.05; // of the rows: more than some outliers and gaps
+    constexpr double kQuarter = 0.25 * kTurn; // half of the step that hides the direction
+    constexpr double kMinFraction = 0.05;     // of the rows: more than some outliers and gaps
     const Index pairs = angle.size() - 1;
     return ((angle.tail(pairs) - angle.head(pairs)).abs() > kQuarter).cast<double>().mean() > kMinFraction;
 }

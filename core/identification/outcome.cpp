@@ -25,10 +25,11 @@ using Outcome = Identification::Outcome;
 using Lack = Identification::Lack;
 using UnknownKind = Unknown::Kind;
 
-/// Errors above these fractions leave a parameter open: of the larger of a and |c| for c, of a radian for θ20.
-constexpr double kMaxError = 0.2;
-constexpr double kMaxErrorOfCrank = 0.03;   // of a: with larger ones, the linear standard errors are too small
-constexpr double kMaxSystematicError = 0.1; // of every parameter, if nothing but the residuals bounds the errors
+// Larger errors leave a parameter open. They are relative to the parameter; for c, to the larger of a and |c|; for θ20,
+// to a radian.
+constexpr double kMaxError = 0.2;           // a larger standard error makes a statement useless
+constexpr double kMaxErrorOfCrank = 0.03;   // standard error of a: with a larger one, linear theory underestimates all
+constexpr double kMaxSystematicError = 0.1; // of any parameter, by systematic residuals (see largestErrors())
 
 ColumnResidual residualOf(const Observations &observations, const Fit &fit, Index k)
 {
@@ -91,8 +92,8 @@ std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const P
 /// Whether the file has too few values for the fit.
 Lack lackOfValues(const LastFit &lastFit)
 {
-    constexpr double kSpareValues = 3.0;
-    constexpr double kMinRowsPerTurn = 4.0;
+    constexpr double kSpareValues = 3.0;    // with fewer, any curve passes through the values
+    constexpr double kMinRowsPerTurn = 4.0; // with fewer, a faster crank may give the same positions
     const Fit &fit = lastFit.fit;
     const Observations &observations = lastFit.observations;
     if (fit.valueCount() < static_cast<double>(fit.unknowns.size()) + kSpareValues) {
@@ -234,7 +235,7 @@ void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 
 Identification::Lack findLack(const Observations &observations)
 {
-    constexpr Index kMinRows = 4;
+    constexpr Index kMinRows = 4; // no fit has fewer unknowns than three
     if (observations.size() >= kMinRows && !shapeColumns(observations).empty()) {
         return Lack::Nothing;
     }

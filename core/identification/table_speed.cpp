@@ -24,7 +24,7 @@ struct Vote {
 
 bool haveSameSize(double speed, double other)
 {
-    constexpr double kTolerance = 2e-3;
+    constexpr double kTolerance = 2e-3; // the errors of regressions are smaller, those of a wrong unit far larger
     return std::abs(std::abs(speed / other) - 1.0) < kTolerance;
 }
 
