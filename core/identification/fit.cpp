@@ -106,6 +106,8 @@ std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const 
     const Index size = std::ssize(unknowns);
     LocalShape shape{0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
     for (std::size_t k = 0; k < columns.size(); ++k) {
+        // The derivative of n ln(RSS/n + step²/12) is that of RSS, divided by the variance RSS/n + step²/12. The second
+        // derivatives are approximate: without those of the predictions and of the variance.
         const auto &products = sums[k].products;
         const ObservedColumn &column = observations.columns[columns[k]];
         const double weight =

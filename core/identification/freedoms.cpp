@@ -178,7 +178,7 @@ void addShifts(ParameterErrors &shifts, const Fit &with, const Fit &without)
 Fit withUsualReadings(const Observations &observations, Fit fit)
 {
     fit = withUsualSign(observations, withUsualUnits(observations, std::move(fit)));
-    if (fit.model.followsAngle) {
+    if (fit.model.followsAngle) { // the search may have ended whole turns away
         fit.model.mechanism.theta20 = wrapToPi(fit.model.mechanism.theta20);
     }
     return fit;

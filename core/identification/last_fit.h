@@ -19,10 +19,11 @@ struct LastFit {
     bool isExact = false;    ///< rounding explains the residuals of every column
     double dependence = 1.0; ///< of the residuals; 1 if they are rounding
 
-    /// Of the parameters at t = 0 of the file, NaN or infinite if the fit does not determine them.
+    /// Standard errors of the parameters at t = 0 of the file; NaN or infinite if the fit does not determine them.
     ParameterErrors standardError{kNone, kNone, kNone, kNone, kNone};
 
-    /// Of fit.unknowns; those of the angle and the speed of a crank without its angle in the file are at t = 0.
+    /// Covariance of fit.unknowns. If the model does not follow the angle in the file, the angle and the speed of the
+    /// crank are those at t = 0 of the file.
     Eigen::MatrixXd covariance{};
 
     double errorOf(Unknown unknown) const; ///< standard error; NaN if the fit does not change it

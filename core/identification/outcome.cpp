@@ -318,7 +318,7 @@ void addConventions(Identification &result, const ReferenceData &data, const std
     const FittedMechanism fitted = fit.fittedMechanism();
     const auto agrees = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; };
     result.channels = compareRead(result.parameters, read, drive, fitted, stop);
-    if (!std::ranges::all_of(result.channels, agrees)) { // a constant column agrees only with the exact c
+    if (!std::ranges::all_of(result.channels, agrees)) { // R4_y = 12 mm may agree with the rounded c only
         std::vector<ChannelComparison> rounded = compareRead(result.rounded, read, drive, fitted, stop);
         if (std::ranges::all_of(rounded, agrees)) {
             result.channels = std::move(rounded);

@@ -119,7 +119,8 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
         }
         const ColumnScale scale = scaleOf(observations, fit, fit.model, k, areExact);
         const auto isScale = [&](double unit) { return haveSameSize(scale.factor, unit); };
-        if (!scale.isExplained || std::ranges::any_of(unitFactors(channel), isScale)) { // a different unit is likelier
+        const bool isInOtherUnit = std::ranges::any_of(unitFactors(channel), isScale); // likelier than another speed
+        if (!scale.isExplained || isInOtherUnit) {
             continue;
         }
         Parameters changed = fit.model.mechanism;
