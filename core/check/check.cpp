@@ -48,6 +48,30 @@ CheckedValue checkValue(const GivenValue &given, double exact)
     return checked;
 }
 
+bool isOfSlider(const OutputChannel &channel)
+{
+    if (const auto *coordinate = std::get_if<Channel>(&channel)) {
+        return coordinate->coordinate == R4x;
+    }
+    return std::get<DerivedChannel>(channel).quantity == DerivedQuantity::Displacement;
+}
+
+/// Returns whether a slip is to be seen in these wrong values. In others, its values are those of a simpler one: an
+/// approximation of the slider's motion that is measured towards the crank merely turns the sense of the coupler angle.
+bool isSeenIn(std::span<const OutputChannel> wrong, Slip slip)
+{
+    const bool ofSlider = std::ranges::any_of(wrong, isOfSlider);
+    const auto isRate = [](const OutputChannel &channel) { return orderOf(channel) != Order::Position; };
+    const auto isVelocity = [](const OutputChannel &channel) { return orderOf(channel) == Order::Velocity; };
+    switch (slip) {
+    case Slip::HarmonicMotion:
+    case Slip::FromOuterDeadCentre: return ofSlider;
+    case Slip::TwoHarmonics: return ofSlider || std::ranges::any_of(wrong, isRate);
+    case Slip::SecondHarmonicDouble: return std::ranges::any_of(wrong, isVelocity);
+    default: return true;
+    }
+}
+
 /// How a slip compares with the given values. Slips that neither fit nor change every wrong value by more than its
 /// rounding are left out.
 struct Comparison {
@@ -60,14 +84,16 @@ struct Comparison {
 std::vector<Comparison> compareSlips(const CrankPosition &position, const OutputState &exact,
                                      std::span<const GivenValue> given, std::span<const CheckedValue> checked)
 {
-    bool isVelocityWrong = false;
+    std::vector<OutputChannel> wrong;
     for (std::size_t i = 0; i < given.size(); ++i) {
-        isVelocityWrong |= !checked[i].isRight && orderOf(given[i].channel) == Order::Velocity;
+        if (!checked[i].isRight) {
+            wrong.push_back(given[i].channel);
+        }
     }
     std::vector<Comparison> comparisons;
     for (const SlipOutcome &outcome : slipOutcomes(position, exact)) {
-        if (outcome.slip == Slip::SecondHarmonicDouble && !isVelocityWrong) {
-            continue; // only its velocity differs from that of Slip::TwoHarmonics
+        if (!isSeenIn(wrong, outcome.slip)) {
+            continue;
         }
         Comparison comparison{outcome.slip, true, true, 1.0};
         bool changesAll = true;

@@ -100,6 +100,28 @@ private slots:
         QCOMPARE(run(QString(kExample) + "omega3=5.42deg/s").status, 1);
     }
 
+    /// A former defect: 154 instead of 205.9°, an error of the sign, was right as 154 rad, which stand for 154 ± 0.5
+    /// rad and so for a third of all angles.
+    void takesNoCommonAngleForRadians()
+    {
+        for (const char *angle : {"154", "334", "20", "1"}) {
+            QCOMPARE(run(QString(kExample) + "theta3=" + angle).status, 1);
+        }
+        QCOMPARE(run(QString(kExample) + "theta3=0.453").status, 0);
+        QCOMPARE(run(QString(kExample) + "theta3=3.59").status, 0); // at B
+        QCOMPARE(run(QString(kExample) + "--angle-unit rad theta3=25.9").status, 0);
+    }
+
+    /// A former defect: simple harmonic motion was said to give exactly a θ3 that is measured clockwise.
+    void slipsOfTheSliderExplainNoAngleAlone()
+    {
+        QStringList names;
+        for (const QJsonValue &candidate : checkJson("theta3=-25.9445")["candidates"].toArray()) {
+            names << candidate.toObject()["name"].toString();
+        }
+        QCOMPARE(names, QStringList({"other-assembly", "coupler-angle-sign"}));
+    }
+
     void namesSlipsOfASheet()
     {
         QCOMPARE(slipName("x=-4.596 theta3=154.06"), QString("other-assembly"));

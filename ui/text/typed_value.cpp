@@ -2,12 +2,14 @@
 #include "ui/text/typed_value.h"
 
 #include "core/import/cells.h"
+#include "core/mechanism/turn.h"
 #include "ui/text/check_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace slidercrank
 {
@@ -18,6 +20,15 @@ namespace
 struct TypedValueText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::TypedValueText)
 };
+
+/// Returns whether many other numbers would mean an angle that rounds to the same digits: 154 rad beyond several whole
+/// turns, or 1 rad, which stands for everything between 29° and 86°.
+bool isCommonAngle(const TypedValue &typed)
+{
+    const GivenValue given = typed.given();
+    return measureOf(typed.channel) == Measure::Angle &&
+           (std::abs(given.value) > kTurn || given.halfStep > kLargestChance * kQuarterTurn);
+}
 
 } // namespace
 
@@ -75,7 +86,7 @@ TypedValue inLikelyUnit(const TypedValue &typed, const CrankPosition &position, 
         const GivenValue given = value.given();
         return check(position, {&given, 1}).values.front().isRight;
     };
-    return !isRight(typed) && isRight(inOther) ? inOther : typed;
+    return !isRight(typed) && isRight(inOther) && !isCommonAngle(inOther) ? inOther : typed;
 }
 
 QString exactText(const TypedValue &typed, const CheckedValue &checked)

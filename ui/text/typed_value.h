@@ -35,7 +35,8 @@ struct TypedValue {
 TypedValue readTypedValue(const QString &text, const OutputChannel &channel, const Units &units);
 
 /// Returns the value; or, if its text has no unit, the same number in the other unit of angles if it is right only in
-/// that one: textbooks give ω and α in rad/s beside angles in degrees.
+/// that one: textbooks give ω and α in rad/s beside angles in degrees. An angle must be within a turn, and have enough
+/// digits that chance is unlikely.
 TypedValue inLikelyUnit(const TypedValue &typed, const CrankPosition &position, const Units &units);
 
 /// Returns the value and what is wrong with it: "exact: 9.792 mm" and "off by 0.00818 mm".
