@@ -75,6 +75,9 @@ Positions readRevolution(const OptionReader &options, const Mechanism &mechanism
 Positions readSolutions(const OptionReader &options, const Mechanism &mechanism, const Units &units)
 {
     const ChannelValue wanted = readChannelValue("when", options.text("when"), units);
+    if (orderOf(wanted.channel) == Order::Acceleration && readCrankAcceleration(options) != 0.0) {
+        throw UsageError{CommandLine::tr("--when finds second derivatives at a constant speed: set --alpha2 to 0.")};
+    }
     const std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, wanted.channel, wanted.value);
     const QString name = columnName(wanted.channel);
     if (!angles) {
@@ -87,9 +90,6 @@ Positions readSolutions(const OptionReader &options, const Mechanism &mechanism,
             CommandLine::tr("There is no position with %1 = %2: \"slidercrank limits\" shows how far the motion goes.")
                 .arg(name, wanted.text),
             ExitStatus::NotAssemblable};
-    }
-    if (orderOf(wanted.channel) == Order::Acceleration && readCrankAcceleration(options) != 0.0) {
-        throw UsageError{CommandLine::tr("--when finds second derivatives at a constant speed: set --alpha2 to 0.")};
     }
     if (mechanism.omega2() == 0.0 && angles->size() > 1) {
         throw UsageError{CommandLine::tr("The crank stands still: --when needs an --omega2 that is not 0.")};

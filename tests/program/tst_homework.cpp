@@ -227,6 +227,7 @@ private slots:
                                Row{"solve --when R4_x=60 --steps 5", "remove --steps"},
                                Row{"solve --when R4_x=60 --at-angle 5", "remove one"},
                                Row{"solve --when R4_x_diff2=60 --alpha2 5", "set --alpha2 to 0"},
+                               Row{"solve --when R4_x_diff2=1e9 --alpha2 5", "set --alpha2 to 0"},
                                Row{"solve --when R4_x_diff=60 --omega2 0", "stands still"},
                                Row{"solve --omega2-for R4_x_diff=60", "add --at-angle"},
                                Row{"solve --at-angle 60 --omega2-for R4_x=60", "first derivative"},
