@@ -153,9 +153,12 @@ public:
            QT_TR_NOOP(
                "all, or names separated by commas: theta3,R4_x_diff (all); also transmission_angle, displacement "
                "(from the outer dead centre), A_x and A_y, with _diff and _diff2")},
-          {"solve limits", "angle-unit", kJoinedWords<AngleUnit>.data(),
+          {"render", "notation", kJoinedWords<Symbols>.data(),
+           QT_TR_NOOP("symbols in the output: absolute coordinates (θ³, Rₓ⁴), or those of textbooks (θ₃ measured at B, "
+                      "x_B, v_B, a_B) (absolute)")},
+          {"solve limits render", "angle-unit", kJoinedWords<AngleUnit>.data(),
            QT_TR_NOOP("unit of the angles in the output (deg)")},
-          {"solve limits", "length-unit", kJoinedWords<LengthUnit>.data(),
+          {"solve limits render", "length-unit", kJoinedWords<LengthUnit>.data(),
            QT_TR_NOOP("unit of the lengths in the output (mm)")},
           {"check", "angle-unit", kJoinedWords<AngleUnit>.data(),
            QT_TR_NOOP("unit of angles that are written without one (deg)")},

@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/option_words.h"
+#include "app/positions.h"
 #include "app/reference_files.h"
 #include "app/time_step_report.h"
 #include "core/identification/identification.h"
@@ -14,6 +15,7 @@
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 #include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
@@ -370,6 +372,7 @@ std::optional<QString> write(const RenderRequest &request, const std::shared_ptr
 ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
 {
     RenderRequest request = readRequest(options);
+    setNotation({.symbols = options.choice("notation", Symbols::AbsoluteCoordinates), .units = readUnits(options)});
     Scene &scene = request.scene;
     const std::vector<ColumnChoice> columns = readColumns(options);
     if (!scene.reference) {

@@ -770,6 +770,10 @@
         <translation>fija el significado de una columna, se puede repetir: «slider.s=R4_x [m]», «T=time [ms]», «#3=ignored» (la tercera columna). Un significado es time, crank-angle, ignored o un canal; theta2 sin un tiempo es el ángulo de la manivela</translation>
     </message>
     <message>
+        <source>symbols in the output: absolute coordinates (θ³, Rₓ⁴), or those of textbooks (θ₃ measured at B, x_B, v_B, a_B) (absolute)</source>
+        <translation>símbolos de la salida: coordenadas absolutas (θ³, Rₓ⁴), o los de los libros de texto (θ₃ medido en B, x_B, v_B, a_B) (absolute)</translation>
+    </message>
+    <message>
         <source>unit of the angles in the output (deg)</source>
         <translation>unidad de los ángulos de la salida (deg)</translation>
     </message>

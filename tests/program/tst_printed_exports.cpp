@@ -13,9 +13,11 @@
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/language.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 
 #include <QRegularExpression>
+#include <QScopeGuard>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTransform>
@@ -193,6 +195,23 @@ private slots:
         QCOMPARE(run(render + path("options.svg") + " --a 40 --b 120 --c 20 --omega2 60rpm").status, 0);
         QVERIFY(contentOf(path("link.svg")).contains("θ₂ = 0"));
         QCOMPARE(contentOf(path("link.svg")), contentOf(path("options.svg")));
+    }
+
+    /// θ3 at B by a pocket calculator: 180° + asin(3.5/8) = 205.9°.
+    void picturesAreInTheChosenNotationAndUnits()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        const QString file = path("x.svg");
+        const QString mechanism = "render --a 3in --b 8in --c 2in --at-angle 330 -o " + file;
+        const QString units = " --notation textbook --length-unit in --angle-unit deg-rad/s";
+        QCOMPARE(run(mechanism + " --what mechanism" + units).status, 0);
+        const QString drawing = QString::fromUtf8(contentOf(file));
+        QVERIFY(drawing.contains("θ₃ = 205.9°") && drawing.contains("a = 3 in"));
+        QCOMPARE(run(mechanism + units).status, 0);
+        const QString figure = QString::fromUtf8(contentOf(file));
+        QVERIFY(figure.contains("rad/s]") && figure.contains("[in/s]") && figure.contains("9.792"));
+        QCOMPARE(run(mechanism).status, 0);
+        QVERIFY(QString::fromUtf8(contentOf(file)).contains("[mm/s]"));
     }
 
     /// A former defect: in a narrow figure the time lay over a curve.

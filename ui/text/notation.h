@@ -2,8 +2,8 @@
 #pragma once
 
 // The notation and the units that a person chose for the window, its figures, reports and tables. This is the only
-// place that converts a quantity to what is shown. The commands of the command line keep the defaults, which are those
-// of files.
+// place that converts a quantity to what is shown. Commands keep the defaults, which are those of files, except where
+// their options choose a notation or units.
 
 #include "ui/text/units.h"
 
