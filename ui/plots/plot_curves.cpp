@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace slidercrank
 {
@@ -249,6 +250,7 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
 {
     constexpr double kMaxDecades = 8.0;
     const Interval time = timeRange();
+    std::vector<PlotCurve> roundings; // after the errors, also in the legend
     for (std::size_t channel = kErrorsPerRow * row; channel < kErrorsPerRow * (row + 1); ++channel) {
         const MotionErrors::Errors &errors = (*m_errors)[channel];
         if (errors.reference.empty()) {
@@ -263,7 +265,7 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
                                      : Interval{0.0, roundedOutwards({0.0, range->upper}).upper});
         }
         if (errors.series && m_settings.roundingBand && errors.series->rounding.stepAt(errors.peak) > 0.0) {
-            plot.curves.push_back(roundingCurve(channel));
+            roundings.push_back(roundingCurve(channel));
         }
         PlotCurve marks{tr("undefined: the reference is 0"), curve.ink};
         for (const double t : errors.undefined) {
@@ -275,6 +277,7 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
             plot.curves.push_back(marks);
         }
     }
+    std::ranges::move(roundings, std::back_inserter(plot.curves));
     if (!plot.values) {
         plot.note = missingErrors(row);
     }

@@ -141,6 +141,23 @@ private slots:
         }
     }
 
+    /// In the legend, the errors come first.
+    void theRoundingOfTheFileFollowsBothErrors()
+    {
+        const std::shared_ptr<Reference> reference = referenceOf(65.0);
+        for (std::size_t series : {0U, 1U}) {
+            reference->data.series[series].rounding = {Rounding::Rule::Decimals, 1};
+        }
+        PlotFigure &figure = figureOf({.reference = reference});
+        figure.setSettings({.error = ErrorMeasure::Absolute, .roundingBand = true});
+        QStringList names;
+        for (const PlotCurve &curve : plotOf(figure, kPositionErrors).curves) {
+            names << curve.name;
+        }
+        QCOMPARE(names,
+                 QStringList({"error of the coupler", "error of the slider", "file's rounding", "file's rounding"}));
+    }
+
     void everyPlotSaysThatTheMechanismCannotBeAssembled()
     {
         for (const ErrorMeasure measure : {ErrorMeasure::OfPeak, ErrorMeasure::Percent, ErrorMeasure::Absolute}) {
