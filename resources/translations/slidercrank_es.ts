@@ -2456,8 +2456,8 @@ PA = %4, PB = %5</translation>
         <translation>A&amp;justar</translation>
     </message>
     <message>
-        <source>An&amp;gles θ₂ and θ³</source>
-        <translation>Án&amp;gulos θ₂ y θ³</translation>
+        <source>An&amp;gles of crank and coupler</source>
+        <translation>Án&amp;gulos de la manivela y la biela</translation>
     </message>
     <message>
         <source>Instant &amp;centre of the coupler</source>

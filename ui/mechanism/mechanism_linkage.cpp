@@ -64,7 +64,8 @@ void MechanismSketch::addLinkage()
             addLengths();
         }
         if (settings.angles) {
-            addAngle("θ₂", {m_O2, m_A}, degreesFromZero(m_scene->pose.motion.theta2) / kDegreesPerRadian, 30.0);
+            addAngle("θ₂", {m_O2, m_A}, degreesFromZero(m_scene->pose.motion.theta2) / kDegreesPerRadian,
+                     kLargestCrankArc);
             addCouplerAngle();
         }
     }
@@ -82,13 +83,12 @@ void MechanismSketch::addLinkage()
 /// Adds θ³ at A or, in the textbook's notation, θ₃ at B.
 void MechanismSketch::addCouplerAngle()
 {
-    constexpr double kRadius = 36.0; // px
     const double theta3 = m_scene->pose.motion.theta3;
     if (notation().symbols == Symbols::Textbook) {
         const double halfTurn = mechanism().branch() == Branch::Open ? std::numbers::pi : -std::numbers::pi;
-        addAngle(symbolText(Channel{Theta3, Order::Position}), {m_B, m_A}, theta3 + halfTurn, kRadius);
+        addAngle(symbolText(Channel{Theta3, Order::Position}), {m_B, m_A}, theta3 + halfTurn, kLargestCouplerArc);
     } else {
-        addAngle(symbolText(Channel{Theta3, Order::Position}), {m_A, m_B}, theta3, kRadius);
+        addAngle(symbolText(Channel{Theta3, Order::Position}), {m_A, m_B}, theta3, kLargestCouplerArc);
     }
 }
 

@@ -17,6 +17,12 @@ namespace
 
 constexpr double kBesideJoint = 9.0;
 
+/// Returns the radius (px) of the arc of a link's angle.
+double arcRadius(const QLineF &link, double largest)
+{
+    return std::clamp(0.5 * link.length(), 14.0, largest);
+}
+
 /// Returns a value (mm, rad, s) with its unit, as it is shown.
 QString shownText(Measure measure, double value)
 {
@@ -182,7 +188,8 @@ void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
 void MechanismSketch::addNames()
 {
     const QPointF coupler = m_exists ? unitVector(m_B - m_A) : QPointF();
-    addLabelBeside(m_O2, {-1.0, 0.4}, kBesideJoint + 8.0, "O₂", m_ink);
+    const double arc = m_scene->settings.angles ? arcRadius({m_O2, m_A}, kLargestCrankArc) : 0.0;
+    addLabelBeside(m_O2, {-1.0, 0.4}, std::max(kBesideJoint + 8.0, arc + 3.0), "O₂", m_ink);
     addLabelBeside(m_A, unitVector(m_A - m_O2) - coupler, kBesideJoint, "A", m_ink);
     if (m_exists) {
         const QPointF across(coupler.y(), -coupler.x());
@@ -204,7 +211,7 @@ void MechanismSketch::addLengths()
 /// angle beyond a whole turn, the arc shows the rest.
 void MechanismSketch::addAngle(const QString &name, const QLineF &link, double angle, double largestRadius)
 {
-    const double radius = std::clamp(0.5 * link.length(), 14.0, largestRadius);
+    const double radius = arcRadius(link, largestRadius);
     const QLineF base(link.p1(), link.p1() + QPointF(radius + 8.0, 0.0));
     QRectF circle(0.0, 0.0, 2.0 * radius, 2.0 * radius);
     circle.moveCenter(link.p1());

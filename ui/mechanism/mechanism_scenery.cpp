@@ -221,6 +221,7 @@ void MechanismSketch::addDimensionsAndScales()
         const QLineF offset = offsetDimension();
         addLine(offset.p1(), m_O2, QPen(m_muted, 1.0));
         addDimension(offset.p1(), offset.p2(), m_muted);
+        avoid(offset, 2.0);
         addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, 3.0, "c", m_ink);
     }
     if (m_legend == Legend::InCorner) {

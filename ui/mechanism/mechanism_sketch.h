@@ -25,6 +25,10 @@ public:
     /// corner, as on the screen, or are omitted, because addLegend() draws them beside the drawing.
     enum class Legend { InCorner, Separate };
 
+    /// Radii (px) of the arcs of θ2 and θ3, if the links are long enough.
+    static constexpr double kLargestCrankArc = 30.0;
+    static constexpr double kLargestCouplerArc = 36.0;
+
     MechanismSketch(const MechanismScene &scene, const MechanismProjection &projection, const QPalette &palette,
                     const QFont &font, Legend legend = Legend::InCorner);
 

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace slidercrank
@@ -71,8 +72,29 @@ DrawnPart drawnPart(MechanismPart part)
     return DrawnPart::Background;
 }
 
+/// Returns where the vertex of the coupler's angle moves (mm), if the angle is wider than 90°, or nothing.
+std::optional<QRectF> placesOfWideAngle(const MechanismScene &scene)
+{
+    const Mechanism &mechanism = scene.mechanism();
+    const MotionLimits &limits = scene.result->limits;
+    const bool isAtB = notation().symbols == Symbols::Textbook;
+    const bool isWide = isAtB == (mechanism.branch() == Branch::Open);
+    if (!scene.settings.angles || !isWide) {
+        return std::nullopt;
+    }
+    const double a = mechanism.a();
+    if (!isAtB) {
+        return QRectF(-a, -a, 2.0 * a, 2.0 * a);
+    }
+    if (!limits.inner || !limits.outer) {
+        return std::nullopt;
+    }
+    const auto [left, right] = std::minmax(limits.inner->R4x, limits.outer->R4x);
+    return QRectF(left, mechanism.c(), right - left, 0.0);
+}
+
 /// Returns the projection of a picture: the whole frame, with space below the slider's line for the rail, the names of
-/// the dead centres and the numbers of the grid.
+/// the dead centres and the numbers of the grid, and around the arc of a wide angle.
 MechanismProjection pictureProjection(const MechanismScene &scene, const MechanismFrame &frame, const QSizeF &size,
                                       const QFont &font)
 {
@@ -83,11 +105,17 @@ MechanismProjection pictureProjection(const MechanismScene &scene, const Mechani
         return projection;
     }
     const double pixelsBelow = kRail + 2.0 * QFontMetricsF(font).height();
+    const std::optional<QRectF> vertex = placesOfWideAngle(scene);
     MechanismFrame enlarged = frame;
     for (int round = 0; round < kRounds; ++round) {
         const double lowest = scene.result->mechanism.c() - pixelsBelow / projection.scale;
         QRectF shown = frame.fitted();
         shown.setTop(std::min(shown.top(), lowest)); // y points upwards
+        if (vertex) {
+            constexpr double kAroundArc = 10.0; // px, for the line from which the angle is measured
+            const double around = (MechanismSketch::kLargestCouplerArc + kAroundArc) / projection.scale;
+            shown = shown.united(vertex->adjusted(-around, -around, around, around));
+        }
         enlarged.setZoomed(shown);
         projection = enlarged.projection(size);
     }
@@ -141,7 +169,7 @@ void MechanismView::makeChoices()
     addSwitch(tr("&Path of the coupler's centre"), "showPath", &MechanismSettings::path);
     addSwitch(tr("&Names of the points"), "showNames", &MechanismSettings::names);
     addSwitch(tr("&Dimensions"), "showDimensions", &MechanismSettings::dimensions);
-    addSwitch(tr("An&gles θ₂ and θ³"), "showAngles", &MechanismSettings::angles);
+    addSwitch(tr("An&gles of crank and coupler"), "showAngles", &MechanismSettings::angles);
     addSwitch(tr("Instant &centre of the coupler"), "showInstantCentre", &MechanismSettings::instantCentre);
     m_choices << new QAction(this);
     m_choices.back()->setSeparator(true);
@@ -380,17 +408,19 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     MechanismSketch legend = newPicture(size);
     legend.addLegend();
     const QSizeF drawing(size.width(), size.height() - legend.legendHeight());
-    MechanismSketch sketch = newPicture(drawing);
-    sketch.addScenery();
-    sketch.addLinkage();
+    MechanismSketch scenery = newPicture(drawing);
+    scenery.addScenery();
+    MechanismSketch linkage = newPicture(drawing); // covers the names of the scenery, as in the window
+    linkage.addLinkage();
     painter.save();
     painter.setClipRect(QRect(QPoint(), size), Qt::IntersectClip);
-    painter.fillRect(QRect(QPoint(), size), sketch.colours().background);
+    painter.fillRect(QRect(QPoint(), size), scenery.colours().background);
     painter.translate(0.0, drawing.height());
     legend.paint(painter);
     painter.translate(0.0, -drawing.height());
     painter.setClipRect(QRectF(QPointF(), drawing), Qt::IntersectClip);
-    sketch.paint(painter);
+    scenery.paint(painter);
+    linkage.paint(painter);
     if (!m_scene.settings.angles) {     // the drawing does not state its position
         constexpr double kAround = 6.0; // px
         painter.setFont(font);

@@ -7,13 +7,11 @@
 #include "ui/document/session.h"
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/mechanism/mechanism_view.h"
-#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 
 #include <QImage>
 #include <QLabel>
 #include <QPainter>
-#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
@@ -21,7 +19,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 using namespace slidercrank;
 
@@ -403,90 +400,6 @@ private slots:
         QVERIFY(Drawn(kOscillating, kNotAssembled, settings).label("Instant").isNull());
     }
 
-    void labelsKeepClearOfTheLinks()
-    {
-        const MechanismSettings settings{.names = true, .dimensions = true, .angles = true};
-        int overlaps = 0;
-        for (const Parameters &parameters : {Parameters(), Parameters{.b = 60.0, .branch = Branch::Crossed},
-                                             Parameters{.c = 0.0}, Parameters{.c = -25.0}}) {
-            for (int i = 0; i < 40; ++i) {
-                const Drawn drawn(parameters, i / 40.0, settings);
-                for (const QString name : {"O₂", "A", "B", "G₃", "a", "b", "θ₂", "θ³"}) {
-                    const QRectF box = drawn.label(name);
-                    QVERIFY2(!box.isNull(), qPrintable(name));
-                    for (const DrawnShape &shape : drawn.sketch->shapes()) {
-                        const bool isLink = shape.part == DrawnPart::Crank || shape.part == DrawnPart::Coupler;
-                        overlaps += isLink && shape.path.intersects(box.adjusted(2.0, 4.0, -2.0, -4.0));
-                    }
-                }
-            }
-        }
-        QCOMPARE(overlaps, 0);
-    }
-
-    /// A former defect: the names stood beside the mark of the other dead centre, and moved while playing.
-    void namesOfTheDeadCentresAreBelowTheirOwnMarks()
-    {
-        const MechanismSettings settings{.names = true, .angles = true};
-        int captions = 0;
-        for (const Parameters &parameters :
-             {Parameters(), Parameters{.b = 60.0, .branch = Branch::Crossed}, Parameters{.a = 30.0, .b = 200.0},
-              Parameters{.a = 3.0, .b = 90.0}, Parameters{.a = 10.0, .b = 120.0, .c = -25.0}, Parameters{.c = 0.0}}) {
-            const MotionLimits limits = Drawn(parameters, 0.0, settings).scene.result->limits;
-            for (const auto &[name, own, other] :
-                 {std::tuple("outer", *limits.outer, *limits.inner), {"inner", *limits.inner, *limits.outer}}) {
-                const QRectF box = Drawn(parameters, 0.0, settings).label(name);
-                if (box.isNull()) {
-                    continue; // left out
-                }
-                ++captions;
-                for (int i = 0; i < 12; ++i) {
-                    const Drawn drawn(parameters, i / 12.0, settings);
-                    QCOMPARE(drawn.label(name), box); // it does not move
-                    const QPointF mark = drawn.sketch->toPixels({own.R4x, parameters.c});
-                    QVERIFY(std::abs(box.center().x() - mark.x()) < 0.5 && box.top() > mark.y());
-                    QVERIFY(!box.contains(drawn.sketch->toPixels({other.R4x, parameters.c}).x(), box.center().y()));
-                    QVERIFY(QRectF(0.0, 0.0, 800.0, 600.0).contains(box));
-                }
-            }
-        }
-        QVERIFY2(captions >= 8, qPrintable(QString::number(captions)));
-        QCOMPARE(Drawn({.a = 3.0, .b = 90.0}, 0.0, settings).label("outer dead"), QRectF()); // too close together
-    }
-
-    /// A former defect: the drawing showed −173° for a coupler angle of 187° in the plots, and an angle of the crank
-    /// other than the timeline's.
-    void anglesAreTheNumbersOfThePlotsAndTheTimeline()
-    {
-        const MechanismSettings settings{.angles = true};
-        const Drawn crossed({.c = -25.0, .branch = Branch::Crossed}, 0.05, settings);
-        const double theta3 = sample(crossed.scene.mechanism(), std::vector{0.05}, plottedChannels(),
-                                     {})[Channel{Coordinate::Theta3, Order::Position}][0];
-        QVERIFY(theta3 > 180.0);
-        QVERIFY(!crossed.label("θ³ = " + QString::number(theta3, 'f', 1)).isNull());
-
-        const Drawn fast({.omega2 = -200.0 * std::numbers::pi}, 1.0 / 6.0, settings); // −6000 rpm
-        QVERIFY(!fast.label("θ₂ = 120.0°").isNull()); // as in the timeline, the table and the limits: 0° … 360°
-        QVERIFY(partText(fast.scene, DrawnPart::Crank).contains("θ₂ = 120.00°"));
-    }
-
-    /// A former defect: in inches and at 1024×700 the lengths ran below the button of the assembly.
-    void theLengthsLeaveSpaceForTheButton()
-    {
-        const auto restore = qScopeGuard([] { setNotation({}); });
-        setNotation({.units = {LengthUnit::Inch, AngleUnit::Degree}});
-        const MechanismSettings settings{.dimensions = true};
-        const Drawn wide({}, 0.0, settings);
-        QVERIFY(wide.label("a = 0.787402 in").contains({60.0, wide.label("a = ").center().y()}));
-        QVERIFY(wide.label("b = ").isNull()); // in the same line
-        const Drawn narrow({}, 0.0, settings, {320.0, 400.0});
-        for (const char *length : {"a = 0.787402 in", "b = 2.55906 in", "c = 0.984252 in"}) {
-            const QRectF box = narrow.label(length);
-            QVERIFY2(!box.isNull() && box.right() < 0.55 * 320.0, length);
-        }
-        QVERIFY(narrow.label("b = ").top() >= narrow.label("a = ").bottom() - 1.0);
-    }
-
     /// A former defect: in pictures the lengths were written twice.
     void picturesHaveALegendWithoutTheLengths()
     {
@@ -496,27 +409,6 @@ private slots:
         const QString text = bench.text();
         QCOMPARE(text.count("Scale"), 2);
         QVERIFY(text.contains("Instant centre P") && !text.contains("a = 20 mm"));
-    }
-
-    /// A former defect: in a window of 800×600 the numbers of the grid lay below other texts.
-    void gridNumbersKeepClearOfOtherTexts()
-    {
-        constexpr MechanismSettings kEverything{.velocity = true,
-                                                .acceleration = true,
-                                                .path = true,
-                                                .names = true,
-                                                .dimensions = true,
-                                                .angles = true,
-                                                .instantCentre = true};
-        for (int i = 0; i < 10; ++i) {
-            const Drawn drawn({}, i / 10.0, kEverything, {331.0, 330.0});
-            for (const QString number : {"−20", "0", "20", "40"}) {
-                const QRectF box = drawn.label(number);
-                for (const Label &label : drawn.sketch->labels()) {
-                    QVERIFY2(label.box == box || !label.box.intersects(box), qPrintable(label.text));
-                }
-            }
-        }
     }
 
     void showsTheGhostWithinTheView()

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The texts of the mechanism's drawing, and what they keep clear of.
+
+#include "core/limits/mobility.h"
+#include "core/sampling/trajectory.h"
+#include "tests/support/suite.h"
+#include "tests/ui/mechanism/drawn.h"
+#include "ui/document/session.h"
+#include "ui/mechanism/mechanism_text.h"
+#include "ui/mechanism/mechanism_view.h"
+#include "ui/text/notation.h"
+#include "ui/text/theme.h"
+
+#include <QImage>
+#include <QLocale>
+#include <QPainter>
+#include <QScopeGuard>
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+using namespace slidercrank;
+
+namespace tst_mechanism_labels
+{
+
+class TestMechanismLabels : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    void labelsKeepClearOfTheLinks()
+    {
+        const MechanismSettings settings{.names = true, .dimensions = true, .angles = true};
+        int overlaps = 0;
+        for (const Parameters &parameters : {Parameters(), Parameters{.b = 60.0, .branch = Branch::Crossed},
+                                             Parameters{.c = 0.0}, Parameters{.c = -25.0}}) {
+            for (int i = 0; i < 40; ++i) {
+                const Drawn drawn(parameters, i / 40.0, settings);
+                for (const QString name : {"O₂", "A", "B", "G₃", "a", "b", "θ₂", "θ³"}) {
+                    const QRectF box = drawn.label(name);
+                    QVERIFY2(!box.isNull(), qPrintable(name));
+                    for (const DrawnShape &shape : drawn.sketch->shapes()) {
+                        const bool isLink = shape.part == DrawnPart::Crank || shape.part == DrawnPart::Coupler;
+                        overlaps += isLink && shape.path.intersects(box.adjusted(2.0, 4.0, -2.0, -4.0));
+                    }
+                }
+            }
+        }
+        QCOMPARE(overlaps, 0);
+    }
+
+    /// A former defect: the names stood beside the mark of the other dead centre, and moved while playing.
+    void namesOfTheDeadCentresAreBelowTheirOwnMarks()
+    {
+        const MechanismSettings settings{.names = true, .angles = true};
+        int captions = 0;
+        for (const Parameters &parameters :
+             {Parameters(), Parameters{.b = 60.0, .branch = Branch::Crossed}, Parameters{.a = 30.0, .b = 200.0},
+              Parameters{.a = 3.0, .b = 90.0}, Parameters{.a = 10.0, .b = 120.0, .c = -25.0}, Parameters{.c = 0.0}}) {
+            const MotionLimits limits = Drawn(parameters, 0.0, settings).scene.result->limits;
+            for (const auto &[name, own, other] :
+                 {std::tuple("outer", *limits.outer, *limits.inner), {"inner", *limits.inner, *limits.outer}}) {
+                const QRectF box = Drawn(parameters, 0.0, settings).label(name);
+                if (box.isNull()) {
+                    continue; // left out
+                }
+                ++captions;
+                for (int i = 0; i < 12; ++i) {
+                    const Drawn drawn(parameters, i / 12.0, settings);
+                    QCOMPARE(drawn.label(name), box); // it does not move
+                    const QPointF mark = drawn.sketch->toPixels({own.R4x, parameters.c});
+                    QVERIFY(std::abs(box.center().x() - mark.x()) < 0.5 && box.top() > mark.y());
+                    QVERIFY(!box.contains(drawn.sketch->toPixels({other.R4x, parameters.c}).x(), box.center().y()));
+                    QVERIFY(QRectF(0.0, 0.0, 800.0, 600.0).contains(box));
+                }
+            }
+        }
+        QVERIFY2(captions >= 8, qPrintable(QString::number(captions)));
+        QCOMPARE(Drawn({.a = 3.0, .b = 90.0}, 0.0, settings).label("outer dead"), QRectF()); // too close together
+    }
+
+    /// A former defect: the arc of an angle above 180° ran through the name O₂.
+    void theArcOfTheCrankKeepsClearOfItsPivotsName()
+    {
+        for (const double theta20 : {3.5, 4.5, 5.5}) {
+            const Drawn drawn({.theta20 = theta20}, 0.0, {.names = true, .angles = true});
+            const QRectF name = drawn.label("O₂").adjusted(2.0, 3.0, -2.0, -3.0);
+            for (const QPointF corner : {name.topLeft(), name.topRight(), name.bottomLeft(), name.bottomRight()}) {
+                QVERIFY(QLineF(drawn.sketch->toPixels({0.0, 0.0}), corner).length() >
+                        MechanismSketch::kLargestCrankArc);
+            }
+        }
+    }
+
+    /// A former defect: in a picture of 85 mm, the letter covered a head of its dimension.
+    void theLetterOfTheOffsetKeepsClearOfItsDimension()
+    {
+        for (const double width : {300.0, 400.0, 900.0}) {
+            const Drawn drawn({.a = 40.0, .b = 120.0, .c = 20.0}, 0.0, {.dimensions = true}, {width, 0.6 * width});
+            const QRectF letter = drawn.label("c").adjusted(2.0, 3.0, -2.0, -3.0);
+            QVERIFY(!letter.isNull());
+            const auto covers = [&letter](const DrawnShape &shape) {
+                const QRectF box = shape.path.boundingRect();
+                const bool isVertical = box.width() < 10.0 && box.height() > 5.0; // the line and its heads
+                return isVertical && shape.part == DrawnPart::Background &&
+                       box.adjusted(-0.5, 0.0, 0.5, 0.0).intersects(letter);
+            };
+            QVERIFY(std::ranges::none_of(drawn.sketch->shapes(), covers));
+        }
+    }
+
+    /// A former defect: in small pictures the upper edge cut the arc of a wide angle of the coupler.
+    void picturesContainTheArcOfAWideAngle()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        const Parameters high{.c = 25.0};
+        const Parameters crossed{.theta20 = 0.5 * std::numbers::pi, .branch = Branch::Crossed};
+        for (const auto &[symbols, parameters] :
+             {std::pair(Symbols::Textbook, high), {Symbols::AbsoluteCoordinates, crossed}}) {
+            setNotation({.symbols = symbols});
+            Session session;
+            session.setParameters(parameters);
+            MechanismView view;
+            view.setResult(session.result());
+            view.setPose(poseAt(parameters, 0.0));
+            view.setSettings({.angles = true});
+            QImage image(300, view.pictureHeight(300), QImage::Format_RGB32);
+            QPainter painter(&image);
+            view.paintMechanism(painter, image.size(), paletteFor(Theme::Light));
+            painter.end();
+            for (int x = 0; x < image.width(); ++x) {
+                QVERIFY2(qGray(image.pixel(x, 0)) > 180, qPrintable(QString::number(x))); // nothing but the grid
+            }
+        }
+    }
+
+    /// A former defect: the drawing showed −173° for a coupler angle of 187° in the plots, and an angle of the crank
+    /// other than the timeline's.
+    void anglesAreTheNumbersOfThePlotsAndTheTimeline()
+    {
+        const MechanismSettings settings{.angles = true};
+        const Drawn crossed({.c = -25.0, .branch = Branch::Crossed}, 0.05, settings);
+        const double theta3 = sample(crossed.scene.mechanism(), std::vector{0.05}, plottedChannels(),
+                                     {})[Channel{Coordinate::Theta3, Order::Position}][0];
+        QVERIFY(theta3 > 180.0);
+        QVERIFY(!crossed.label("θ³ = " + QString::number(theta3, 'f', 1)).isNull());
+
+        const Drawn fast({.omega2 = -200.0 * std::numbers::pi}, 1.0 / 6.0, settings); // −6000 rpm
+        QVERIFY(!fast.label("θ₂ = 120.0°").isNull()); // as in the timeline, the table and the limits: 0° … 360°
+        QVERIFY(partText(fast.scene, DrawnPart::Crank).contains("θ₂ = 120.00°"));
+    }
+
+    /// A former defect: in inches and at 1024×700 the lengths ran below the button of the assembly.
+    void theLengthsLeaveSpaceForTheButton()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        setNotation({.units = {LengthUnit::Inch, AngleUnit::Degree}});
+        const MechanismSettings settings{.dimensions = true};
+        const Drawn wide({}, 0.0, settings);
+        QVERIFY(wide.label("a = 0.787402 in").contains({60.0, wide.label("a = ").center().y()}));
+        QVERIFY(wide.label("b = ").isNull()); // in the same line
+        const Drawn narrow({}, 0.0, settings, {320.0, 400.0});
+        for (const char *length : {"a = 0.787402 in", "b = 2.55906 in", "c = 0.984252 in"}) {
+            const QRectF box = narrow.label(length);
+            QVERIFY2(!box.isNull() && box.right() < 0.55 * 320.0, length);
+        }
+        QVERIFY(narrow.label("b = ").top() >= narrow.label("a = ").bottom() - 1.0);
+    }
+
+    /// A former defect: in a window of 800×600 the numbers of the grid lay below other texts.
+    void gridNumbersKeepClearOfOtherTexts()
+    {
+        for (int i = 0; i < 10; ++i) {
+            const Drawn drawn({}, i / 10.0, {true, true, true, true, true, true, true}, {331.0, 330.0});
+            for (const QString number : {"−20", "0", "20", "40"}) {
+                const QRectF box = drawn.label(number);
+                for (const Label &label : drawn.sketch->labels()) {
+                    QVERIFY2(label.box == box || !label.box.intersects(box), qPrintable(label.text));
+                }
+            }
+        }
+    }
+};
+
+const Suite<TestMechanismLabels> suite("tst_mechanism_labels");
+
+} // namespace tst_mechanism_labels
+
+#include "tst_mechanism_labels.moc"
