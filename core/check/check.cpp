@@ -31,11 +31,23 @@ double difference(const OutputChannel &channel, double x, double y)
     return period > 0.0 ? std::remainder(x - y, period) : x - y;
 }
 
+/// Returns whether a deviation from the given value is no more than its rounding.
+bool isWithinRounding(const GivenValue &given, double deviation)
+{
+    return std::abs(deviation) <= given.halfStep + kArithmetic * std::abs(given.value);
+}
+
 /// Returns whether a value rounds to the given one.
 bool roundsTo(const GivenValue &given, double value)
 {
-    return std::abs(difference(given.channel, given.value, value)) <=
-           given.halfStep + kArithmetic * std::abs(given.value);
+    return isWithinRounding(given, difference(given.channel, given.value, value));
+}
+
+/// Returns whether the slip gives this value. In the wrong unit an angle has no period: the number itself counts.
+bool gives(const SlipOutcome &outcome, const GivenValue &given)
+{
+    const double value = outcome.values.valueOf(given.channel);
+    return outcome.slip == Slip::ValueInRadians ? isWithinRounding(given, given.value - value) : roundsTo(given, value);
 }
 
 CheckedValue checkValue(const GivenValue &given, double exact)
@@ -99,7 +111,7 @@ std::vector<Comparison> compareSlips(const CrankPosition &position, const Output
         bool changesAll = true;
         for (std::size_t i = 0; i < given.size(); ++i) {
             const double predicted = outcome.values.valueOf(given[i].channel);
-            const bool isGiven = roundsTo(given[i], predicted);
+            const bool isGiven = gives(outcome, given[i]);
             if (checked[i].isRight) {
                 comparison.keepsRightValues &= isGiven;
                 continue;

@@ -300,6 +300,8 @@ std::span<const SlipRow> allSlips()
         {FromInnerDeadCentre, Result, measureFromInnerDeadCentre},
         {Inches, Result, [](Hand &hand) { scaleLengths(hand, kInch); }},
         {Inches, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kInch); }},
+        {Inches, Result, [](Hand &hand) { scaleLengths(hand, 0.1 * kInch); }},
+        {Inches, Result, [](Hand &hand) { scaleLengths(hand, 10.0 / kInch); }},
         {Metres, Result, [](Hand &hand) { scaleLengths(hand, 1000.0); }},
         {Metres, Result, [](Hand &hand) { scaleLengths(hand, 0.001); }},
         {Centimetres, Result, [](Hand &hand) { scaleLengths(hand, 10.0); }},

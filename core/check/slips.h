@@ -49,7 +49,7 @@ enum class Slip {
     CouplerCentre,        ///< the midpoint of A-B instead of the wrist pin B
     FromOuterDeadCentre,  ///< x counted from the outer dead centre towards the crank
     FromInnerDeadCentre,  ///< x, or the displacement, counted from the inner dead centre outwards
-    Inches,               ///< inches taken as mm, or the reverse
+    Inches,               ///< inches taken as mm or cm, or the reverse
     Metres,               ///< m taken as mm, or the reverse
     Centimetres,          ///< cm taken as mm, or the reverse
     ValueInRadians,       ///< a value in radians given as degrees, or the reverse

@@ -185,8 +185,8 @@
         <translation>Medir desde el punto muerto interior hacia afuera</translation>
     </message>
     <message>
-        <source>Taking inches as millimetres (or the reverse)</source>
-        <translation>Tomar pulgadas como milímetros (o al revés)</translation>
+        <source>Taking inches as millimetres or centimetres (or the reverse)</source>
+        <translation>Tomar pulgadas como milímetros o centímetros (o al revés)</translation>
     </message>
     <message>
         <source>Taking metres as millimetres (or the reverse)</source>

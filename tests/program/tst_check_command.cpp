@@ -122,12 +122,23 @@ private slots:
         QCOMPARE(names, QStringList({"other-assembly", "coupler-angle-sign"}));
     }
 
+    /// A former defect: 13.9 instead of 19.09° was called radians, because 57.3 · 19.09° and 13.9° are six half turns
+    /// apart.
+    void anAngleInTheWrongUnitHasNoPeriod()
+    {
+        const char *position = "check --a 29.56 --b 85.2 --c 8.32 --at-angle 318.6 ";
+        QCOMPARE(slipName("theta3=13.9", position), QString());
+        QCOMPARE(slipName("theta3=0.3332deg", position), QString("value-in-radians"));
+        QCOMPARE(slipName("theta3=3.4748deg", position), QString("value-in-radians")); // at B
+    }
+
     void namesSlipsOfASheet()
     {
         QCOMPARE(slipName("x=-4.596 theta3=154.06"), QString("other-assembly"));
         QCOMPARE(slipName("x=9.79 v=-41.46 a=-681.46"), QString("crank-acceleration-omitted"));
         QCOMPARE(slipName("x=9.79 v=-41.46 omega3=5.42deg/s"), QString("value-in-radians"));
         QCOMPARE(slipName("x=0.3855 v=-41.46"), QString("inches"));
+        QCOMPARE(slipName("x=24.87 v=-105.3"), QString("inches")); // in cm
         QCOMPARE(slipName("x=9.79 v=-41.46 mu=25.94"), QString("pressure-angle"));
         QCOMPARE(slipName("x=2.5981 v=-22.500"), QString("harmonic-motion"));
         QCOMPARE(slipName("x=9.79 v=-50"), QString());

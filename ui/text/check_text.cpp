@@ -51,7 +51,7 @@ public:
         {Slip::CouplerCentre, QT_TR_NOOP("The centre of the coupler instead of the wrist pin B")},
         {Slip::FromOuterDeadCentre, QT_TR_NOOP("Measuring from the outer dead centre towards the crank")},
         {Slip::FromInnerDeadCentre, QT_TR_NOOP("Measuring from the inner dead centre outwards")},
-        {Slip::Inches, QT_TR_NOOP("Taking inches as millimetres (or the reverse)")},
+        {Slip::Inches, QT_TR_NOOP("Taking inches as millimetres or centimetres (or the reverse)")},
         {Slip::Metres, QT_TR_NOOP("Taking metres as millimetres (or the reverse)")},
         {Slip::Centimetres, QT_TR_NOOP("Taking centimetres as millimetres (or the reverse)")},
         {Slip::ValueInRadians, QT_TR_NOOP("Taking radians as degrees (or the reverse)")},

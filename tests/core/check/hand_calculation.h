@@ -276,6 +276,8 @@ inline const std::vector<SlipCase> kSlipCases{
      }},
     {"mm as inches", Slip::Inches, [](auto &hand) { scaleLengths(hand, 25.4); }},
     {"inches as mm", Slip::Inches, [](auto &hand) { scaleLengths(hand, 1.0 / 25.4); }},
+    {"cm as inches", Slip::Inches, [](auto &hand) { scaleLengths(hand, 2.54); }},
+    {"inches as cm", Slip::Inches, [](auto &hand) { scaleLengths(hand, 1.0 / 2.54); }},
     {"m as mm", Slip::Metres, [](auto &hand) { scaleLengths(hand, 1e-3); }},
     {"mm as m", Slip::Metres, [](auto &hand) { scaleLengths(hand, 1e3); }},
     {"cm as mm", Slip::Centimetres, [](auto &hand) { scaleLengths(hand, 0.1); }},
