@@ -92,8 +92,9 @@ public:
     void draw()
     {
         const QFontMetricsF metrics(m_painter.font());
-        const double margin = 2.5 * metrics.height(); // for the names
-        const QRectF inside = m_area.adjusted(margin, metrics.height(), -margin, -2.5 * metrics.height());
+        const double margin = 2.5 * metrics.height();       // for the names
+        const double belowPolygon = 3.2 * metrics.height(); // for a name and the scale
+        const QRectF inside = m_area.adjusted(margin, metrics.height(), -margin, -belowPolygon);
         const QRectF bounds = boundsOf(m_polygon);
         m_scale = std::min(inside.width() / std::max(bounds.width(), 1e-300),
                            inside.height() / std::max(bounds.height(), 1e-300));

@@ -9,6 +9,7 @@ namespace slidercrank
 QString withUnbrokenUnits(QString text)
 {
     text.replace("θ₂₀ = ", "θ₂₀\u00a0=\u00a0").replace(" ± ", "\u00a0±\u00a0");
+    text.replace("|c|", "|\u2060c|"); // a line may end after a bar
     static const QRegularExpression kBeforeUnit("(?<=\\d) (?=%|°|mm|rad|s\\b)");
     return text.replace(kBeforeUnit, "\u00a0");
 }
