@@ -38,8 +38,21 @@ std::string_view withoutPreposition(std::string_view text)
     return trimmed(text.substr(hasPreposition ? 3 : 0));
 }
 
+/// Returns the unit before a remark: "deg" of "deg CCW from +x". Returns the text if it is a unit or has none.
+std::string_view withoutRemark(std::string_view text)
+{
+    for (std::size_t end = text.size(); end != text.npos && end > 0; end = text.find_last_of(" ,;", end - 1)) {
+        const std::string_view unit = text.substr(0, end);
+        if (parseUnit(unit) && !isAmong(lowered(unit), kAlsoWords)) {
+            return unit;
+        }
+    }
+    return text;
+}
+
 /// Sets name and unit of "Position (m) Run #1", and returns whether there is a unit in brackets. Text in brackets that
-/// is no unit is part of the name if the name has a meaning with it, as "x(B)", or if it is an index, as "P[3.1]".
+/// is no unit is part of the name if the name has a meaning with it, as "x(B)", or if it is an index, as "P[3.1]". A
+/// remark may follow a unit that suits a known name: "Crank angle (deg, unwrapped)".
 bool splitAtBrackets(std::string_view text, Heading &heading)
 {
     constexpr std::string_view kOpening = "[({<";
@@ -58,11 +71,15 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
         constexpr std::size_t kShortestRemark = 6; // bytes: "(filtered)", but "(bar)" is a unit
         const bool isRemark = kind == 1 && unit.size() >= kShortestRemark && unit.find('/') == unit.npos;
         const bool isPart = kind > 1 || (kind == 0 && looksNumeric(unit)) || isKnown || isRemark;
-        if (isUnit || (isLast && !isPart)) {
+        const std::string unitAlone(withoutRemark(unit));
+        const NameMeaning before = meaningOf(trimmed(text.substr(0, begin)), unitAlone);
+        const bool hasUnitWithRemark =
+            unitAlone.size() < unit.size() && !before.hasUnknownWords && suits(before, unitAlone);
+        if (isUnit || hasUnitWithRemark || (isLast && !isPart)) {
             heading.name = trimmed(text.substr(0, begin));
             heading.name.erase(heading.name.find_last_not_of("/ ") + 1); // "x/(mm)"
             heading.name += isLast ? "" : text.substr(end + 1);
-            heading.use.unit = unit;
+            heading.use.unit = hasUnitWithRemark ? unitAlone : unit;
             return true;
         }
         end = begin;
@@ -99,8 +116,23 @@ void splitAtEnd(std::string_view text, Heading &heading)
     }
 }
 
+/// Sets name and unit of "Degrees of crank rotation" if the unit suits the name.
+void splitAtBeginning(std::string_view text, Heading &heading)
+{
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string unit(text.substr(0, end));
+    const std::string_view name = trimmed(text.substr(end));
+    const bool isUnit = unit.size() > 1 && !isAmong(lowered(unit), kAlsoWords) && parseUnit(unit);
+    const NameMeaning meaning = isUnit ? meaningOf(name, unit) : NameMeaning();
+    if (!meaning.hasUnknownWords && suits(meaning, unit)) {
+        heading.name = name;
+        heading.use.unit = unit;
+    }
+}
+
 /// Decides between the meanings of "xp", "dx" and the like by the other columns: beside "xpp" or "d2x" they are
-/// derivatives, and beside "v_p", or without an "x", "x_p" is the x of the piston. Otherwise only a person can tell.
+/// derivatives; beside "v_p", or without an "x", "x_p" is the x of the piston; and "DX", or "dx" beside "vx", is a
+/// displacement. Otherwise only a person can tell.
 void resolveDoubts(std::vector<Heading> &row)
 {
     const auto isSecond = [](const Heading &heading) {
@@ -116,6 +148,17 @@ void resolveDoubts(std::vector<Heading> &row)
     };
     const auto isNamed = [&](std::string_view name) {
         return std::ranges::any_of(row, [&](const Heading &heading) { return lowered(heading.name) == name; });
+    };
+    const auto symbolOf = [](const Heading &heading) {
+        const NamePath path = splitPath(heading.name);
+        return path.parts.empty() ? std::string() : std::string(path.parts.back());
+    };
+    const auto isDisplacement = [&](const Heading &heading) { // "DX" of Adams, or "dx" beside "vx"
+        const std::string symbol = symbolOf(heading);
+        return isAmong(symbol, "DX DY") ||
+               (symbol.starts_with('d') && std::ranges::any_of(row, [&](const Heading &other) {
+                    return lowered(symbolOf(other)) == 'v' + lowered(symbol).substr(1);
+                }));
     };
     const auto withoutAxis = [](const Heading &heading) {
         const std::string name = lowered(heading.name);
@@ -138,6 +181,10 @@ void resolveDoubts(std::vector<Heading> &row)
             continue;
         }
         const std::string name = lowered(heading.name);
+        if (isDisplacement(heading)) {
+            meaning.doubt = Doubt::None;
+            continue;
+        }
         const bool isIndex =
             hasPiston || ((name.ends_with("_p") || name.ends_with("(p)")) && !isNamed(name.substr(0, 1)));
         if (hasSecond && meaning.channel.order < Order::Acceleration) {
@@ -146,13 +193,6 @@ void resolveDoubts(std::vector<Heading> &row)
             meaning = {.reason = ColumnReason::UnknownBody};
         }
     }
-}
-
-/// Returns whether the name begins with a symbol, as "x_B" and "θ₂" do.
-bool beginsWithSymbol(const Heading &heading)
-{
-    const Words words = wordsOf(heading.name);
-    return !words.empty() && findWord(words[0], WordUse::Symbol);
 }
 
 /// Symbols such as "x_B" or "d" beside θ₂ or θ₃ are those of a textbook, which denote the slider: its columns need no
@@ -236,23 +276,34 @@ Heading parseHeading(std::string_view cell)
         return heading;
     }
     constexpr int kNoOrder = -1;
+    constexpr std::size_t kLongestSymbol = 2; // of a unit of length
     const bool mayBeUnit = text.size() > 1 && !isAmong(lowered(text), kAlsoWords);
-    const Unit alone = (mayBeUnit ? parseUnit(text) : std::nullopt).value_or(Unit{.order = kNoOrder});
+    const std::string_view unitAlone = withoutOrigin(text);
+    const Unit alone = (mayBeUnit ? parseUnit(unitAlone) : std::nullopt).value_or(Unit{.order = kNoOrder});
     if (text.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
         heading.name = "time";
     } else if (isInTurnsPerMinute(wordsOf(text)) && text.find_first_of("[(/") == text.npos) {
         heading.use.unit = "rpm";
     } else if (alone.dimension == Dimension::Time && alone.order == 0) { // "millis", "seconds"
         heading.name = "time";
-        heading.use.unit = text;
-    } else if (alone.dimension == Dimension::Angle && alone.order == 0) { // "Degrees"
-        heading.use.unit = text;
+        heading.use.unit = unitAlone;
+    } else if (alone.order == 0 && (alone.dimension == Dimension::Angle || text.size() > kLongestSymbol)) {
+        heading.use.unit = unitAlone; // "Degrees", "Inches from TDC", but "mm" may be in a line of units
     } else if (!splitAtBrackets(text, heading)) {
         splitAtEnd(text, heading);
+        if (heading.use.unit.empty()) {
+            splitAtBeginning(text, heading);
+        }
     }
     const bool isUnitAlone = alone.order != kNoOrder && text.find('/') != text.npos; // "mm/s" in a line of units
     heading.meaning = isUnitAlone ? NameMeaning() : meaningOf(heading.name, heading.use.unit);
     return heading;
+}
+
+bool beginsWithSymbol(const Heading &heading)
+{
+    const Words words = wordsOf(heading.name);
+    return !words.empty() && (findWord(words[0], WordUse::Symbol) || words[0] == "t");
 }
 
 void interpretHeadings(std::vector<Heading> &row)

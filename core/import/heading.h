@@ -33,6 +33,9 @@ struct Heading {
 /// underscore, or as a word that begins with a capital letter. Without brackets it must suit the name.
 Heading parseHeading(std::string_view cell);
 
+/// Returns whether the name begins with a symbol, as "x_B", "θ₂" and "t" do.
+bool beginsWithSymbol(const Heading &heading);
+
 /// Sets the meanings of a row of headings, including those that depend on others, and why columns are ignored:
 ///
 ///     Velocity (cm/s)   X-comp   Y-comp     PMKS+ writes the magnitude of a vector before its components

@@ -20,10 +20,10 @@ using Kind = NameMeaning::Kind;
 using Doubt = NameMeaning::Doubt;
 
 /// Beginnings of remarks about the sensor (", Ch P1" of PASCO) and about the origin: "piston position from TDC".
-constexpr std::array<std::string_view, 18> kRemarkBeginnings{
-    ", Ch ",      " from ",        " relative to ", " with respect to ", " after ",  " ab ",
-    " vom ",      " nach ",        " desde ",       " respecto a",       " depuis ", " par rapport ",
-    " à partir ", " rispetto al ", " dal ",         " vanaf ",           " od ",     " a partir "};
+constexpr std::array<std::string_view, 19> kRemarkBeginnings{
+    ", Ch ",         " from ", " since ", " relative to ", " with respect to ", " after ",       " ab ",
+    " vom ",         " nach ", " desde ", " respecto a",   " depuis ",          " par rapport ", " à partir ",
+    " rispetto al ", " dal ",  " vanaf ", " od ",          " a partir "};
 
 /// Returns the channel whose name has the same letters and digits, regardless of punctuation.
 std::optional<Channel> channelSpelled(const Words &words, int derivatives)
@@ -56,7 +56,7 @@ std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> 
         order = static_cast<int>(*name.order) + name.derivatives;
     } else if (unit && (!name.derivatives || name.unknown.isAny())) { // "dλ/dt (mm/s)"
         order = unit->order;
-    } else if (name.hasSymbol || name.derivatives || (name.body && name.body != Body::Coupler)) {
+    } else if (name.hasSymbol || name.derivatives || name.body) {
         order = name.derivatives;
     }
     return order && *order <= 2 ? std::optional(static_cast<Order>(*order)) : std::nullopt;
@@ -81,8 +81,9 @@ Coordinate coordinateOf(const NameReading &name, bool isAngle)
 /// Returns whether the name or its unit denotes an angle.
 bool isOfAngle(const NameReading &name, const std::optional<Unit> &unit, const NamePath &path)
 {
-    const bool isOfRevoluteJoint = path.isInSi && name.body == Body::Coupler; // "/joint_states/rod/position"
-    const Dimension withoutUnit = isOfRevoluteJoint ? Dimension::Angle : Dimension::Length;
+    const bool isAlone = !name.order && !name.hasSymbol && name.axis == ' ' && !name.derivatives; // "coupler"
+    const bool isOfCoupler = name.body == Body::Coupler && (isAlone || path.isInSi); // "/joint_states/rod/position"
+    const Dimension withoutUnit = isOfCoupler ? Dimension::Angle : Dimension::Length;
     return name.dimension.value_or(unit ? unit->dimension : withoutUnit) == Dimension::Angle;
 }
 
@@ -116,10 +117,21 @@ NameMeaning::Doubt doubtOf(const NameReading &name, const std::optional<Unit> &u
     return unit ? Doubt::None : name.doubt;
 }
 
+/// Returns whether the name is a symbol that cannot have the unit, such as W in m/s², an acceleration in Russian.
+bool isForeignSymbol(const NameReading &name, const std::optional<Unit> &unit)
+{
+    return unit && !name.symbol.empty() && name.axis == ' ' && !name.body && name.dimension &&
+           unit->dimension != Dimension::Time && unit->dimension != *name.dimension;
+}
+
 /// Returns the channel or quantity of a name. Where no word is known, the unit tells the quantity.
 NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
 {
     const std::optional<Unit> unit = parseUnit(unitText);
+    if (isForeignSymbol(name, unit)) {
+        const NameReading unknown{.derivatives = name.derivatives, .unknown = {.text = name.symbol}};
+        return meaningOfReading(unknown, path, unitText);
+    }
     const bool isAngle = isOfAngle(name, unit, path);
     const std::optional<Order> knownOrder =
         saysQuantity(name, unit, path.parts.size() > 2) ? orderOf(name, unit) : std::nullopt;
@@ -133,14 +145,15 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     const bool isSymbolAlone = name.unknown.areIndices() && !name.body; // "x_G", but "λ (mm)" is no index
     const bool hasIndex =
         name.isUnknownBody || (isSymbolAlone && (name.order || name.hasSymbol || name.axis != ' ' || isAngle));
+    const bool isCoordinateOfAnyKind = name.symbol == "q" && !unit && !name.isBodyNamed; // an angle or a length
     const bool namesBody = (name.body || name.isFrame) && name.isBodyNamed &&
-                           (name.order || name.hasSymbol || name.axis != ' ' || isAngle);
+                           (name.order || name.hasSymbol || name.axis != ' ' || (isAngle && (name.dimension || unit)));
     NameMeaning meaning{.kind = namesBody && !hasIndex ? Kind::Words : Kind::Quantity,
                         .channel = {coordinateOf(name, isAngle), order},
                         .reason = namesBody ? ColumnReason::KnownName : ColumnReason::QuantityInName,
                         .owner = path.owner + name.joints,
                         .doubt = doubtOf(name, unit, isAngle, hasIndex),
-                        .hasUnknownWords = name.unknown.isAny() || hasIndex,
+                        .hasUnknownWords = name.unknown.isAny() || hasIndex || isCoordinateOfAnyKind,
                         .isAtB = name.isAtB && order == Order::Position};
     if (name.unknown.isAny() && !name.body) {
         meaning.owner = name.unknown.point.empty() ? name.unknown.text : name.unknown.point;
@@ -177,11 +190,13 @@ std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::s
 
 /// Removes the variable of "x(t)" or "v[φ]" and the calls of functions that differentiate, and returns the number of
 /// derivatives: "der(x)" of Modelica, "diff(x(t), t, t)" and "Derivative(x(t), (t, 2))" of computer algebra.
-int takeCalls(std::string_view &name)
+/// A quantity in mm or degrees is no derivative: "d(θ)" in mm is a distance.
+int takeCalls(std::string_view &name, const std::optional<Unit> &unit)
 {
     int count = 0;
+    const bool mayBeDerivative = !unit || unit->order > 0;
     for (const std::string_view function : {"der(", "diff(", "derivative(", "d("}) {
-        while (lowered(name.substr(0, function.size())) == function && name.ends_with(')')) {
+        while (mayBeDerivative && lowered(name.substr(0, function.size())) == function && name.ends_with(')')) {
             name = name.substr(function.size(), name.size() - function.size() - 1);
             const std::size_t comma = name.find(',');
             const std::string_view variables = name.substr(std::min(comma, name.size()));
@@ -208,6 +223,12 @@ bool isElement(std::string_view name)
            name.substr(bracket + 1).find_first_not_of(" 0123456789)") == name.npos;
 }
 
+/// Returns whether a word names the z axis, as in "z", "vz" and "pz".
+bool namesZ(const std::string &word)
+{
+    return word == "z" || (word.size() == 2 && word[1] == 'z' && findWord(word.substr(0, 1), WordUse::Symbol));
+}
+
 /// Returns the meaning of the name of a time or of a row number; nullopt if it is neither.
 std::optional<NameMeaning> meaningOfCount(const Words &words, std::string_view lastPart, const std::string &unit)
 {
@@ -225,18 +246,25 @@ std::optional<NameMeaning> meaningOfCount(const Words &words, std::string_view l
 
 } // namespace
 
+std::string_view withoutOrigin(std::string_view name)
+{
+    for (const std::string_view beginning : kRemarkBeginnings) {
+        name = name.substr(0, name.find(beginning));
+    }
+    return name;
+}
+
 NameMeaning meaningOf(std::string_view name, const std::string &unit)
 {
-    if (name.size() > kLongestName) {
+    const bool isMagnitude = name.size() > 2 && name.front() == '|' && name.back() == '|';
+    if (name.size() > kLongestName || isMagnitude) {
         return {};
     }
     if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
         return *meaning;
     }
-    int derivatives = takeCalls(name);
-    for (const std::string_view beginning : kRemarkBeginnings) {
-        name = name.substr(0, name.find(beginning));
-    }
+    int derivatives = takeCalls(name, parseUnit(unit));
+    name = withoutOrigin(name);
     static const Spellings kPathSpellings("/dt=dt|/ dt=dt|/d t=dt|₊=.");
     const std::string plain = kPathSpellings.replacedIn(name); // not a path, and one of Julia
     const NamePath path = splitPath(plain);
@@ -257,8 +285,7 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
         reading->isUnknownBody = true;
         reading->unknown.point = name.substr(name.rfind('('));
     }
-    const Words allWords = wordsOf(name);
-    const bool isAboutZ = std::ranges::count(allWords, "z") > 0; // the motion is in x and y, and z is only an axis
+    const bool isAboutZ = std::ranges::any_of(wordsOf(name), namesZ); // the motion is in x and y, and z is only an axis
     if (reading && isAboutZ && reading->dimension != Dimension::Angle) {
         reading.reset();
     }

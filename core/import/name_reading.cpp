@@ -181,12 +181,13 @@ bool includeStem(NameReading &all, std::string_view word)
     return false;
 }
 
-/// Includes an entry that is a part of a longer word. Short fillers are none: "end" is not "en" and "d".
+/// Includes an entry that is a part of a longer word. Short fillers and labels are none: "end" is not "en" and "d", and
+/// "joints" are not "joint S".
 bool includePart(NameReading &all, std::string_view part, Entries entries)
 {
     constexpr std::size_t kShortestFiller = 4; // bytes
     const bool isShortFiller = part.size() < kShortestFiller && findWord(part, WordUse::Filler);
-    return !isShortFiller && includeEntry(all, part, entries);
+    return !isShortFiller && !findWord(part, WordUse::Label) && includeEntry(all, part, entries);
 }
 
 bool includeCompound(NameReading &all, std::string_view word, Entries entries);
@@ -288,20 +289,23 @@ bool isNumberOfPoint(const NameReading &before, const Words &words, std::size_t 
     return mayBeLetter && !isLast && isAfterUnknown && before.unknown.hasWord;
 }
 
-/// Removes the differentials of "dx/dt" and "d^2x/dt^2", whose words are "dxdt" and "d", "2", "xdt", "2". Returns the
-/// number of derivatives.
+/// Removes the differentials of "dx/dt" and "Acceleration d^2x/dt^2", whose words are "dxdt" and "acceleration", "d",
+/// "2", "xdt", "2". Returns the number of derivatives.
 int takeDifferentials(Words &words)
 {
-    if (words.empty() || !words[0].starts_with('d')) {
-        return 0;
-    }
+    const auto mayBeDifferential = [](const std::string &word) {
+        return word.starts_with('d') && !findWord(word, WordUse::Word) && !findWord(word, WordUse::Filler) &&
+               !findWord(word, WordUse::Derivative);
+    };
     const auto endsWithTime = [](const std::string &word) { return word.ends_with("dt"); };
-    const auto quotient = std::ranges::find_if(words, endsWithTime);
+    const auto first = std::ranges::find_if(words, mayBeDifferential);
+    const auto quotient = std::find_if(first, words.end(), endsWithTime);
     const bool isQuotient = quotient != words.end();
-    if (words.size() == 1 && words[0].size() <= 3) { // "dt" is no quotient
+    const auto length = words.end() - first;
+    if (length == 0 || (length == 1 && first->size() <= 3)) { // "dt" is no quotient
         return 0;
     }
-    const bool isSecond = words.size() > 2 && words[0] == "d" && words[1] == "2";
+    const bool isSecond = length > 2 && *first == "d" && *(first + 1) == "2" && (isQuotient || first == words.begin());
     if (isQuotient) {
         quotient->resize(quotient->size() - 2);
         if (const auto power = quotient + 1; power != words.end() && *power == "2") {
@@ -309,9 +313,9 @@ int takeDifferentials(Words &words)
         }
     }
     if (isSecond) {
-        words.erase(words.begin(), words.begin() + 2);
+        words.erase(first, first + 2);
     } else if (isQuotient) {
-        words[0].erase(0, 1);
+        first->erase(0, 1);
     }
     std::erase(words, std::string());
     if (isSecond) {
@@ -330,6 +334,18 @@ bool namesQuantity(const Words &words)
            });
 }
 
+/// Returns whether two words name a channel, as in "Channel A", or an element, whose letter has a number that no link
+/// has and before words for its quantity, as in "S001_Displacement_X".
+bool isNameOfElement(const Words &words, std::size_t at)
+{
+    if (isAmong(words[at], "channel ch canal kanal") && at + 1 < words.size() && words[at + 1].size() == 1) {
+        return true;
+    }
+    const bool isNumbered = words[at].size() == 1 && at + 2 < words.size() && isDigits(words[at + 1]);
+    return isNumbered && !isAmong(words[at + 1], "1 2 3 4") &&
+           namesQuantity(Words(words.begin() + static_cast<std::ptrdiff_t>(at) + 2, words.end()));
+}
+
 /// Includes the words of one part of a path. Returns false if they contradict each other or those before.
 bool includeWords(NameReading &all, const Words &words, Entries entries)
 {
@@ -339,7 +355,10 @@ bool includeWords(NameReading &all, const Words &words, Entries entries)
         const bool isPair = !isJointWithAxis &&                                                      // "link 3", "O2"
                             (findWord(two, WordUse::Word) || findWord(two, WordUse::Filler));
         bool isIncluded = true;
-        if (isPlace(words, i)) {
+        if (isNameOfElement(words, i)) {
+            all.unknown.point = words[i] + words[i + 1];
+            ++i;
+        } else if (isPlace(words, i)) {
             isIncluded = includePlace(all, words[++i]);
         } else if (isNumberOfPoint(all, words, i)) {
             all.unknown.point = all.unknown.point.empty() ? words[i - 1] + words[i] : all.unknown.point;
@@ -372,13 +391,16 @@ NamePath splitPath(std::string_view name)
         return {{owner.substr(0, owner.find('@')), before}, std::string(owner)};
     }
     const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point belongs to an abbreviation
+    const bool isLatex = name.starts_with('\\') || name.find_first_of("{^$") != name.npos;
     NamePath path;
     std::size_t begin = 0;
     char separator = ' ';
     for (std::size_t i = 0; i <= name.size(); ++i) {
         const bool isEnd = i == name.size();
         const bool isComma = i > 1 && i + 3 < name.size() && name.substr(i, 2) == ", "; // "Slider, X Displacement"
-        if (isEnd || isComma || name[i] == '/' || name[i] == ':' || name[i] == '|' || (name[i] == '.' && !hasBlank)) {
+        const bool isSeparator = !isEnd && std::string_view("/:|").find(name[i]) != std::string_view::npos;
+        const bool isOther = !isEnd && ((name[i] == '.' && !hasBlank) || (name[i] == '\\' && !isLatex));
+        if (isEnd || isComma || isSeparator || isOther) {
             if (i > begin) {
                 path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));
                 path.parts.push_back(name.substr(begin, i - begin));
@@ -386,6 +408,9 @@ NamePath splitPath(std::string_view name)
             begin = i + 1;
             separator = isEnd ? separator : name[i];
         }
+    }
+    if (path.parts.size() > 2 && path.parts.back() == "Q") { // the value of a measure in Adams: ".model.slider_vx.Q"
+        path.parts.pop_back();
     }
     path.isOfModelica = path.parts.size() > 1 && separator == '.' && name.find_first_of(" ,;:/") == name.npos &&
                         findWord('.' + std::string(path.parts.back()), WordUse::Symbol);
@@ -396,7 +421,7 @@ NamePath splitPath(std::string_view name)
 
 int takeDerivatives(Words &words)
 {
-    int count = 0;
+    int count = takeDifferentials(words);
     if (words == Words{"ddot"} || words == Words{"dddot"}) { // of the distance d
         words = {"d", words[0].substr(1)};
     }
@@ -414,7 +439,7 @@ int takeDerivatives(Words &words)
             ++i;
         }
     }
-    return count + takeDifferentials(words);
+    return count;
 }
 
 std::optional<NameReading> readName(const NamePath &path, int derivatives, const Words &lastWords)

@@ -25,24 +25,26 @@ struct NamedUnit {
 /// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points,
 /// one is the Greek letter.
 const Spellings kUnitSpellings(
-    "1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per =/|_per_=/|.per.=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| "
+    "2π=rev|2pi=rev|2 pi=rev|2*pi=rev|1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per "
+    "=/|_per_=/|.per.=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| "
     "par =/|"
     " al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
     "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
     "|^\\circ=deg|\\circ=deg|\\=|"
     "°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
-    " cw=| ccw=| CW=| CCW=| atdc=| ATDC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=");
+    " cw=| ccw=| CW=| CCW=| atdc=| ATDC=| atc=| ATC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=");
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
     using enum Dimension;
-    static constexpr std::array<NamedUnit, 22> kUnits{{
+    static constexpr std::array<NamedUnit, 23> kUnits{{
         {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros "
          "millimetro millimetri",
          {Length, 0, 1.0}},
         {"cm см centimeter centimetre centimeters centimetres centimetro centimetros centimetri", {Length, 0, 10.0}},
         {"m м meter metre meters metres metern metro metros metri", {Length, 0, 1e3}},
         {"um micron microns", {Length, 0, 1e-3}},
+        {"km", {Length, 0, 1e6}},
         {"in inch inches pulgada pulgadas zoll", {Length, 0, 25.4}},
         {"ft foot feet", {Length, 0, 304.8}},
         {"g", {Length, 2, 9806.65}},

@@ -240,7 +240,8 @@ void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
 bool isConstant(const RawColumn &column)
 {
     const ValueRange range = rangeOf(column.values);
-    return range.count >= kFewestRows && range.width() == 0.0;
+    constexpr std::size_t kFewestConstants = 3; // "20 20" may be the same by chance
+    return range.count >= kFewestConstants && range.width() == 0.0;
 }
 
 bool isTurningAngle(const RawColumn &column)

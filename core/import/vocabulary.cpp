@@ -25,9 +25,10 @@ const Spellings kLetterSpellings(
     "В=в|К=к|О=о|П=п|С=с|У=у|Х=х|Ш=ш|Ё=е|ё=е|" // first letters of Russian headings
     "İ=I|Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|Ü=U|Ñ=N|"
     "\u0300=|\u0301=|\u0303=|a\u0308=a|o\u0308=o|u\u0308=u|A\u0308=A|O\u0308=O|U\u0308=U|" // decomposed accents
-    "\u0307='|\u0308=''|ẋ=x'|ẍ=x''|Ẋ=x'|Ẍ=x''|ẏ=y'|ÿ=y''|ṡ=s'|ḋ=d'|ṙ=r'|v̇=v'|′='|’='|´='|″=''|"
+    "\u0307=' |\u0308='' |ẋ=x' |ẍ=x'' |Ẋ=x' |Ẍ=x'' |ẏ=y' |ÿ=y'' |ṡ=s' |ḋ=d' |ṙ=r' |Ẏ=y' |Ṡ=s' |Ḋ=d' |Ṙ=r' |"
+    "′='|’='|´='|″=''|"
     "θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|Φ=phi|ψ=psi|Ψ=psi|ω=omega|Ω=omega|α=alpha|β=beta|ε=epsilon|ϵ=epsilon|"
-    "ß=ss|ˍtt=''|ˍt='|²=2|³=3|⁴=4|ₓ=x|₁=1|₂=2|₃=3|₄=4|n°=|nº=|°=|aTDC=atdc|der(=dot |\\var=|\\,=");
+    "ß=ss|ˍtt='' |ˍt=' |²=2|³=3|⁴=4|ₓ=x|₁=1|₂=2|₃=3|₄=4|n°=|nº=|°=|aTDC=atdc|der(=dot |\\var=|\\,=");
 
 constexpr std::string_view kTimeWords =
     "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd denbora 시간 "
@@ -81,7 +82,7 @@ std::span<const WordMeaning> vocabulary()
                     "aceleraciones beschleunigungen ускорение 加速度",
                     kOpen, Acceleration},
         WordMeaning{Word,
-                    "angle angulo angolo rotation rotacion rotazione rotacao giro orientation winkel hoek kat "
+                    "angle angulo angolo rotation rot rotacion rotazione rotacao giro orientation winkel hoek kat "
                     "vinkel uhel unghi aci acisi inclination inclinacion neigung revolutions revolution szog "
                     "kulma uhol 각도 угол 角度 转角",
                     Angle, Position},
@@ -135,8 +136,8 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
         WordMeaning{Symbol, "px", Length, Position, kOpen, 'x'},
         WordMeaning{Symbol, "py", Length, Position, kOpen, 'y'},
-        WordMeaning{Word, "r_1", Length, Position}, // the vector of the frame in a vector loop, to the slider
-        WordMeaning{Filler, "o_2 o_4"},             // the crank pivot of "distance O2B"
+        WordMeaning{Word, "r_1 r_0", Length, Position}, // the vector of the frame in a vector loop, to the slider
+        WordMeaning{Filler, "o_2 o_4"},                 // the crank pivot of "distance O2B"
         WordMeaning{Word, "bx b_x", Length, Position, Slider, 'x'},
         WordMeaning{Word, "b_y", Length, Position, Slider, 'y'},
         // Variables of Modelica and Simscape.
@@ -145,14 +146,14 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Symbol, ".a", kOpen, Acceleration},
         WordMeaning{Symbol, ".phi .q", Angle, Position},
         WordMeaning{Symbol, ".w", Angle, Velocity},
-        WordMeaning{Symbol, ".r_0[1] .r[1]", Length, Position, kOpen, 'x'},
+        WordMeaning{Symbol, ".r_0[1] .r[1] .s[1]", Length, Position, kOpen, 'x'},
         WordMeaning{Symbol, ".r_0[2] .r[2]", Length, Position, kOpen, 'y'},
         WordMeaning{Symbol, ".v_0[1] .v[1]", Length, Velocity, kOpen, 'x'},
         WordMeaning{Symbol, ".a_0[1] .a[1]", Length, Acceleration, kOpen, 'x'},
         // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
         WordMeaning{Index, "b c k s", kOpen, kOpen, Slider},
-        WordMeaning{Index, "oa", kOpen, kOpen, Crank},
-        WordMeaning{Index, "ab ba ac ca ap pa bc cb bd db bp pb cd dc"},
+        WordMeaning{Index, "oa ob oc ao bo co", kOpen, kOpen, Crank},
+        WordMeaning{Index, "ab ba ac ca ap pa bc cb bd db bp pb cd dc cp pc"},
         // Centres of mass.
         WordMeaning{.words = "g_2", .body = Crank, .isCentre = true},
         WordMeaning{Word, "rx_3", Length, Position, Coupler, 'x', true},
@@ -163,12 +164,12 @@ std::span<const WordMeaning> vocabulary()
         // Derivatives.
         WordMeaning{Derivative,
                     "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung "
-                    "first_derivative st_derivative",
+                    "first_derivative st_derivative dt",
                     kOpen, Velocity},
         WordMeaning{Derivative,
                     "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
                     "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative "
-                    "nd_derivative segunda_derivada zweite_ableitung dd pp",
+                    "nd_derivative segunda_derivada zweite_ableitung dd pp dtdt dt_2",
                     kOpen, Acceleration},
         WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
         WordMeaning{Filler,
@@ -225,11 +226,17 @@ const WordMeaning *findWord(std::string_view word, WordUse use)
 
 Words wordsOf(std::string_view name)
 {
+    // Whether the prime at the end of the words is a derivative whatever follows: it is after a symbol such as x, but
+    // not after the elided "de" and "se" of Romance languages.
+    const auto isPrimed = [](const Words &words) {
+        const std::string_view symbol = words.size() > 1 ? std::string_view(words[words.size() - 2]) : "";
+        return !isAmong(symbol, "d s") && findWord(symbol, WordUse::Symbol);
+    };
     Words words;
     char before = ' ';
     for (const char c : kLetterSpellings.replacedIn(name)) {
         const bool startsWithCapital = lowerCase(c) != c && lowerCase(before) == before;
-        const bool isApostrophe = before == '\'' && isLetter(c) && !words.empty(); // "d'entrée", but "x'"
+        const bool isApostrophe = before == '\'' && isLetter(c) && !isPrimed(words); // "d'entrée", but "x'B"
         if (isApostrophe) {
             words.pop_back();
         }
