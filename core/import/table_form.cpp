@@ -116,12 +116,28 @@ bool isData(std::string_view line)
     return digit != text.npos && isDigit(text[digit]) && digit <= 3;
 }
 
-/// Joins the unit to the name before it, where an unquoted heading contains the delimiter: "Time, s,Position, mm".
-Cells withUnitsJoined(const Cells &cells)
+/// Returns whether a cell continues the heading in the cell before it, as the unit in "Time, s" and the symbol with its
+/// unit in "Position, x (mm)" do.
+bool continuesHeading(std::string_view before, std::string_view cell)
+{
+    const Heading first = parseHeading(before);
+    const Heading second = parseHeading(cell);
+    const Channel channel = first.meaning.channel;
+    const Channel channelOfSymbol = second.meaning.channel;
+    const bool isSameQuantity =
+        std::min(first.meaning.kind, Kind::Quantity) == std::min(second.meaning.kind, Kind::Quantity) &&
+        isAngle(channel.coordinate) == isAngle(channelOfSymbol.coordinate) && channel.order == channelOfSymbol.order;
+    const bool isSymbol = first.meaning.kind != Kind::Nothing && first.use.unit.empty() && !second.use.unit.empty() &&
+                          beginsWithSymbol(second);
+    return parseUnit(cell) || (isSymbol && isSameQuantity);
+}
+
+/// Joins cells where unquoted headings contain the delimiter: "Time, s,Position, x (mm)".
+Cells withHeadingsJoined(const Cells &cells)
 {
     Cells joined;
     for (const std::string_view cell : cells) {
-        if (!joined.empty() && parseUnit(cell)) {
+        if (!joined.empty() && continuesHeading(joined.back(), cell)) {
             joined.back() = {joined.back().data(), cell.data() + cell.size()};
         } else {
             joined.push_back(cell);
@@ -136,7 +152,8 @@ std::vector<SplitLine> waysToSplit(std::string_view line, const std::optional<Sp
     std::vector<SplitLine> ways;
     for (const char delimiter : kDelimiters) {
         const Cells cells = splitCells(line, delimiter);
-        const Cells joined = withUnitsJoined(cells);
+        const bool hasMore = row && cells.size() > row->cells.size();
+        const Cells joined = hasMore ? withHeadingsJoined(cells) : cells;
         ways.push_back(countNames(row && joined.size() == row->cells.size() ? joined : cells, delimiter));
     }
     for (const Cells &cells : {splitCells(line, ' '), splitAtBlanks(line, 2), splitAtBlanks(line, 1)}) {
@@ -163,13 +180,17 @@ bool mayBeHeadings(const SplitLine &names, const std::optional<SplitLine> &row, 
     return !areSpaced && row->delimiter != ' ' && (!isMarked || hasRemark);
 }
 
-/// Splits a line into cells that may be headings. The delimiter with most known names is chosen, and of several the one
-/// with as many cells as the row of numbers. A comment mark before the headings is removed, unless only the line with
-/// the mark can be split. Returns no known names for a row of data and for a line that cannot be the headings.
+/// Splits a line into cells that may be headings. The delimiter of the row of numbers is chosen if it makes as many
+/// cells, one of them a time; else the one with most known names, and of several the one with as many cells as the row.
+/// A comment mark before the headings is removed, unless only the line with the mark can be split. Returns no known
+/// names for a row of data and for a line that cannot be the headings.
 SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
 {
     const auto rankOf = [&row](const SplitLine &names) {
-        return std::tuple(names.known(), row && names.cells.size() == row->cells.size(), names.cells.size());
+        const bool hasSize = row && names.cells.size() == row->cells.size();
+        const bool isLikeRow =
+            hasSize && names.delimiter == row->delimiter && names.delimiter != ' ' && names.times > 0;
+        return std::tuple(isLikeRow, names.known(), hasSize, names.cells.size());
     };
     const bool isSpaced = row && row->delimiter == ' ';
     const std::string_view unmarked = withoutMark(line);
@@ -249,6 +270,14 @@ void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view uni
     column.unit = unit;
 }
 
+/// Returns the text in brackets that fills a cell; empty if there are none.
+std::string_view inBrackets(std::string_view cell)
+{
+    const bool isBracketed =
+        cell.size() > 2 && (cell[0] == '[' || cell[0] == '(') && (cell.back() == ']' || cell.back() == ')');
+    return isBracketed ? trimmed(cell.substr(1, cell.size() - 2)) : std::string_view();
+}
+
 /// Interprets the lines between the headings and the first number, which may contain units. Returns how many there are.
 std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, std::vector<Heading> &headings)
 {
@@ -260,8 +289,10 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
         if (isData(text) || std::ranges::any_of(cells, isNumber)) {
             break;
         }
+        const bool areUnits = std::ranges::any_of(cells, [](std::string_view cell) { return !unitIn(cell).empty(); });
         for (std::size_t i = 0; i < cells.size(); ++i) {
-            setUnit(headings, i, unitIn(cells[i]), number);
+            const std::string_view unit = unitIn(cells[i]);
+            setUnit(headings, i, unit.empty() && areUnits ? inBrackets(cells[i]) : unit, number); // "(V)" beside "(mm)"
         }
     }
     return count;
@@ -426,8 +457,8 @@ std::string_view unitIn(std::string_view cell)
     if (const std::size_t at = cell.find(kUnit); at != cell.npos) {
         cell = trimmed(cell.substr(at + kUnit.size()));
         cell = cell.substr(0, cell.find_first_of(" \t;,"));
-    } else if (cell.size() > 2 && (cell[0] == '[' || cell[0] == '(') && (cell.back() == ']' || cell.back() == ')')) {
-        cell = trimmed(cell.substr(1, cell.size() - 2));
+    } else if (const std::string_view inner = inBrackets(cell); !inner.empty()) {
+        cell = inner;
     }
     return parseUnit(cell) ? cell : std::string_view();
 }

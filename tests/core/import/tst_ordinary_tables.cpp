@@ -67,6 +67,13 @@ const std::vector<Layout> kLayouts{
     {"  t  x v\n1 0 85 1\n2 1 84 2\n3 2 80 3\n", "- time R4_x R4_x_diff"},
     {"case,angle,x\nopen,0,85\nopen,90,84\nopen,180,80\n", "- angle R4_x"},
     {"sep=;\nt;x\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},
+    {"t,x,a\n(s),(mm),(V)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x -"},
+    // Headings that contain the delimiter.
+    {"Time, s,Piston position, x (mm)\n0,85\n1,84\n2,80\n", "time R4_x"},
+    {"Time, t (s), Position, x (mm), Velocity, v (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
+    {"θ (deg), Slider x (mm), first run\n0,85\n90,84\n180,80\n", "angle R4_x -"},
+    {"t\tSlider, Displacement, X (mm)\tSlider, Velocity, X (mm/s)\n0\t85\t1\n1\t84\t2\n2\t80\t3\n",
+     "time R4_x R4_x_diff"},
 };
 
 struct RefusedFile {
