@@ -3,6 +3,7 @@
 
 #include "core/import/crank_angles.h"
 #include "core/import/unnamed_bodies.h"
+#include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -87,6 +88,14 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
     }
 }
 
+/// Returns whether a word or symbol denotes an angle.
+bool namesAngle(const std::string &word)
+{
+    const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
+    const WordMeaning *const entry = symbol ? symbol : findWord(word, WordUse::Word);
+    return entry && entry->dimension == Dimension::Angle;
+}
+
 /// Returns whether the values of a column only rise, but are no row numbers, and its name is unknown. Whole numbers
 /// that rise evenly to 180 or more may be degrees, unless they have the unit of a time.
 bool mayBeTime(const RawColumn &column)
@@ -98,7 +107,8 @@ bool mayBeTime(const RawColumn &column)
     const bool isUnknown =
         meaning.kind == Kind::Nothing ||
         (meaning.kind == Kind::Quantity && meaning.hasUnknownWords && meaning.doubt == NameMeaning::Doubt::None);
-    const bool isQuantity = !isUnknown || meaning.reason == ColumnReason::UnknownBody; // "X_Value", but "J1_x"
+    const bool isQuantity = !isUnknown || meaning.reason == ColumnReason::UnknownBody || // "X_Value", but "J1_x"
+                            std::ranges::any_of(wordsOf(column.name), namesAngle);       // and "θ/θmax"
     if (column.isUsed() || isQuantity || !column.unitAs(ColumnRole::Time) || values.size() < 2 ||
         !(values[0] < values[1]) || findReversal(values)) {
         return false;
@@ -281,6 +291,45 @@ void removeWords(std::vector<RawColumn *> &candidates)
     }
 }
 
+/// Returns whether the values are those of a finer column in another unit, up to the rounding of both.
+bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
+{
+    const auto stepOf = [](const RawColumn &rounded) {
+        return rounded.rounding.infer(rounded.factor, false).stepAt(rangeOf(rounded.values).size());
+    };
+    const double step = stepOf(column);
+    const double finerStep = stepOf(other);
+    const bool isCoarser = step > finerStep || (step == finerStep && column.index > other.index);
+    return isCoarser && column.factor != other.factor && column.values.size() >= 2 &&
+           std::ranges::equal(column.values, other.values,
+                              [&](double a, double b) { return std::abs(a - b) <= step || !std::isfinite(a - b); });
+}
+
+/// Removes columns that repeat another one: "Position (in)" beside "Position (mm)"; or that count the rows, as "Pos"
+/// beside "Slider mm".
+void removeRepeated(std::vector<RawColumn *> &candidates)
+{
+    const std::vector<RawColumn *> all = candidates;
+    std::erase_if(candidates, [&all](RawColumn *column) {
+        const bool isUncertainLength =
+            column->meaning.kind == Kind::Quantity && !isAngle(column->use.channel.coordinate);
+        const bool isCount = isUncertainLength && column->use.unit.empty() && countsRows(*column);
+        bool isCopy = false;
+        bool hasRival = false;
+        for (const RawColumn *const other : all) {
+            const bool isRival = other != column && other->use.channel == column->use.channel;
+            hasRival = hasRival || isRival;
+            isCopy = isCopy || (isRival && isCoarserCopy(*column, *other));
+        }
+        if (isCopy) {
+            column->use.reason = ColumnReason::LikeOther;
+        } else if (isCount && hasRival) {
+            column->use.reason = ColumnReason::RowNumber;
+        }
+        return isCopy || (isCount && hasRival);
+    });
+}
+
 /// Replaces the coupler's angle at B, which Norton calls θ3, by the one at A, which differs by half a turn.
 void measureAtA(RawColumn &column)
 {
@@ -321,6 +370,7 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
         candidates.push_back(&column);
     }
     removeWords(candidates);
+    removeRepeated(candidates);
     return candidates;
 }
 
