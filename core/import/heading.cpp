@@ -50,9 +50,31 @@ std::string_view withoutRemark(std::string_view text)
     return text;
 }
 
-/// Sets name and unit of "Position (m) Run #1", and returns whether there is a unit in brackets. Text in brackets that
-/// is no unit is part of the name if the name has a meaning with it, as "x(B)", or if it is an index, as "P[3.1]". A
-/// remark may follow a unit that suits a known name: "Crank angle (deg, unwrapped)".
+/// Returns the unit in the brackets from `begin` to `end`, which may be empty or unknown; nullopt if what they contain
+/// is a part of the name or a remark. A remark may follow a unit that suits a known name: "Crank angle (deg,
+/// unwrapped)". What is no unit is a part of the name if the name has a meaning with it, as "x(B)", or if it is an
+/// index, "P[3.1]".
+std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_t begin, std::size_t end)
+{
+    constexpr std::size_t kShortestRemark = 6; // bytes: "(filtered)", but "(bar)" is a unit
+    const std::string_view content = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)));
+    if (parseUnit(content) || content.empty() || content == "px") {
+        return content;
+    }
+    const std::string unit(withoutRemark(content));
+    const NameMeaning before = meaningOf(trimmed(text.substr(0, begin)), unit);
+    if (unit.size() < content.size() && !before.hasUnknownWords && suits(before, unit)) {
+        return content.substr(0, unit.size());
+    }
+    const NameMeaning whole = meaningOf(text, {});
+    const bool isKnown = whole.kind != Kind::Nothing && !whole.hasUnknownWords;
+    const bool isIndex = text[begin] == '[' && looksNumeric(content);
+    const bool isRemark = text[begin] == '(' && content.size() >= kShortestRemark && content.find('/') == content.npos;
+    const bool isUnknownUnit = end + 1 == text.size() && !isKnown && !isIndex && !isRemark && text[begin] != '<';
+    return isUnknownUnit ? std::optional(content) : std::nullopt;
+}
+
+/// Sets name and unit of "Position (m) Run #1", and returns whether there is a unit in brackets.
 bool splitAtBrackets(std::string_view text, Heading &heading)
 {
     constexpr std::string_view kOpening = "[({<";
@@ -63,23 +85,11 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
         if (begin == text.npos) {
             continue;
         }
-        const std::string_view unit = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)));
-        const bool isLast = end + 1 == text.size();
-        const bool isUnit = parseUnit(unit) || unit.empty() || unit == "px";
-        const NameMeaning whole = meaningOf(text, {});
-        const bool isKnown = whole.kind != Kind::Nothing && !whole.hasUnknownWords;
-        constexpr std::size_t kShortestRemark = 6; // bytes: "(filtered)", but "(bar)" is a unit
-        const bool isRemark = kind == 1 && unit.size() >= kShortestRemark && unit.find('/') == unit.npos;
-        const bool isPart = kind > 1 || (kind == 0 && looksNumeric(unit)) || isKnown || isRemark;
-        const std::string unitAlone(withoutRemark(unit));
-        const NameMeaning before = meaningOf(trimmed(text.substr(0, begin)), unitAlone);
-        const bool hasUnitWithRemark =
-            unitAlone.size() < unit.size() && !before.hasUnknownWords && suits(before, unitAlone);
-        if (isUnit || hasUnitWithRemark || (isLast && !isPart)) {
+        if (const std::optional<std::string_view> unit = unitInBrackets(text, begin, end)) {
             heading.name = trimmed(text.substr(0, begin));
             heading.name.erase(heading.name.find_last_not_of("/ ") + 1); // "x/(mm)"
-            heading.name += isLast ? "" : text.substr(end + 1);
-            heading.use.unit = hasUnitWithRemark ? unitAlone : unit;
+            heading.name += text.substr(end + 1);
+            heading.use.unit = *unit;
             return true;
         }
         end = begin;
@@ -130,64 +140,76 @@ void splitAtBeginning(std::string_view text, Heading &heading)
     }
 }
 
+/// Returns the last part of the name's path: "DX" of "Body_4/DX".
+std::string lastPartOf(const Heading &heading)
+{
+    const NamePath path = splitPath(heading.name);
+    return path.parts.empty() ? std::string() : std::string(path.parts.back());
+}
+
+/// Returns whether a symbol such as "xpp" or "d2x" can only be a second derivative.
+bool isSecondDerivative(const Heading &heading)
+{
+    const NameMeaning &meaning = heading.meaning;
+    const Words words = wordsOf(lastPartOf(heading));
+    return meaning.channel.order == Order::Acceleration && meaning.kind >= Kind::Quantity &&
+           meaning.doubt == Doubt::None && !words.empty() && !findWord(words[0], WordUse::Word) && words[0] != "a";
+}
+
+/// Returns whether the name is "v_p" or "a_p", of the piston.
+bool isOfPiston(const Heading &heading)
+{
+    const Words words = wordsOf(heading.name);
+    return words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p";
+}
+
+/// Returns whether the name is that of a displacement and no differential: "DX" of Adams, or "dx" beside "vx".
+bool isDisplacement(const Heading &heading, std::span<const Heading> row)
+{
+    const std::string symbol = lastPartOf(heading);
+    const auto isVelocity = [&symbol](const Heading &other) {
+        return lowered(lastPartOf(other)) == 'v' + lowered(symbol).substr(1);
+    };
+    return isAmong(symbol, "DX DY") || (symbol.starts_with('d') && std::ranges::any_of(row, isVelocity));
+}
+
+/// Returns whether the name is that of point A, beside the same of point B: columns a, b and c, or "Ax", "Ay" and "Bx".
+bool isOfPointA(const Heading &heading, std::span<const Heading> row)
+{
+    const auto withoutAxis = [](const Heading &ofPoint) {
+        const std::string name = lowered(ofPoint.name);
+        return name.substr(0, name.find_last_not_of("xy") + 1);
+    };
+    const std::string point = withoutAxis(heading);
+    return point.starts_with('a') && std::ranges::any_of(row, [&](const Heading &other) {
+               return withoutAxis(other) == 'b' + point.substr(1) && other.use.unit == heading.use.unit;
+           });
+}
+
 /// Decides between the meanings of "xp", "dx" and the like by the other columns: beside "xpp" or "d2x" they are
 /// derivatives; beside "v_p", or without an "x", "x_p" is the x of the piston; and "DX", or "dx" beside "vx", is a
 /// displacement. Otherwise only a person can tell.
 void resolveDoubts(std::vector<Heading> &row)
 {
-    const auto isSecond = [](const Heading &heading) {
-        const NamePath path = splitPath(heading.name);
-        const Words words = path.parts.empty() ? Words() : wordsOf(path.parts.back());
-        return heading.meaning.channel.order == Order::Acceleration && heading.meaning.kind >= Kind::Quantity &&
-               heading.meaning.doubt == Doubt::None && !words.empty() && !findWord(words[0], WordUse::Word) &&
-               words[0] != "a";
-    };
-    const auto isOfPiston = [](const Heading &heading) {
-        const Words words = wordsOf(heading.name);
-        return words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p";
-    };
     const auto isNamed = [&](std::string_view name) {
         return std::ranges::any_of(row, [&](const Heading &heading) { return lowered(heading.name) == name; });
     };
-    const auto symbolOf = [](const Heading &heading) {
-        const NamePath path = splitPath(heading.name);
-        return path.parts.empty() ? std::string() : std::string(path.parts.back());
-    };
-    const auto isDisplacement = [&](const Heading &heading) { // "DX" of Adams, or "dx" beside "vx"
-        const std::string symbol = symbolOf(heading);
-        return isAmong(symbol, "DX DY") ||
-               (symbol.starts_with('d') && std::ranges::any_of(row, [&](const Heading &other) {
-                    return lowered(symbolOf(other)) == 'v' + lowered(symbol).substr(1);
-                }));
-    };
-    const auto withoutAxis = [](const Heading &heading) {
-        const std::string name = lowered(heading.name);
-        return name.substr(0, name.find_last_not_of("xy") + 1);
-    };
-    const auto isOfPointA = [&](const Heading &heading) { // beside B: columns a, b and c, or "Ax", "Ay" and "Bx"
-        const std::string point = withoutAxis(heading);
-        return point.starts_with('a') && std::ranges::any_of(row, [&](const Heading &other) {
-                   return withoutAxis(other) == 'b' + point.substr(1) && other.use.unit == heading.use.unit;
-               });
-    };
-    const bool hasSecond = std::ranges::any_of(row, isSecond);
+    const bool hasSecond = std::ranges::any_of(row, isSecondDerivative);
     const bool hasPiston = std::ranges::any_of(row, isOfPiston);
     for (Heading &heading : row) {
         NameMeaning &meaning = heading.meaning;
-        if (isOfPointA(heading)) {
+        if (isOfPointA(heading, row)) {
             meaning = {.reason = ColumnReason::UnknownBody};
         }
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
             continue;
         }
         const std::string name = lowered(heading.name);
-        if (isDisplacement(heading)) {
-            meaning.doubt = Doubt::None;
-            continue;
-        }
         const bool isIndex =
             hasPiston || ((name.ends_with("_p") || name.ends_with("(p)")) && !isNamed(name.substr(0, 1)));
-        if (hasSecond && meaning.channel.order < Order::Acceleration) {
+        if (isDisplacement(heading, row)) {
+            meaning.doubt = Doubt::None;
+        } else if (hasSecond && meaning.channel.order < Order::Acceleration) {
             meaning.channel.order = static_cast<Order>(static_cast<int>(meaning.channel.order) + 1);
         } else if (meaning.doubt == Doubt::IsDerivative || !isIndex) {
             meaning = {.reason = ColumnReason::UnknownBody};

@@ -55,13 +55,13 @@ std::span<const WordMeaning> vocabulary()
         // Quantities.
         WordMeaning{Word,
                     "position posicion posizione posicao posicio positie polozenie lage pos displacement disp "
-                    "displ desloc degistirme degistirmesi despl depl spost versch lvdt encoder transducer "
+                    "displ desloc degistirme despl depl spost versch lvdt encoder transducer "
                     "transductor potentiometer wegaufnehmer laser pot poti sonar ultrasonic dist location "
                     "ubicacion avance avanzamento avanco ascissa abscissa abscisa yol yolu reading lectura "
                     "lecture lettura leitura stellung ablesung desplazamiento deplacement spostamento "
                     "deslocamento desplacament verplaatsing przemieszczenie verschiebung weg auslenkung abscisse "
-                    "pose konum konumu pozitie poloha draha droga positionen posiciones motion movimiento "
-                    "mouvement movimento bewegung beweging 변위 위치 deplasare deplasarea posisjon forskyvning "
+                    "pose konum pozitie poloha draha droga motion movimiento "
+                    "mouvement movimento bewegung beweging 변위 위치 deplasare posisjon forskyvning "
                     "helyzet elmozdulas paikka asema qpos положение перемещение 位置 位移 変位",
                     kOpen, Position},
         WordMeaning{Word,
@@ -73,13 +73,13 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word,
                     "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw "
                     "veloc snelheid predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
-                    "velocities velocidades predk snelh qvel sebesseg nopeus geschwindigkeiten 속도 скорость 速度",
+                    "velocities predk snelh qvel sebesseg nopeus 속도 скорость 速度",
                     kOpen, Velocity},
         WordMeaning{Word,
                     "acceleration aceler acceler przysp versn aceleracion accelerazione aceleracao acceleracio "
                     "accelerometer accel acel acc beschleunigung beschl versnelling przyspieszenie zrychleni "
-                    "acceleratie ivme ivmesi acceleratia akselerasjon gyorsulas kiihtyvyys qacc zrychlenie 가속도 "
-                    "aceleraciones beschleunigungen ускорение 加速度",
+                    "acceleratie ivme ivmesi acceleratia akselerasjon gyorsulas kiihtyvyys qacc 가속도 "
+                    "ускорение 加速度",
                     kOpen, Acceleration},
         WordMeaning{Word,
                     "angle angulo angolo rotation rot rotacion rotazione rotacao giro orientation winkel hoek kat "
@@ -100,27 +100,27 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
         // Bodies. A wheel with a pin is a crank.
         WordMeaning{Word,
-                    "crank motor moteur motore shaft welle eccentric excentrica exzenter input antrieb antriebs "
+                    "crank motor moteur motore shaft welle eccentric excentrica exzenter input antrieb "
                     "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
                     "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
                     "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
-                    "kluky klukoveho 크랭크 кривошип кривошипа 曲柄 クランク link_2 glied_2 eslabon_2 barra_2 membro_2",
+                    "kluky klukoveho 크랭크 кривошип 曲柄 クランク link_2 glied_2 eslabon_2 barra_2 membro_2",
                     kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw kurbelw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{Word,
                     "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
-                    "schubstange drijfstang koppelstang plejlstang rade radens korbowod korbowodu lacznik "
-                    "lacznika vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki vevstakens шатун шатуна "
+                    "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
+                    "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki шатун "
                     "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3",
                     kOpen, kOpen, Coupler},
         WordMeaning{Word,
                     "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera "
                     "deslizador deslizante corredora corredissa embolo carro carrito cursore cursor pattino "
-                    "coulisseau coulissant surgu abtrieb abtriebs glissiere crosshead block bloque kolben "
-                    "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak suwaka wodzik wodzika крейцкопф "
-                    "tlok tloka kolv kolven kolvens sliden slidens glid gliden glidens piestu smykadla patina "
+                    "coulisseau coulissant surgu abtrieb glissiere crosshead block bloque kolben "
+                    "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak wodzik крейцкопф "
+                    "tlok tloka kolv kolven sliden glid gliden piestu smykadla patina "
                     "culisei 슬라이더 피스톤 pist pistu wrist gudgeon ram plunger corsoio corredica pistonului stempel "
-                    "stemplets dugattyu manta mannan luisti ariete stossel ползун ползуна поршень поршня 滑块 活塞 "
+                    "stemplets dugattyu manta mannan luisti ariete stossel ползун поршень поршня 滑块 活塞 "
                     "スライダ スライダー ピストン link_4 glied_4 eslabon_4",
                     kOpen, kOpen, Slider},
         WordMeaning{Word, "schwenkwinkel", Angle, Position, Coupler},
