@@ -39,7 +39,7 @@ std::string_view withoutPreposition(std::string_view text)
 }
 
 /// Returns the unit before a remark: "deg" of "deg CCW from +x". Returns the text if it is a unit or has none.
-std::string_view withoutRemark(std::string_view text)
+std::string_view unitBeforeRemark(std::string_view text)
 {
     for (std::size_t end = text.size(); end != text.npos && end > 0; end = text.find_last_of(" ,;", end - 1)) {
         const std::string_view unit = text.substr(0, end);
@@ -61,7 +61,7 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     if (parseUnit(content) || content.empty() || content == "px") {
         return content;
     }
-    const std::string unit(withoutRemark(content));
+    const std::string unit(unitBeforeRemark(content));
     const NameMeaning before = meaningOf(trimmed(text.substr(0, begin)), unit);
     if (unit.size() < content.size() && !before.hasUnknownWords && suits(before, unit)) {
         return content.substr(0, unit.size());

@@ -248,10 +248,13 @@ bool includeWord(NameReading &all, std::string_view word, Entries entries)
 bool isOfOtherQuantity(std::string_view word)
 {
     constexpr std::size_t kShortestPart = 4; // bytes
+    constexpr std::size_t kShortestStem = 5; // bytes: "blad" is an error in Polish, but not the stem of "blade"
+    constexpr std::size_t kLongestEnding = 2;
     bool isOther = findWord(word, WordUse::OtherQuantity);
-    for (std::size_t begin = 1; begin + kShortestPart <= word.size(); ++begin) {
-        isOther = isOther || findWord(word.substr(begin), WordUse::OtherQuantity) ||
-                  findWord(word.substr(0, word.size() - begin), WordUse::OtherQuantity);
+    for (std::size_t rest = 1; rest + kShortestPart <= word.size(); ++rest) {
+        const bool isPart = rest > kLongestEnding || word.size() - rest >= kShortestStem;
+        isOther = isOther || (isPart && (findWord(word.substr(rest), WordUse::OtherQuantity) ||
+                                         findWord(word.substr(0, word.size() - rest), WordUse::OtherQuantity)));
     }
     return isOther;
 }

@@ -19,10 +19,7 @@ namespace
 
 using Kind = NameMeaning::Kind;
 
-constexpr std::size_t kExaminedLines = 200; // that are not blank
-constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
 constexpr std::string_view kDelimiters = "\t;,|&";
-constexpr std::string_view kEndOfPreamble = "***End_of_Header***"; // of LabVIEW, which names columns there, too
 
 using Lines = std::span<const Line>;
 
@@ -106,14 +103,6 @@ std::span<const std::string_view> withoutRemark(const Cells &headings)
     const auto isRemark = [](std::string_view cell) { return cell.starts_with('%') || cell.starts_with('#'); };
     const auto remark = std::find_if(headings.begin() + (headings.empty() ? 0 : 1), headings.end(), isRemark);
     return {headings.begin(), remark};
-}
-
-/// Returns whether a line begins with a number, so that it is a row of data.
-bool isData(std::string_view line)
-{
-    const std::string_view text = trimmed(line);
-    const std::size_t digit = text.find_first_not_of("+-.,\"");
-    return digit != text.npos && isDigit(text[digit]) && digit <= 3;
 }
 
 /// Returns whether a cell continues the heading in the cell before it, as the unit in "Time, s" and the symbol with its
@@ -325,57 +314,6 @@ void findDecimalSign(Lines lines, FileLayout &layout)
     layout.mayBeThousands = hasSign && !isClear;
 }
 
-constexpr std::array<std::string_view, 6> kRemarkMarks{"#", "//", "/*", "%", "!", "--"};
-
-/// Whether what follows a mark in a line is a remark: "0.5 # start" and "0.5 // start", but "0.5 #N/A" is a gap. Others
-/// have further meanings, as in "12 %" or "0.5 -- NaN", so that they must stand apart and a word must follow, which is
-/// no gap: "0.5 % start".
-bool isRemark(std::string_view before, std::string_view mark, std::string_view after)
-{
-    const bool isAmbiguous = mark == "%" || mark == "!" || mark == "--";
-    const bool isApart = isBlank(before.back()) || (!isAmbiguous && isDigit(before.back()));
-    const std::string_view text = trimmed(after);
-    if (!isApart || text.empty()) {
-        return isApart && !isAmbiguous;
-    }
-    const bool isLower = text[0] >= 'a' && text[0] <= 'z';
-    if (!isBlank(after[0])) {
-        return isLower;
-    }
-    const bool isLetter = lowerCase(text[0]) >= 'a' && lowerCase(text[0]) <= 'z';
-    const std::string_view word = text.substr(0, text.find_first_of(" \t"));
-    return !isAmbiguous || (isLetter && parseNumber(word, DecimalSign::Point).fault);
-}
-
-/// Returns the line without the remark after it.
-std::string_view withoutRemark(std::string_view line)
-{
-    for (const std::string_view mark : kRemarkMarks) {
-        for (std::size_t at = line.find(mark, 1); at != line.npos; at = line.find(mark, at + 1)) {
-            if (isRemark(line.substr(0, at), mark, line.substr(at + mark.size()))) {
-                line = line.substr(0, at);
-                break;
-            }
-        }
-    }
-    return line;
-}
-
-/// Returns a line of a table in Markdown or LaTeX without its borders; empty for a line between rows.
-std::string_view withoutBorders(std::string_view line)
-{
-    std::string_view text = trimmed(line);
-    if (text.starts_with('|') && text.ends_with('|') && text.size() > 1) {
-        text = trimmed(text.substr(1, text.size() - 2));
-        return text.find_first_not_of("-:=+| ") == text.npos ? std::string_view() : text;
-    }
-    for (const std::string_view rule : {"\\toprule", "\\midrule", "\\bottomrule", "\\hline"}) {
-        text.remove_prefix(text.starts_with(rule) ? rule.size() : 0);
-    }
-    text = text.substr(0, text.rfind("\\\\"));
-    return text.size() < trimmed(line).size() ? trimmed(text) : line;
-}
-
 /// Returns whether the quantities are the rows of the table: one line begins with the name of the time or the crank
 /// angle, another one with that of another quantity, and numbers follow.
 bool isTransposed(Lines lines)
@@ -398,36 +336,6 @@ bool isTransposed(Lines lines)
 }
 
 } // namespace
-
-std::vector<Line> splitLines(std::string_view text)
-{
-    std::vector<Line> lines;
-    std::size_t number = 0;
-    while (!text.empty()) {
-        std::string_view rest = takeUntil('\n', text);
-        do {
-            ++number;
-            const std::string_view line = withoutBorders(takeUntil('\r', rest));
-            if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
-                throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
-            }
-            if (trimmed(line).starts_with(kEndOfPreamble)) {
-                lines.clear();
-            } else if (line.find_first_not_of(" \t;,") != line.npos) {
-                lines.push_back({number, isData(line) ? withoutRemark(line) : line});
-            }
-        } while (!rest.empty());
-    }
-    return lines;
-}
-
-bool isRemark(std::string_view line)
-{
-    const std::string_view text = trimmed(line);
-    return std::ranges::any_of(kRemarkMarks, [text](std::string_view mark) {
-        return text.starts_with(mark) && isRemark(" ", mark, text.substr(mark.size()));
-    });
-}
 
 bool isProse(const std::vector<Line> &lines)
 {

@@ -6,6 +6,7 @@
 
 #include "core/import/cells.h"
 #include "core/import/heading.h"
+#include "core/import/lines.h"
 
 #include <cstddef>
 #include <string_view>
@@ -14,24 +15,12 @@
 namespace slidercrank
 {
 
-/// A line that is not blank.
-struct Line {
-    std::size_t number = 0; ///< from 1
-    std::string_view text;
-};
-
-/// Splits a text at LF, CR LF and CR. Throws ReadError if one of the first lines is too long.
-std::vector<Line> splitLines(std::string_view text);
-
 /// Returns whether a text of at least ten lines has no rows of numbers, so that it is no table.
 bool isProse(const std::vector<Line> &lines);
 
 /// Returns the unit that fills a cell below the headings, "mm" or "(mm)", or which Simulink writes there: "Type: double
 /// Unit: rad". Empty if there is none.
 std::string_view unitIn(std::string_view cell);
-
-/// Returns whether a line is a remark: "# start", "// start", "/* start */", "-- start", "% start" or "! start".
-bool isRemark(std::string_view line);
 
 /// Finds the table in the lines of a file, and removes those above the first row of numbers. Returns the headings,
 /// whose units may also be from a line of units or from the cells, and describes the rest in `layout`. Throws

@@ -50,7 +50,7 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"g", {Length, 2, 9806.65}},
         {"deg град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
          "gradi grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw "
-         "degkw",
+         "degkw degv",
          {Angle, 0, 1.0}},
         {"dps", {Angle, 1, 1.0}},
         {"ips", {Length, 1, 25.4}},

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Splits a text into lines, without remarks after the numbers and without the borders of a table in Markdown or LaTeX.
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// A line that is not blank.
+struct Line {
+    std::size_t number = 0; ///< from 1
+    std::string_view text;
+};
+
+inline constexpr std::size_t kExaminedLines = 200; ///< that are not blank, for the form of the table
+
+/// Splits a text at LF, CR LF and CR. Throws ReadError if one of the first lines is too long.
+std::vector<Line> splitLines(std::string_view text);
+
+/// Returns whether a line begins with a number, so that it is a row of data. "1. Time (s)" is a heading.
+bool isData(std::string_view line);
+
+/// Returns whether a line is a remark: "# start", "// start", "/* start */", "-- start", "% start" or "! start".
+bool isRemark(std::string_view line);
+
+} // namespace slidercrank
