@@ -258,6 +258,7 @@ void MotionTablePanel::makeTables()
     m_present->setFixedHeight(1); // until fitColumns() knows the rows; a higher one would make the tabs higher
     m_present->setEditable(1, 2); // without t and θ₂
     m_present->setSelectionMode(QAbstractItemView::NoSelection); // it would hide the colours of the verdicts
+    m_table->setMinimumHeight(fontMetrics().height()); // so that the sentences about typed values are not cut off
     m_presentRow->setContentsMargins(0, 0, m_table->verticalScrollBar()->sizeHint().width(), 0);
     m_presentRow->addWidget(m_present);
     m_layout->addWidget(m_table, 1);

@@ -246,6 +246,25 @@ private slots:
         QCOMPARE(shown.rowOf("presentPosition", 1).mid(1), QStringList(9, QString()));
     }
 
+    /// A former defect: the table kept its height in a low panel, and the first line of the sentences was cut off.
+    void sentencesAboutTypedValuesAreNotCutOff()
+    {
+        ShownTable shown;
+        shown.panel.setMinimumHeight(1); // as in the tabs of a window
+        shown.panel.resize(560, 190);
+        auto *table = child<NumberTable>(shown.panel, "presentPosition");
+        for (int column = 2; column < 7; ++column) {
+            table->model()->setData(table->model()->index(1, column), QString::number(column));
+            settle(shown.panel);
+        }
+        const auto *judgement = child<QLabel>(shown.panel, "judgement");
+        QVERIFY(judgement->heightForWidth(judgement->width()) > judgement->fontMetrics().height()); // several lines
+        QVERIFY2(judgement->height() >= judgement->heightForWidth(judgement->width()),
+                 qPrintable(QString::number(judgement->height())));
+        const auto *rows = child<NumberTable>(shown.panel, "motionTable"); // lower than it is by itself
+        QVERIFY2(rows->height() < rows->minimumSizeHint().height(), qPrintable(QString::number(rows->height())));
+    }
+
     void aDoubleClickOnMyValueReplacesAllOfIt()
     {
         ShownTable shown;
