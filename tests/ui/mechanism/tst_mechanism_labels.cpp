@@ -176,8 +176,15 @@ private slots:
     /// A former defect: in a window of 800×600 the numbers of the grid lay below other texts.
     void gridNumbersKeepClearOfOtherTexts()
     {
+        constexpr MechanismSettings kEverything{.velocity = true,
+                                                .acceleration = true,
+                                                .path = true,
+                                                .names = true,
+                                                .dimensions = true,
+                                                .angles = true,
+                                                .instantCentre = true};
         for (int i = 0; i < 10; ++i) {
-            const Drawn drawn({}, i / 10.0, {true, true, true, true, true, true, true}, {331.0, 330.0});
+            const Drawn drawn({}, i / 10.0, kEverything, {331.0, 330.0});
             for (const QString number : {"−20", "0", "20", "40"}) {
                 const QRectF box = drawn.label(number);
                 for (const Label &label : drawn.sketch->labels()) {
