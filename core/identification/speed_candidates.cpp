@@ -66,7 +66,7 @@ struct Trial {
     double misfit = 0.0;
 };
 
-/// The trials that are no worse than their neighbours, the best first.
+/// The trials that are no worse than their neighbours.
 std::vector<Trial> minimaOf(const std::vector<Trial> &trials)
 {
     std::vector<Trial> minima;
@@ -75,7 +75,6 @@ std::vector<Trial> minimaOf(const std::vector<Trial> &trials)
             minima.push_back(trials[i]);
         }
     }
-    std::ranges::stable_sort(minima, {}, &Trial::misfit);
     return minima;
 }
 
@@ -137,12 +136,17 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
             trials.push_back({speed, misfitOfHarmonics(selected, columns, speed)});
         }
     }
-    const std::vector<Trial> minima = minimaOf(trials);
-    std::vector<double> speeds;
-    for (std::size_t i = 0; i < std::min(kCandidates, minima.size()); ++i) {
-        speeds.push_back(minima[i].speed);
+    const bool mayBeArc = maxCrossings <= kCrossingsOfOneTurn;
+    std::vector<Trial> best = minimaOf(trials);
+    if (best.empty() && !mayBeArc) { // the misfit rises or falls from the first trial to the last
+        best = std::move(trials);
     }
-    if (maxCrossings <= kCrossingsOfOneTurn) {
+    std::ranges::stable_sort(best, {}, &Trial::misfit);
+    std::vector<double> speeds;
+    for (std::size_t i = 0; i < std::min(kCandidates, best.size()); ++i) {
+        speeds.push_back(best[i].speed);
+    }
+    if (mayBeArc) {
         for (double turns = kLongestArc; turns > kShortestArc; turns /= kRatio) {
             speeds.push_back(turns * speedOfOneTurn);
         }
