@@ -17,10 +17,11 @@ namespace
 constexpr int kUndoLimit = 200;
 constexpr std::chrono::seconds kSameStepWithin{1}; // longer than the delay before a held key repeats
 
-/// Identities of edits that do not change parameters. An edit of parameters is identified by a bit for each.
-constexpr int kSamplingIdentity = 100;
-constexpr int kSolverIdentity = 101;
-constexpr int kAccelerationIdentity = 102;
+/// Bits that identify what an edit changes. Those before them are for the parameters, by indexOf(Parameter).
+constexpr int kBranchIdentity = 1 << kParameterCount;
+constexpr int kSamplingIdentity = kBranchIdentity << 1;
+constexpr int kSolverIdentity = kBranchIdentity << 2;
+constexpr int kAccelerationIdentity = kBranchIdentity << 3;
 
 struct EditName {
     QString text;
@@ -64,7 +65,7 @@ EditName nameEdit(const Choices &before, const Choices &after)
                    ? EditName{EditStack::tr("change of the method"), kSolverIdentity}
                    : EditName{EditStack::tr("change of the time range"), kSamplingIdentity};
     }
-    int identity = isBranchChanged ? 1 << kParameterCount : 0;
+    int identity = isBranchChanged ? kBranchIdentity : 0;
     for (const Parameter parameter : changed) {
         identity |= 1 << indexOf(parameter);
     }
