@@ -217,11 +217,15 @@ private slots:
         emit part<QMenu>("recentMenu")->aboutToShow();
         action(QDir::toNativeSeparators(files[0]) + " + 1 more")->trigger();
         AWAIT_COMPARE(session().reference()->source.paths, files);
-        for (const auto &[other, says] : {std::pair{kSample, "inventor_sample.csv"},
-                                          {folder.filePath("gone.csv"), "gone.csv cannot be opened"},
-                                          {folder.filePath("rig.slidercrank"), "rig.slidercrank is a scene"}}) {
-            drop({files[1], other});
-            AWAIT2(said().contains(says), says);
+        struct Refusal {
+            QString file;
+            const char *says;
+        };
+        for (const Refusal &refusal : {Refusal{kSample, "inventor_sample.csv"},
+                                       {folder.filePath("gone.csv"), "gone.csv cannot be opened"},
+                                       {folder.filePath("rig.slidercrank"), "rig.slidercrank is a scene"}}) {
+            drop({files[1], refusal.file});
+            AWAIT2(said().contains(refusal.says), refusal.says);
             QCOMPARE(session().reference()->source.paths, files);
         }
     }
