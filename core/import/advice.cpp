@@ -46,7 +46,7 @@ bool looksLikeAngle(const RawColumn &column)
            (!unit && rangeOf(column.values).width() > kQuarterTurn);
 }
 
-/// Returns whether a column in the unit of an angle turns so far in one direction that it is that of the crank.
+/// Returns whether a column is an angle that turns so far in one direction that only the crank can.
 bool makesTurn(const RawColumn &column)
 {
     constexpr double kHalfTurn = 180.0;
@@ -108,9 +108,13 @@ std::string withoutDigits(std::string heading)
     return heading;
 }
 
-/// Returns the choice for a column that nobody uses and whose values change: the first one whose heading leaves its
-/// meaning open, else the first one with a suitable unit or none, and not the crank angle if there are others. Of
-/// several points, it is the last one, as programs number them from the crank to the slider.
+/// Returns the choice for an unused column whose values change:
+///
+/// 1. the first one whose heading leaves its meaning open,
+/// 2. else the first one with a suitable unit or none that does not turn like the crank,
+/// 3. else the first one with a suitable unit or none.
+///
+/// Of several points, it is the last one, as programs number them from the crank to the slider.
 std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t notColumn)
 {
     const auto isFree = [&](const RawColumn &column) {

@@ -43,7 +43,7 @@ bool areSameTimes(const Values &x, const Values &y)
 void countFromFirstRow(RawColumn &column)
 {
     constexpr double kHalfDay = 43'200.0;  // s: a clock may have twelve hours
-    constexpr double kHour = 3'600.0;      // s: below, without a date, the file counts from its start
+    constexpr double kHour = 3'600.0;      // s: a clock without a date that starts below shows the time since the start
     constexpr double kLatestSecond = 1e11; // since 1970: larger numbers are in a smaller unit
     if (column.cells.isClock) {
         column.values = unwrapped(std::move(column.values), kHalfDay);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Tables by crank angle instead of time, as in textbooks and engine software. The time stamps follow from the drive:
+// Tables over the crank angle instead of the time, as in textbooks and engine software. The time stamps follow from the
+// drive:
 //
 //     t = (θ2 - θ20) / ω2
 //
@@ -21,7 +22,7 @@ namespace slidercrank
 inline constexpr Channel kCrankAngle{Theta2, Order::Position};
 
 /// Removes jumps by whole turns, as in angles that are limited to one turn, and returns whether there were any. If a
-/// jump would leave a change of more than `largestChange` turns, changes nothing: the angles are in another unit.
+/// jump would leave a change of more than `largestChange` turns, changes nothing: the angles are in a different unit.
 /// `turn`: in the unit of the angles.
 bool removeJumps(std::vector<double> &angles, double turn, double largestChange = 0.25);
 
@@ -36,8 +37,9 @@ bool isStraight(std::span<const double> values, std::span<const double> time, do
 std::optional<std::size_t> findReversal(std::span<const double> degrees);
 
 /// Returns the data with the time stamps at which the crank of that mechanism has the angles of the file. Reverses the
-/// order of the rows if it rotates in the other direction. Data with time stamps of their own are returned unchanged.
-/// Returns nullopt if the crank stands still, or is so slow or fast that a double cannot distinguish the time stamps.
+/// order of the rows if it rotates in the opposite direction. Data with time stamps of their own are returned
+/// unchanged. Returns nullopt if the crank stands still, or is so slow or fast that a double cannot distinguish the
+/// time stamps.
 std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData data);
 
 } // namespace slidercrank

@@ -18,7 +18,8 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     constexpr double kArithmeticError = 1e-6; // relative to the peak
     const ReferenceSeries *const rate = data.find(channel);
     const std::size_t rows = std::min(data.time.size(), kExaminedRows);
-    if (channel.order == Order::Position || !rate || rows < kFewestRows || data.crank) { // no time stamps by angle
+    const bool hasTime = !data.crank;
+    if (channel.order == Order::Position || !rate || rows < kFewestRows || !hasTime) {
         return std::nullopt;
     }
     const ReferenceSeries *const base =
@@ -28,7 +29,7 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     }
     const double step = (data.time[rows - 1] - data.time[0]) / static_cast<double>(rows - 1);
     const std::vector<double> &x = base->values;
-    std::array<double, 4> squares{}; // by Difference; the last one of the derivative, by differences of fourth order
+    std::array<double, 4> squares{}; // by Difference; [3]: from the derivative, by differences of fourth order
     double count = 0.0;
     for (std::size_t i = 2; i + 2 < rows; ++i) {
         const double central = (x[i + 1] - x[i - 1]) / (2.0 * step);

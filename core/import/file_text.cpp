@@ -42,8 +42,8 @@ bool isUtf8(std::string_view bytes)
     return surplus >= 0;
 }
 
-/// Throws if the file begins like one of another format. "[s]" is a unit, though, and "<" may begin any text. Markup
-/// and JSON are text: binary data may begin like them.
+/// Throws if the bytes begin like a different format. Exceptions: "[s]" is a unit, and "<" may begin any text. Binary
+/// data may begin like markup or JSON, which are text.
 void refuseFormats(std::string_view text, bool mayBeBinary)
 {
     using enum ReadFault::Kind;

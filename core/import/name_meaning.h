@@ -46,7 +46,7 @@ struct NameMeaning {
     bool isAtB = false; ///< the angle of the coupler is measured at B, half a turn from that at A
 };
 
-/// Compares how certain it is that names denote their channels.
+/// Orders meanings by how certain it is that the name denotes the channel: the greater is the more certain one.
 std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second);
 
 /// Longer names, in bytes, are remarks and have no meaning.

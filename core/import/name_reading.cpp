@@ -100,8 +100,8 @@ bool isPlace(const Words &words, std::size_t at)
     return isAmong(words[at], "at en bei in an") && at + 1 < words.size() && isAmong(words[at + 1], "a b");
 }
 
-/// Returns the meaning of a word as the index of what stands before it: "x_s", "velocity B", "ω_BC", but not the Bp of
-/// "xBp". Null if it is none.
+/// Returns what a word means as an index of the symbol or quantity before it: "x_s", "velocity B", "ω_BC". Null if it
+/// is no index, as the Bp of "xBp".
 const WordMeaning *indexNamed(const NameReading &before, std::string_view word)
 {
     const bool isOfLink = word.size() > 1 && before.dimension == Dimension::Angle;
@@ -453,7 +453,7 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
         const Words words = isLast ? lastWords : wordsOf(path.parts[i]);
         NameReading with = all;
         if (includeWords(with, words, isLast ? Entries::All : Entries::WithoutSymbols)) {
-            if (path.isOfModelica && !isLast) { // whose components may have any name
+            if (path.isOfModelica && !isLast) { // its components may have any name
                 with.unknown = all.unknown;
             }
             all = with;

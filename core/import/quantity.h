@@ -35,7 +35,7 @@ struct Quantity {
     std::optional<QuantityFault> fault;
 };
 
-/// Returns the quantity in the unit `expected`, which a number without a unit has. Without `expected`, a unit is a
+/// Returns the value in the unit `expected`, which is assumed if the text has none. Without `expected`, a unit is a
 /// fault.
 Quantity readQuantity(std::string_view text, const std::optional<Unit> &expected);
 

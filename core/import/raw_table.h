@@ -18,7 +18,7 @@
 namespace slidercrank
 {
 
-/// A column of numbers, which begins with what its heading says.
+/// A column of numbers. The first members say how the file names it and how it is used.
 struct RawColumn {
     FileColumn use{};
     std::string name{};
@@ -32,7 +32,7 @@ struct RawColumn {
     std::vector<double> values{};
     RoundingObserver rounding{};
     double factor = 1.0; ///< to the default unit
-    double origin = 0.0; ///< that is subtracted from time stamps, s
+    double origin = 0.0; ///< subtracted from the values: s for time stamps, ° for an angle at B
 
     bool isUsed() const { return use.role != ColumnRole::Ignored; }
     bool isUndecided() const { return !isUsed() && use.reason == ColumnReason::UnknownName; }

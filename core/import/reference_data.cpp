@@ -31,9 +31,9 @@ ReadError errorAt(const SkippedRow &row, Fault fault)
 bool startsAgain(std::span<const double> values, std::size_t row)
 {
     constexpr std::size_t kFewestRows = 3;
-    constexpr double kNear = 0.1; // of the range so far
+    constexpr double kRestart = 0.1; // of the range so far
     const double range = rangeOf(values.first(row)).width();
-    return row >= kFewestRows && std::abs(values[row] - values[0]) <= kNear * range;
+    return row >= kFewestRows && std::abs(values[row] - values[0]) <= kRestart * range;
 }
 
 /// Returns whether a line without numbers contains headings or units other than those of the columns.
@@ -129,7 +129,8 @@ ReadError errorOfRows(const TableFile &file, const SkippedRow &row)
                       .numbers = splitCells(line->text, file.layout.delimiter).size()}};
 }
 
-/// Returns the used columns without the rows that are skipped. Tables by crank angle have the angles as time stamps.
+/// Returns the used columns without the rows that are skipped. Tables over the crank angle have the angles as time
+/// stamps.
 ReferenceData collect(RawTable &table)
 {
     ReferenceData data;
@@ -173,7 +174,7 @@ ReferenceData collect(RawTable &table)
 /// before, so that another motion begins; nullopt if there is none.
 std::optional<std::size_t> findAnotherMotion(const ReferenceData &data)
 {
-    constexpr double kSame = 0.02; // mean difference of two turns of one motion, relative to the range of the column
+    constexpr double kMaxMeanDifference = 0.02; // of two turns of one motion, relative to the range of the column
     const std::vector<double> &angles = data.time;
     std::size_t row = 1;
     while (row < angles.size() && angles[row] != angles[0]) {
@@ -184,7 +185,8 @@ std::optional<std::size_t> findAnotherMotion(const ReferenceData &data)
         for (std::size_t i = row; i < angles.size() && i < 2 * row; ++i) {
             sum += std::abs(series.values[i] - series.values[i - row]);
         }
-        return sum > kSame * rangeOf(series.values).width() * static_cast<double>(std::min(row, angles.size() - row));
+        return sum > kMaxMeanDifference * rangeOf(series.values).width() *
+                         static_cast<double>(std::min(row, angles.size() - row));
     });
     return row < angles.size() && differs ? std::optional(row) : std::nullopt;
 }
@@ -210,7 +212,7 @@ void countByAngle(ReferenceData &data, RawTable &table)
 /// Returns whether the values are points of a parabola over the rows, apart from a tolerance.
 bool isParabola(std::span<const double> values, double tolerance)
 {
-    constexpr double kErrors = 4.0; // of three values, the second one twice
+    constexpr double kErrors = 4.0; // rounding errors: of three values, the middle one twice
     ValueRange seconds;
     for (std::size_t i = 2; i < values.size(); ++i) {
         seconds.include(values[i] - 2.0 * values[i - 1] + values[i - 2]);
@@ -231,14 +233,14 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
     const double size = rangeOf(values).size();
     const double step = series.rounding.stepAt(size);
     // With even time stamps, the points of a straight line or parabola are also multiples of a step.
-    const auto quantumBeyond = [&](double uncertainty) {
+    const auto findQuantumAbove = [&](double uncertainty) {
         const double tolerance = 2.0 * uncertainty + 1e-9 * size;
         const bool isSmooth = isStraight(values, time.first(rows), tolerance) || isParabola(values, tolerance);
         return isSmooth ? std::nullopt : findQuantum(values, uncertainty);
     };
     // Steps of 0.9 degrees are printed exactly, those of 360/1024 degrees are rounded.
-    std::optional<double> quantum = quantumBeyond(0.0);
-    quantum = quantum > 1.5 * step ? quantum : quantumBeyond(step);
+    std::optional<double> quantum = findQuantumAbove(0.0);
+    quantum = quantum > 1.5 * step ? quantum : findQuantumAbove(step);
     if (!quantum && !isStraight(values, time.first(rows), 1e-9 * size)) {
         quantum = findStepOfFive(first, series.rounding);
     }
@@ -248,8 +250,8 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
     }
 }
 
-/// Returns whether the fault of a table may only mean that the text is none.
-bool mayBeOfProse(Fault fault)
+/// Returns whether a fault may only mean that the text is no table.
+bool mayMeanNoTable(Fault fault)
 {
     switch (fault) {
     case Fault::UnitsContradict:
@@ -271,7 +273,7 @@ bool mayBeOfProse(Fault fault)
 bool isNoTable(const FileBytes &file, Fault fault)
 {
     std::string converted;
-    return mayBeOfProse(fault) && isProse(splitLines(decodeText(file.bytes, converted)));
+    return mayMeanNoTable(fault) && isProse(splitLines(decodeText(file.bytes, converted)));
 }
 
 /// Returns the data of a table whose columns have their roles.

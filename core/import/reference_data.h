@@ -15,8 +15,8 @@
 // have a decimal point or a decimal comma, the same throughout a file, and thousands separators where they are
 // unambiguous. An empty or missing cell is a gap. Of rows with the same time, the last one is used.
 //
-// A table by crank angle instead of time is read as the motion of a crank that turns once a second, until timedBy() is
-// called with another one.
+// A table over the crank angle instead of the time is read as the motion of a crank that turns once a second, until
+// timedBy() is called with another one.
 //
 // If a heading leaves open which channel it is, the usual one is assumed, unless the unit contradicts it. Such a guess
 // is marked in the layout. Other columns are ignored.
@@ -56,7 +56,7 @@ struct SkippedRow {
     std::size_t file = 0; ///< index in FileLayout::files
 };
 
-/// The abscissa of a table by crank angle.
+/// The abscissa of a table over the crank angle.
 struct CrankAngles {
     std::vector<double> degrees; ///< θ2 of each row, strictly increasing or decreasing
     Rounding rounding;           ///< of the angles in the file
@@ -73,7 +73,7 @@ struct ReferenceData {
     std::vector<SkippedRow> skipped;    ///< the first 1000
     std::size_t skippedCount = 0;       ///< number of all skipped rows
     FileLayout layout;                  ///< how the file is written, and the meaning of each column
-    std::optional<CrankAngles> crank{}; ///< of a table by crank angle, from which the time stamps follow
+    std::optional<CrankAngles> crank{}; ///< of a table over the crank angle, from which the time stamps follow
     std::vector<std::size_t> lines{};   ///< line of each row in the (first) file, from 1; empty if unknown
 
     /// Returns the line of a row, or if it is unknown, the number of the row from 1.

@@ -81,7 +81,7 @@ PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
 /// number of steps in it.
 double refined(double step, const std::vector<double> &values)
 {
-    double mostSteps = 1.0; // in the longest distance so far
+    double mostSteps = 1.0; // in the longest distance used so far
     for (const double value : values) {
         const double distance = value - values.front();
         if (const double steps = std::round(distance / step); steps > mostSteps) {
@@ -167,7 +167,7 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
         return;
     }
     const auto length = static_cast<std::size_t>(places.first - places.last);
-    ++m_decades[static_cast<std::size_t>(places.first + kLargestExponent)][std::min(length, kMostDigits - 1)];
+    ++m_decades[static_cast<std::size_t>(places.first + kLargestExponent)][std::min(length, kMaxDigits - 1)];
 }
 
 Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
@@ -188,10 +188,11 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
     for (int exponent = -kLargestExponent; exponent <= kLargestExponent; ++exponent) {
         const auto &counts = m_decades[static_cast<std::size_t>(exponent + kLargestExponent)];
         const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
-        const double needed = std::min(total, areTimeStamps ? 0.9 * total : 0.25 * (total + 8.0)); // to have ended
+        // The decade ends at the place at which this number of its values has ended.
+        const double needed = std::min(total, areTimeStamps ? 0.9 * total : 0.25 * (total + 8.0));
         double ended = 0.0;
         int place = exponent + 1;
-        for (std::size_t i = 0; i < kMostDigits && ended < needed; ++i) {
+        for (std::size_t i = 0; i < kMaxDigits && ended < needed; ++i) {
             ended += counts[i];
             --place;
         }
@@ -213,7 +214,7 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
 std::optional<double> findQuantum(std::span<const double> values, double printedStep)
 {
     constexpr std::size_t kFewestValues = 12;     // distinct ones
-    constexpr double kCoarser = 8.0;              // than the uncertainty
+    constexpr double kMinQuantum = 8.0;           // in units of the uncertainty
     constexpr double kArithmeticError = 1e-9;     // relative to the value
     constexpr double kPowerOfTenTolerance = 1e-3; // of the exponent
     std::vector<double> changes;                  // between neighbours
@@ -240,7 +241,7 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     };
     const std::size_t distinctLevels = takeGaps(levels);
     const std::size_t distinctDifferences = takeGaps(differences);
-    if (distinctLevels < kFewestValues || distinctDifferences < 2 || !(quantum >= kCoarser * uncertainty)) {
+    if (distinctLevels < kFewestValues || distinctDifferences < 2 || !(quantum >= kMinQuantum * uncertainty)) {
         return std::nullopt;
     }
     quantum = refined(quantum, levels);
@@ -254,11 +255,10 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
 
 std::optional<double> findStepOfFive(std::span<const double> values, const Rounding &rounding)
 {
-    constexpr std::size_t kFewestValues = 6;   // different ones: one in five is a multiple by chance
+    constexpr std::size_t kFewestValues = 6;   // distinct ones; of fewer, all may be multiples of 5 by chance
     constexpr double kArithmeticError = 1e-13; // of a unit conversion, relative to the largest value
-    constexpr double kMaxEvenFraction =
-        0.7; // even multiples; of six significant digits, most are, and the others by chance
-    constexpr double kMaxErrorOfStep = 0.1; // relative to a step: with more, every value is a multiple of it
+    constexpr double kMaxEvenFraction = 0.7;   // of multiples that are also multiples of 10: with more, the step is 10
+    constexpr double kMaxErrorOfStep = 0.1;    // relative to a step: with more, every value is a multiple of it
     std::vector<double> magnitudes(values.begin(), values.end());
     std::ranges::for_each(magnitudes, [&](double &value) { value = std::abs(value) / rounding.unitFactor; });
     std::vector<double> levels = sortedFinite(magnitudes);

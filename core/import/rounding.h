@@ -86,12 +86,12 @@ public:
     Rounding infer(double unitFactor, bool areTimeStamps) const;
 
 private:
-    static constexpr std::size_t kMostDigits = 17; ///< in the shortest text of a double
-    static constexpr int kLargestExponent = 48;    ///< values beyond mark missing numbers
+    static constexpr std::size_t kMaxDigits = 17; ///< in the shortest text of a double
+    static constexpr int kLargestExponent = 48;   ///< values beyond mark missing numbers
 
     /// By power of ten from -kLargestExponent: how many values have each number of digits from the first to the last
     /// non-zero one, less 1.
-    std::array<std::array<std::uint32_t, kMostDigits>, 2 * kLargestExponent + 1> m_decades{};
+    std::array<std::array<std::uint32_t, kMaxDigits>, 2 * kLargestExponent + 1> m_decades{};
 
     std::uint64_t m_values = 0;        ///< number of values that are not zero and differ from the one before
     std::uint64_t m_trailingZeros = 0; ///< number of zeros printed after the last non-zero decimal of these values

@@ -292,7 +292,7 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
 /// behind it and a number from 1 to 999 before, it could separate thousands everywhere.
 void findDecimalSign(Lines lines, FileLayout &layout)
 {
-    int commas = 0; // more than points
+    int commas = 0; // numbers that need a comma, minus those that need a point
     bool isClear = layout.delimiter == ',';
     bool hasSign = false;
     for (const Line &line : lines) {
@@ -407,7 +407,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     for (std::size_t i = 0; i < std::min(cells.size(), headings.size()) && headings[i].meaning.kind < Kind::Quantity;
          ++i) {
         const std::size_t colon = cells[i].find(':');
-        headings[i].cells.isClock = colon != cells[i].npos; // not after a quantity, like the times of a race
+        headings[i].cells.isClock = colon != cells[i].npos; // but after a quantity, "1:02" is a duration, as of a lap
         headings[i].cells.hasDate = cells[i].find_first_of("-/.") < colon;
     }
     for (Heading &heading : headings) {

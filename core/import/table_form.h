@@ -18,8 +18,8 @@ namespace slidercrank
 /// Returns whether a text of at least ten lines has no rows of numbers, so that it is no table.
 bool isProse(const std::vector<Line> &lines);
 
-/// Returns the unit that fills a cell below the headings, "mm" or "(mm)", or which Simulink writes there: "Type: double
-/// Unit: rad". Empty if there is none.
+/// Returns the unit in a cell below the headings, if the cell contains nothing else ("mm", "(mm)") or Simulink wrote it
+/// ("Type: double Unit: rad"). Otherwise empty.
 std::string_view unitIn(std::string_view cell);
 
 /// Finds the table in the lines of a file, and removes those above the first row of numbers. Returns the headings,
