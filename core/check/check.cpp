@@ -68,17 +68,17 @@ bool isOfSlider(const OutputChannel &channel)
     return std::get<DerivedChannel>(channel).quantity == DerivedQuantity::Displacement;
 }
 
-/// Returns whether a slip is to be seen in these wrong values. In others, its values are those of a simpler one: an
-/// approximation of the slider's motion that is measured towards the crank merely turns the sense of the coupler angle.
-bool isSeenIn(std::span<const OutputChannel> wrong, Slip slip)
+/// Returns whether a slip shows in these wrong values. In other values it only repeats a simpler slip: an approximation
+/// of the slider's motion that is measured towards the crank merely turns the sense of the coupler angle.
+bool showsIn(std::span<const OutputChannel> wrong, Slip slip)
 {
-    const bool ofSlider = std::ranges::any_of(wrong, isOfSlider);
+    const bool isSliderWrong = std::ranges::any_of(wrong, isOfSlider);
     const auto isRate = [](const OutputChannel &channel) { return orderOf(channel) != Order::Position; };
     const auto isVelocity = [](const OutputChannel &channel) { return orderOf(channel) == Order::Velocity; };
     switch (slip) {
     case Slip::HarmonicMotion:
-    case Slip::FromOuterDeadCentre: return ofSlider;
-    case Slip::TwoHarmonics: return ofSlider || std::ranges::any_of(wrong, isRate);
+    case Slip::FromOuterDeadCentre: return isSliderWrong;
+    case Slip::TwoHarmonics: return isSliderWrong || std::ranges::any_of(wrong, isRate);
     case Slip::SecondHarmonicDouble: return std::ranges::any_of(wrong, isVelocity);
     default: return true;
     }
@@ -104,7 +104,7 @@ std::vector<Comparison> compareSlips(const CrankPosition &position, const Output
     }
     std::vector<Comparison> comparisons;
     for (const SlipOutcome &outcome : slipOutcomes(position, exact)) {
-        if (!isSeenIn(wrong, outcome.slip)) {
+        if (!showsIn(wrong, outcome.slip)) {
             continue;
         }
         Comparison comparison{outcome.slip, true, true, 1.0};
