@@ -61,7 +61,8 @@ struct Convention {
         LengthUnit,     ///< lengths are multiplied by amount
         TimeUnit,       ///< times are multiplied by amount, derivatives in that unit by its inverse powers
         Sign,           ///< opposite axis or sense of rotation: values are multiplied by amount = -1
-        HalfTurn,       ///< the textbook's θ_3, measured at B: made continuous, and amount = ±180°, … is added
+        HalfTurn,       ///< the textbook's θ_3, measured at B and not at A: jumps by a turn are removed, and an odd
+                        ///< multiple of 180° is added
         WholeTurns,     ///< jumps by a turn are removed, and amount = 0, ±360°, … is added
         ZeroPoint,      ///< another origin: amount (in the unit of files) is added to one column
         SwappedColumns, ///< two columns have each other's headings

@@ -20,8 +20,8 @@ std::vector<ConventionFinding> conventionsOf(const LastFit &lastFit);
 /// Applies conventions in their order.
 ReferenceData allApplied(const std::vector<ConventionFinding> &conventions, ReferenceData data);
 
-/// Compares a file that needs no more conventions with a mechanism. If the speed of the crank is not constant,
-/// positions are compared as in a table over the crank angle, and derivatives are not compared.
+/// Compares a mechanism with a file to which all conventions have been applied. If the speed of the crank is not
+/// constant, positions are compared as in a table over the crank angle, and derivatives are not compared.
 std::vector<ChannelComparison> compareRead(const Parameters &mechanism, const ReferenceData &data, Drive::Kind drive,
                                            const FittedMechanism &fitted, const std::stop_token &stop);
 

@@ -8,9 +8,10 @@
 //
 // where n is the number of values and RSS the sum of their squared residuals (value - prediction). S is minus twice the
 // logarithm of the likelihood of independent errors, whose size is unknown in each column but not below the rounding.
-// Its gradient is that of a weighted sum of squares with the weights 1 / (RSS/n + mean of step²/12), and so are its
-// second derivatives, nearly. A constant column repeats one rounding error: it contributes RSS/n divided by the mean of
-// step²/12, like a single value.
+// The gradient of S is that of a weighted sum of squared residuals, in which the weight of a column is
+// 1 / (RSS/n + mean of step²/12). The second derivatives of this sum with fixed weights approximate those of S. A
+// constant column repeats one rounding error n times. Therefore it contributes to S like a single value: RSS/n divided
+// by the mean of step²/12.
 
 #include "core/comparison/comparison.h"
 #include "core/identification/model.h"
@@ -42,7 +43,7 @@ using Unknowns = std::vector<Unknown>;
 double &valueOf(Model &model, Unknown unknown);
 double valueOf(const Model &model, Unknown unknown);
 
-/// Numbers by indexOf(Parameter), in mm, rad and s.
+/// An error of each parameter, at indexOf(Parameter), in mm, rad and s.
 using ParameterErrors = std::array<double, kParameterCount>;
 
 inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
@@ -58,13 +59,13 @@ inline Parameter parameterOf(Unknown unknown)
     return static_cast<Parameter>(unknown.kind);
 }
 
-/// The difference of two misfits that is no evidence: a ratio of likelihoods of exp(10).
+/// Two fits whose misfits differ by less are equally good: the ratio of their likelihoods is less than exp(10).
 inline constexpr double kSameMisfit = 20.0;
 
 struct Fit {
     Model model;
     Indices columns;
-    Unknowns unknowns{};
+    Unknowns unknowns{};          ///< the numbers of the model that were fitted
     Eigen::ArrayXXd residuals{};  ///< value - prediction, one column each; NaN in gaps
     std::vector<double> rms{};    ///< of the residuals of each column
     std::vector<double> counts{}; ///< number of values of each column
@@ -82,7 +83,8 @@ struct Fit {
     /// Takes the model of another fit of the same columns, with its residuals. Unknowns, gradient and curvature remain.
     void takeModelOf(const Fit &other);
 
-    /// How the mechanism was fitted. `values` is that of one column, because one column may determine all unknowns.
+    /// How the mechanism was fitted, for a comparison. The number of values is the average of the columns and not that
+    /// of all columns together, because one column may determine all unknowns.
     FittedMechanism fittedMechanism() const
     {
         return {.unknowns = unknowns.size(), .values = valueCount() / static_cast<double>(columns.size())};
@@ -101,7 +103,7 @@ Fit refined(const Observations &observations, Model start, Indices columns, Unkn
 /// with other origins, are nearly equal on an arc.
 bool isShortArc(const Observations &observations, const Model &model);
 
-/// The largest dependence of the residuals of a column (noise.h).
+/// The dependence of the residuals (noise.h) in the column in which it is largest.
 double dependence(const Fit &fit);
 
 /// Whether the residuals of every column change their sign like independent errors.
@@ -111,7 +113,8 @@ bool isNoise(const Fit &fit);
 /// has ended in a long and curved valley of the misfit, and 0 for unknowns that the columns do not determine.
 Eigen::VectorXd stepToMinimum(const Fit &fit);
 
-/// The ratio of the errors of the worst and the best determined combination of the unknowns.
+/// The error of the worst determined combination of the unknowns, divided by that of the best determined one. The
+/// unknowns are scaled so that the second derivative of S by each is 1.
 double conditionNumber(const Fit &fit);
 
 /// The covariance matrix of the unknowns; very large variances for unknowns that the columns do not determine.

@@ -119,8 +119,9 @@ struct Identification {
     /// nothing bounds the errors of the parameters.
     bool hasSystematicResiduals = false;
 
-    /// In a table over the crank angle, the speeds (rad/s, magnitudes) that its derivatives allow if their units leave
-    /// it open, such as 2π and 360 for "1/s". Empty if ω2 is determined or the table has no derivatives.
+    /// The possible magnitudes of ω2 (rad/s) if the derivatives in a table over the crank angle do not show in which
+    /// unit of angles they are: if "1/s" may mean rad/s or °/s, 360 rad/s and 360 °/s = 2π rad/s are possible. Empty if
+    /// ω2 is determined or the table has no derivatives.
     std::vector<double> possibleSpeeds{};
 
     // These belong to Identified and Approximate only.
