@@ -29,16 +29,20 @@ Dual independent(double value, int position)
     return {value, 4, position};
 }
 
-/// The partial derivatives of a prediction by each kind of unknown, and the residual behind them.
-constexpr int kKinds = 6; // of Unknown::Kind
+constexpr int kKinds = 6; // number of values of Unknown::Kind
 constexpr int kResidual = kKinds;
-using Row = Eigen::Matrix<double, kKinds + 1, 1>;
 
-/// Sums over the rows of a column.
+/// The terms that belong to one value of a column: the partial derivatives of its prediction by each kind of unknown,
+/// in the order of Unknown::Kind, and then its residual.
+using Terms = Eigen::Matrix<double, kKinds + 1, 1>;
+
+/// Sums over the values of a column.
 struct ColumnSums {
-    Eigen::Matrix<double, kKinds + 1, kKinds + 1> products = decltype(products)::Zero(); ///< of all pairs in a Row
-    double count = 0.0;
+    /// The sums of the products of all pairs of terms.
+    Eigen::Matrix<double, kKinds + 1, kKinds + 1> products = decltype(products)::Zero();
+    double count = 0.0; ///< number of values
 
+    /// Of the residuals.
     double meanSquare() const { return count > 0.0 ? products(kResidual, kResidual) / count : 0.0; }
 };
 
@@ -48,6 +52,7 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
 {
     const Parameters &m = model.mechanism;
     const double speed = model.crankSpeed(observations, row);
+    // The derivative of the angle of the crank by ω2: the angle is ω2 t + θ20, unless it follows that in the file.
     const double angleBySpeed = model.followsAngle ? 0.0 : observations.time[row];
     TextbookMotion<Dual> motion;
     const bool isAssembled = moveTo<Dual>(motion, m, {independent(m.a, 0), independent(m.b, 1), independent(m.c, 2)},
@@ -66,15 +71,16 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
         const auto [byA, byB, byC, byAngle] = std::array{prediction.derivatives()[0], prediction.derivatives()[1],
                                                          prediction.derivatives()[2], prediction.derivatives()[3]};
         double bySpeed = byAngle * angleBySpeed;
-        if (column.isDerivative()) { // it has the power of the speed as a factor
+        if (column.isDerivative()) { // of order n: ωⁿ is also a factor of the motion (see atSpeed())
             const double order = static_cast<double>(column.channel.order);
             bySpeed += order * std::pow(speed, order - 1.0) * motion.valueAt(column.channel).value();
         }
         const double f = reading.factor;
-        Row entries;
-        entries << f * byA, f * byB, f * byC, f * bySpeed, f * byAngle, 1.0,
-            value - f * prediction.value() - reading.origin;
-        sums[k].products.noalias() += entries * entries.transpose();
+        const double byOrigin = 1.0;
+        const double residual = value - f * prediction.value() - reading.origin;
+        Terms terms;
+        terms << f * byA, f * byB, f * byC, f * bySpeed, f * byAngle, byOrigin, residual;
+        sums[k].products.noalias() += terms * terms.transpose();
         sums[k].count += 1.0;
     }
     return true;
@@ -92,6 +98,40 @@ double columnMisfitSlope(const ObservedColumn &column, double meanSquare, double
     return column.isConstant() ? 1.0 / column.variance : count / (meanSquare + column.variance);
 }
 
+/// Adds the part that a column contributes to the misfit and to its derivatives by the unknowns. `sums`: of this
+/// column.
+void addColumn(LocalShape &shape, const ColumnSums &sums, const Observations &observations, Index columnIndex,
+               const Unknowns &unknowns)
+{
+    const ObservedColumn &column = observations.columns[columnIndex];
+    const double meanSquare = sums.meanSquare();
+    shape.value += columnMisfit(column, meanSquare, sums.count);
+    // RSS is the sum of r² of the residuals r. With the derivatives p of a prediction by the unknowns, the gradient of
+    // r² is -2 r p, and its second derivatives are 2 p pᵀ if those of the prediction are neglected. The misfit has the
+    // same derivatives, times its derivative by RSS. In the second derivatives, the change of this factor is neglected,
+    // too.
+    const double weight = 2.0 * columnMisfitSlope(column, meanSquare, sums.count) / std::max(sums.count, 1.0);
+    // A parameter changes the predictions of all columns, an origin only those of its own column.
+    const auto changesColumn = [&](Unknown unknown) { return unknown.isParameter() || unknown.column == columnIndex; };
+    const auto termOf = [](Unknown unknown) { return static_cast<Index>(unknown.kind); };
+    for (Index i = 0; i < std::ssize(unknowns); ++i) {
+        if (!changesColumn(unknowns[i])) {
+            continue;
+        }
+        shape.gradient[i] -= weight * sums.products(termOf(unknowns[i]), kResidual);
+        for (Index j = 0; j < std::ssize(unknowns); ++j) {
+            if (changesColumn(unknowns[j])) {
+                shape.curvature(i, j) += weight * sums.products(termOf(unknowns[i]), termOf(unknowns[j]));
+            }
+        }
+    }
+}
+
+bool hasPositiveLinks(const Parameters &mechanism)
+{
+    return mechanism.a > 0.0 && mechanism.b > 0.0;
+}
+
 /// The misfit of a model with its derivatives by the unknowns. nullopt if the mechanism cannot be assembled, or if the
 /// computation was stopped.
 std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const Model &model, const Indices &columns,
@@ -106,27 +146,7 @@ std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const 
     const Index size = std::ssize(unknowns);
     LocalShape shape{0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
     for (std::size_t k = 0; k < columns.size(); ++k) {
-        // The derivative of n ln(RSS/n + step²/12) is that of RSS, divided by the variance RSS/n + step²/12. The second
-        // derivatives are approximate: without those of the predictions and of the variance.
-        const auto &products = sums[k].products;
-        const ObservedColumn &column = observations.columns[columns[k]];
-        const double weight =
-            2.0 * columnMisfitSlope(column, sums[k].meanSquare(), sums[k].count) / std::max(sums[k].count, 1.0);
-        // The parameters concern all columns; an origin concerns its own.
-        const auto concerns = [&](Unknown unknown) { return unknown.isParameter() || unknown.column == columns[k]; };
-        shape.value += columnMisfit(column, sums[k].meanSquare(), sums[k].count);
-        for (Index i = 0; i < size; ++i) {
-            const auto rowOfUnknown = static_cast<Index>(unknowns[i].kind); // of the products
-            if (!concerns(unknowns[i])) {
-                continue;
-            }
-            shape.gradient[i] -= weight * products(rowOfUnknown, kResidual);
-            for (Index j = 0; j < size; ++j) {
-                if (concerns(unknowns[j])) {
-                    shape.curvature(i, j) += weight * products(rowOfUnknown, static_cast<Index>(unknowns[j].kind));
-                }
-            }
-        }
+        addColumn(shape, sums[k], observations, columns[k], unknowns);
     }
     return std::isfinite(shape.value) ? std::optional(std::move(shape)) : std::nullopt;
 }
@@ -205,13 +225,13 @@ double Fit::valueCount() const
 Fit evaluated(const Observations &observations, Model model, Indices columns)
 {
     Fit fit{.model = std::move(model), .columns = std::move(columns)};
-    const bool isMechanism = fit.model.mechanism.a > 0.0 && fit.model.mechanism.b > 0.0;
     fit.residuals = -predictedIn(fit.model, observations, fit.columns);
-    fit.misfit = isMechanism ? 0.0 : kInfinity;
+    fit.misfit = hasPositiveLinks(fit.model.mechanism) ? 0.0 : kInfinity;
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         const ObservedColumn &column = observations.columns[fit.columns[k]];
         fit.residuals.col(k) += column.values;
         const double count = static_cast<double>(column.values.isFinite().count());
+        // The predictions are NaN where the mechanism cannot be assembled.
         const bool isAssembled = static_cast<double>(fit.residuals.col(k).isFinite().count()) == count;
         const double meanSquare = finite(fit.residuals.col(k)).square().sum() / std::max(count, 1.0);
         fit.counts.push_back(count);
@@ -227,8 +247,7 @@ Fit refined(const Observations &observations, Model start, Indices columns, Unkn
     std::ranges::transform(unknowns, values.begin(), [&](Unknown unknown) { return valueOf(start, unknown); });
     const auto misfit = [&](const Eigen::VectorXd &point) -> std::optional<LocalShape> {
         const Model model = withValues(start, unknowns, point);
-        const bool isMechanism = model.mechanism.a > 0.0 && model.mechanism.b > 0.0;
-        return isMechanism ? shapeOfMisfit(observations, model, columns, unknowns) : std::nullopt;
+        return hasPositiveLinks(model.mechanism) ? shapeOfMisfit(observations, model, columns, unknowns) : std::nullopt;
     };
     std::optional<Minimum> minimum = minimize(misfit, std::move(values), {.iterationLimit = iterationLimit});
     if (!minimum) {
@@ -266,11 +285,12 @@ double dependence(const Fit &fit)
 
 bool isNoise(const Fit &fit)
 {
-    bool isNoise = true;
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        isNoise = isNoise && changeSignLikeNoise(fit.residuals.col(k));
+        if (!changeSignLikeNoise(fit.residuals.col(k))) {
+            return false;
+        }
     }
-    return isNoise;
+    return true;
 }
 
 Eigen::VectorXd stepToMinimum(const Fit &fit)
@@ -281,16 +301,20 @@ Eigen::VectorXd stepToMinimum(const Fit &fit)
 
 double conditionNumber(const Fit &fit)
 {
+    // The eigenvalues are proportional to inverse squared errors. Rounding errors may make the smallest one negative.
     const Eigen::VectorXd values = decomposed(fit.curvature).values;
     return std::sqrt(values.maxCoeff() / std::max(values.minCoeff(), kEpsilon * kEpsilon));
 }
 
 Eigen::MatrixXd covarianceOf(const Fit &fit)
 {
-    constexpr double kSmallestEigenvalue = 1e-19; // below, there are only rounding errors
+    // The eigenvalue of a combination that the columns do not determine is 0 apart from rounding errors, which may make
+    // it negative. This bound makes its variance positive, finite and very large.
+    constexpr double kSmallestEigenvalue = 1e-19;
     const Eigensystem system = decomposed(fit.curvature);
     const Eigen::VectorXd inverse = system.values.array().max(kSmallestEigenvalue).inverse();
     const Eigen::MatrixXd vectors = system.scale.asDiagonal() * system.vectors;
+    // The covariance is the inverse of the second derivatives of S/2, which is minus the logarithm of the likelihood.
     return 2.0 * (vectors * inverse.asDiagonal() * vectors.transpose());
 }
 
