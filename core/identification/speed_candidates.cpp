@@ -86,27 +86,42 @@ double coverage(const Observations &observations)
     return std::min(1.0, static_cast<double>(pairs) * median(distances) / observations.span());
 }
 
-/// The numbers of turns in the file that are worth a trial. With few rows per crossing, some crossings are missing, and
-/// speeds up to half a turn per row are tried: a higher one gives the same positions as one of these.
+/// How many turns of the crank may have crossings that are not counted, because they are incomplete at the start and at
+/// the end of the file.
+constexpr double kMaxIncompleteTurns = 1.0;
+
+/// Whether the crank may have made a number of turns in a file with a number of pairs of crossings: a periodic motion
+/// crosses the middle of its range in the same whole number of pairs in every turn.
+bool isConsistent(double turns, double crossingPairs)
+{
+    constexpr double kMaxMiscounted = 0.005; // fraction of the pairs
+    const double pairsPerTurn = std::max(1.0, std::rint(crossingPairs / turns));
+    const double expectedTurns = crossingPairs / pairsPerTurn;
+    return std::abs(expectedTurns - turns) <= kMaxIncompleteTurns + kMaxMiscounted * crossingPairs;
+}
+
+/// The numbers of turns in the file that are worth a trial, at equal distances. `coverage`: see coverage(). If there
+/// are so few rows that crossings may be missing, these are all numbers up to half a turn per row: a faster crank gives
+/// the same positions as one of these.
 std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 {
-    constexpr double kSpacing = 0.1;       // a tenth of the width of a minimum of the periodogram
-    constexpr double kMinTurns = 0.7;      // with less, two harmonics fit any speed; findSpeedCandidates() adds arcs
-    constexpr double kUncounted = 1.0;     // turns: both ends of the file may belong to turns that are not complete
-    constexpr double kMiscounted = 0.005;  // of the crossings
-    constexpr int kMaxPairsPerTurn = 5;    // accelerations have several pairs of crossings per turn
-    constexpr double kManyPairs = 25.0;    // with these, their number excludes other speeds
-    constexpr double kFullCoverage = 0.95; // with less, gaps hide crossings
-    constexpr double kRowsPerPair = 8.0;   // with fewer, the rows may miss crossings
-    const double pairs = 0.5 * crossings;
-    const bool isSparse = static_cast<double>(rows) < kRowsPerPair * pairs;
-    const bool isCounted = pairs >= kManyPairs && coverage >= kFullCoverage && !isSparse;
-    const double maxTurns = isSparse ? 0.5 * static_cast<double>(rows) : pairs / coverage + kUncounted;
+    constexpr double kSpacing = 0.1;         // a tenth of the width of a minimum of the periodogram
+    constexpr double kMinTurns = 0.7;        // with less, two harmonics fit any speed; findSpeedCandidates() adds arcs
+    constexpr double kMaxTurnsPerRow = 0.5;  // a faster crank gives the same positions as a slower one
+    constexpr double kMaxPairsPerTurn = 5.0; // accelerations have several pairs of crossings per turn
+    constexpr double kMinReliablePairs = 25.0; // with fewer, their number excludes hardly any speed
+    constexpr double kFullCoverage = 0.95;     // with less, gaps hide crossings
+    constexpr double kMinRowsPerPair = 8.0;    // with fewer, crossings may fall between the rows
+    const auto rowCount = static_cast<double>(rows);
+    const double crossingPairs = 0.5 * crossings;
+    const bool mayMissCrossings = rowCount < kMinRowsPerPair * crossingPairs;
+    const bool isCountReliable = crossingPairs >= kMinReliablePairs && coverage >= kFullCoverage && !mayMissCrossings;
+    const double minTurns = std::max(crossingPairs / kMaxPairsPerTurn - kMaxIncompleteTurns, kMinTurns);
+    const double maxTurns =
+        mayMissCrossings ? kMaxTurnsPerRow * rowCount : crossingPairs / coverage + kMaxIncompleteTurns;
     std::vector<double> possible;
-    for (double turns = std::max(pairs / kMaxPairsPerTurn - kUncounted, kMinTurns); turns <= maxTurns;
-         turns += kSpacing) {
-        const double pairsPerTurn = std::max(1.0, std::rint(pairs / turns));
-        if (!isCounted || std::abs(pairs / pairsPerTurn - turns) <= kUncounted + kMiscounted * pairs) {
+    for (double turns = minTurns; turns <= maxTurns; turns += kSpacing) {
+        if (!isCountReliable || isConsistent(turns, crossingPairs)) {
             possible.push_back(turns);
         }
     }
