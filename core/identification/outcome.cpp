@@ -116,13 +116,6 @@ Parameters withGiven(Parameters found, const std::array<bool, kParameterCount> &
     return found;
 }
 
-/// `sameAssembly`: the symmetry of an image with the assembly of the mechanism found.
-AlternativeMechanism alternativeOf(const Parameters &image, const Parameters &found,
-                                   AlternativeMechanism::Symmetry sameAssembly)
-{
-    return {image.branch == found.branch ? sameAssembly : AlternativeMechanism::Symmetry::OtherAssembly, image};
-}
-
 std::optional<UnevenDrive> unevenDrive(const Drive &drive, const Parameters &found)
 {
     if (!drive.hasChangingSpeed()) {
@@ -154,40 +147,59 @@ void setDetermined(Identification &result, const Findings &findings, const Param
     result.rounded = result.parameters;
 }
 
+/// Which parameters the file can contain and determines.
+std::array<bool, kParameterCount> identifiableParameters(const Findings &findings)
+{
+    const Fit &fit = findings.lastFit.fit;
+    std::array<bool, kParameterCount> identifiable{};
+    for (const Parameter length : kLengths) {
+        identifiable[indexOf(length)] = determineLengths(findings.lastFit.observations, fit.columns);
+    }
+    identifiable[indexOf(Parameter::Omega2)] = fit.changes({UnknownKind::Omega2}) || findings.drive.hasChangingSpeed();
+    identifiable[indexOf(Parameter::Theta20)] = !fit.model.followsAngle || findings.drive.kind == Drive::Kind::RunUp;
+    return identifiable;
+}
+
+/// Adds the mechanisms of the other mirror images. `isFromFit`: which parameters are not those of the given mechanism.
+void addAlternatives(Identification &result, const Findings &findings,
+                     const std::array<bool, kParameterCount> &isFromFit, const Parameters &given)
+{
+    using Symmetry = AlternativeMechanism::Symmetry;
+    const Observations &observations = findings.lastFit.observations;
+    const bool areAngles = observations.containOnlyAngles(findings.lastFit.fit.columns);
+    const Symmetry ofSameAssembly = areAngles ? Symmetry::ReversedCrank : Symmetry::MirrorImage;
+    for (const Model &image : findings.otherImages) {
+        const Parameters parameters = withGiven(parametersOf(image, observations, findings.drive), isFromFit, given);
+        const bool hasSameAssembly = parameters.branch == result.parameters.branch;
+        result.alternatives.push_back({hasSameAssembly ? ofSameAssembly : Symmetry::OtherAssembly, parameters});
+    }
+}
+
 /// Sets the mechanism of an identified or approximate file.
 void setMechanism(Identification &result, const Findings &findings, const Parameters &given)
 {
     const LastFit &lastFit = findings.lastFit;
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
-    const bool hasLengths = determineLengths(observations, fit.columns);
-    if (!hasLengths) {
+    if (!determineLengths(observations, fit.columns)) {
         result.lengthScale = observations.containOnlyAngles(fit.columns) ? Identification::LengthScale::GivenCrank
                                                                          : Identification::LengthScale::GivenSpeed;
     }
-    result.identifiable = {hasLengths, hasLengths, hasLengths,
-                           fit.changes({UnknownKind::Omega2}) || findings.drive.hasChangingSpeed(),
-                           !fit.model.followsAngle || findings.drive.kind == Drive::Kind::RunUp};
+    result.identifiable = identifiableParameters(findings);
     if (!result.hasSystematicResiduals) {
         result.standardError = lastFit.standardError;
     }
-    std::array<bool, kParameterCount> found = result.identifiable;
+    std::array<bool, kParameterCount> isFromFit = result.identifiable;
     for (const Parameter length : kLengths) {
-        found[indexOf(length)] = true; // if only their ratios are identifiable, the fit has kept the given a or ω2
+        isFromFit[indexOf(length)] = true; // if only their ratios are identifiable, the fit has kept the given a or ω2
     }
-    const Parameters exact = parametersOf(fit.model, observations, findings.drive);
-    result.parameters = withGiven(exact, found, given);
-    result.rounded = withGiven(roundedParameters(lastFit, exact, findings.lengthUnit), found, given);
-    result.drive = unevenDrive(findings.drive, exact);
+    const Parameters unrounded = parametersOf(fit.model, observations, findings.drive);
+    const Parameters rounded = roundedParameters(lastFit, unrounded, findings.lengthUnit);
+    result.parameters = withGiven(unrounded, isFromFit, given);
+    result.rounded = withGiven(rounded, isFromFit, given);
+    result.drive = unevenDrive(findings.drive, unrounded);
     result.change = findings.change;
-    const auto sameAssembly = observations.containOnlyAngles(fit.columns)
-                                  ? AlternativeMechanism::Symmetry::ReversedCrank
-                                  : AlternativeMechanism::Symmetry::MirrorImage;
-    for (const Model &image : findings.otherImages) {
-        const Parameters parameters = parametersOf(image, observations, findings.drive);
-        result.alternatives.push_back(
-            alternativeOf(withGiven(parameters, found, given), result.parameters, sameAssembly));
-    }
+    addAlternatives(result, findings, isFromFit, given);
     if (findings.speeds.size() > 1) {
         for (const double speed : findings.speeds) {
             result.possibleSpeeds.push_back(std::abs(speed));
@@ -228,6 +240,59 @@ void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
     };
     if (std::ranges::count_if(conventions, isTurn) == 2) {
         std::erase_if(conventions, isTurn);
+    }
+}
+
+/// Appends the conventions of the whole file after which the mechanism found is the given one, if there are such, and
+/// changes the mechanism accordingly. `used`: the file before any convention is applied.
+void addWholeFileConventions(Identification &result, const ReferenceData &used, const Parameters &given)
+{
+    if (result.lengthScale == Identification::LengthScale::GivenCrank || result.drive) {
+        return;
+    }
+    const WholeFileReading reading =
+        readLikeGiven(allApplied(result.conventions, used), result.rounded, result.standardError, given);
+    if (reading.conventions.empty()) {
+        return;
+    }
+    std::ranges::copy(reading.conventions, std::back_inserter(result.conventions));
+    removeCancellingTurns(result.conventions);
+    result.parameters = reading.parameters;
+    result.rounded = reading.parameters;
+    result.standardError = reading.standardError;
+    result.alternatives.clear();
+}
+
+/// Compares the file, to which all conventions have been applied, with the mechanism found. If a column does not agree
+/// with it, the comparison with the rounded parameters is taken if all columns agree with these (R4_y = 12 mm may agree
+/// with the rounded c only). Otherwise the outcome becomes approximate.
+void compareWithMechanismFound(Identification &result, const ReferenceData &read, const Findings &findings)
+{
+    const std::stop_token &stop = findings.lastFit.observations.stop;
+    const FittedMechanism fitted = findings.lastFit.fit.fittedMechanism();
+    const auto allAgree = [](const std::vector<ChannelComparison> &channels) {
+        return std::ranges::all_of(channels,
+                                   [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
+    };
+    result.channels = compareRead(result.parameters, read, findings.drive.kind, fitted, stop);
+    if (allAgree(result.channels)) {
+        return;
+    }
+    std::vector<ChannelComparison> rounded = compareRead(result.rounded, read, findings.drive.kind, fitted, stop);
+    if (allAgree(rounded)) {
+        result.channels = std::move(rounded);
+    } else {
+        result.outcome = Outcome::Approximate;
+    }
+}
+
+/// Replaces the residuals of the columns as they are in the file by those after the conventions are applied.
+void takeResidualsFromComparison(Identification &result)
+{
+    for (const ChannelComparison &channel : result.channels) {
+        const auto residual = std::ranges::find(result.residuals, channel.channel, &ColumnResidual::channel);
+        residual->rms = channel.rms.value_or(0.0);
+        residual->max = channel.maxAbs.value_or(0.0);
     }
 }
 
@@ -293,47 +358,20 @@ void addConventions(Identification &result, const ReferenceData &data, const std
                     const Findings &findings, const Parameters &given)
 {
     const Drive::Kind drive = findings.drive.kind;
-    const Fit &fit = findings.lastFit.fit;
-    const std::stop_token &stop = findings.lastFit.observations.stop;
     const ReferenceData used = usedData(data, change, findings.lastFit);
     result.conventions = conventionsOf(findings.lastFit);
     if (change) {
         result.conventions.insert(result.conventions.begin(), {*change});
     }
-    if (result.lengthScale != Identification::LengthScale::GivenCrank && !result.drive) {
-        const WholeFileReading reading =
-            readLikeGiven(allApplied(result.conventions, used), result.rounded, result.standardError, given);
-        if (!reading.conventions.empty()) {
-            std::ranges::copy(reading.conventions, std::back_inserter(result.conventions));
-            removeCancellingTurns(result.conventions);
-            result.parameters = reading.parameters;
-            result.rounded = reading.parameters;
-            result.standardError = reading.standardError;
-            result.alternatives.clear();
-        }
-    }
+    addWholeFileConventions(result, used, given);
     measureConventions(result.conventions, result.parameters, used, drive);
     const ReferenceData read = allApplied(result.conventions, used);
     result.lengthUnit = lengthUnitOf(read);
-    const FittedMechanism fitted = fit.fittedMechanism();
-    const auto agrees = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; };
-    result.channels = compareRead(result.parameters, read, drive, fitted, stop);
-    if (!std::ranges::all_of(result.channels, agrees)) { // R4_y = 12 mm may agree with the rounded c only
-        std::vector<ChannelComparison> rounded = compareRead(result.rounded, read, drive, fitted, stop);
-        if (std::ranges::all_of(rounded, agrees)) {
-            result.channels = std::move(rounded);
-        } else {
-            result.outcome = Outcome::Approximate;
-        }
-    }
-    // Until here, the residuals are those of the columns as they are in the file.
-    for (const ChannelComparison &channel : result.channels) {
-        const auto residual = std::ranges::find(result.residuals, channel.channel, &ColumnResidual::channel);
-        residual->rms = channel.rms.value_or(0.0);
-        residual->max = channel.maxAbs.value_or(0.0);
-    }
+    compareWithMechanismFound(result, read, findings);
+    takeResidualsFromComparison(result);
     const auto differs = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; };
-    result.agreesWithGiven = std::ranges::none_of(compareRead(given, read, drive, {}, stop), differs);
+    result.agreesWithGiven =
+        std::ranges::none_of(compareRead(given, read, drive, {}, findings.lastFit.observations.stop), differs);
 }
 
 } // namespace slidercrank
