@@ -101,7 +101,7 @@ struct Estimate {
     }
 };
 
-Estimate estimateOf(const LastFit &lastFit, const Parameters &exact)
+Estimate estimateOf(const LastFit &lastFit, const Parameters &unrounded)
 {
     const Model &model = lastFit.fit.model;
     Estimate estimate{
@@ -111,8 +111,8 @@ Estimate estimateOf(const LastFit &lastFit, const Parameters &exact)
         const bool isOriginOfAngle = model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
         if (unknown.isParameter() && !isOriginOfAngle) {
             const Parameter parameter = parameterOf(unknown);
-            estimate.values[k] = valueOf(exact, parameter);
-            estimate.unknowns.push_back({unknown, parameter, sizeOf(parameter, exact)});
+            estimate.values[k] = valueOf(unrounded, parameter);
+            estimate.unknowns.push_back({unknown, parameter, sizeOf(parameter, unrounded)});
         } else {
             estimate.values[k] = valueOf(model, unknown);
             estimate.unknowns.push_back({unknown});
@@ -258,7 +258,7 @@ RoundNumber roundLength(double value, double standardError, double unit)
     return rounded;
 }
 
-Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, double lengthUnit)
+Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded, double lengthUnit)
 {
     // Fractions of the standard errors, tried in this order: with larger ones, the rounded values together may change
     // the motion too much.
@@ -266,15 +266,15 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, do
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
     for (const double fraction : kFractions) {
-        Parameters rounded = exact;
+        Parameters rounded = unrounded;
         if (fit.model.followsAngle) { // the drive has errors of its own
             for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20}) {
                 const double error = fraction * lastFit.standardError[indexOf(parameter)];
                 valueOf(rounded, parameter) =
-                    roundInUsualUnits(unknownOf(parameter), valueOf(exact, parameter), error, lengthUnit).value;
+                    roundInUsualUnits(unknownOf(parameter), valueOf(unrounded, parameter), error, lengthUnit).value;
             }
         }
-        Estimate estimate = estimateOf(lastFit, exact);
+        Estimate estimate = estimateOf(lastFit, unrounded);
         estimate.covariance *= fraction * fraction;
         for (const Index k : openUnknowns(estimate)) {
             if (!estimate.unknowns[k].parameter) {
@@ -291,19 +291,19 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, do
             return rounded;
         }
     }
-    return exact;
+    return unrounded;
 }
 
-void moveToChosenNumbers(LastFit &lastFit, const Parameters &exact, double lengthUnit)
+void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double lengthUnit)
 {
     Fit &fit = lastFit.fit;
-    Estimate estimate = estimateOf(lastFit, exact);
+    Estimate estimate = estimateOf(lastFit, unrounded);
     const auto isParameter = [](const Estimated &estimated) { return estimated.parameter.has_value(); };
     if (std::ranges::all_of(estimate.unknowns, isParameter)) {
         return;
     }
     fixChosenNumbers(estimate, lengthUnit);
-    Model model = withParameters(fit.model, withEstimate(exact, estimate), lastFit.observations);
+    Model model = withParameters(fit.model, withEstimate(unrounded, estimate), lastFit.observations);
     for (Index k = 0; k < estimate.values.size(); ++k) {
         if (!estimate.unknowns[k].parameter) {
             valueOf(model, estimate.unknowns[k].unknown) = estimate.values[k];

@@ -15,22 +15,23 @@ struct RoundNumber {
     bool isChosen = false; ///< an equally round number is near by chance with a probability of at most 10 %
 };
 
-/// The number with the fewest digits within three standard errors of a value, in any of some units; 0 if that is within
-/// them. If it is not so round that a person has chosen it, returns the value rounded to the first digit of its
-/// standard error, in the first unit. Returns the value itself if its standard error is 0, infinite or NaN.
+/// The number with the fewest digits that is within three standard errors of a value, where digits are counted in the
+/// unit among `units` that needs the fewest; 0 if the value is within three standard errors of 0. If that number is not
+/// so round that a person may have chosen it, returns the value rounded to the first digit of its standard error, in
+/// the first of `units`. Returns the value itself if its standard error is 0, infinite or NaN.
 RoundNumber roundest(double value, double standardError, std::span<const double> units);
 
 /// Rounds a length (mm) like roundest(), in a unit of `unit` mm.
 RoundNumber roundLength(double value, double standardError, double unit);
 
 /// Rounds the lengths, ω2 (in rad/s, °/s or rpm) and θ20 (in ° or rad) of a last fit, as far as they explain the file
-/// as well with the origins that the fit has found. `exact`: the parameters without rounding. `lengthUnit`: of the
+/// as well with the origins that the fit has found. `unrounded`: the parameters without rounding. `lengthUnit`: of the
 /// lengths in the file, mm.
-Parameters roundedParameters(const LastFit &lastFit, const Parameters &exact, double lengthUnit);
+Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded, double lengthUnit);
 
 /// An origin depends on the lengths: if a coupler is 0.3 mm longer and the origin 0.3 mm farther away, the positions in
 /// the file are nearly the same. If a fit has free origins, moves it to the chosen numbers of its parameters and of the
 /// origin of θ2, and to the other origins that suit them. Does nothing if these do not explain the file as well.
-void moveToChosenNumbers(LastFit &lastFit, const Parameters &exact, double lengthUnit);
+void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double lengthUnit);
 
 } // namespace slidercrank
