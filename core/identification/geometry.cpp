@@ -214,7 +214,7 @@ Unknowns geometryUnknowns(const Observations &observations, const Indices &colum
 bool fitCandidates(const Observations &observations, const Indices &columns, const std::vector<Candidate> &candidates,
                    const Unknowns &unknowns, std::vector<Fit> &fits)
 {
-    constexpr int kIterations = 20; // enough to find out which candidates are worth more
+    constexpr int kIterations = 20; // enough to see which candidates are worth a complete fit
     for (const Candidate &candidate : candidates) {
         fits.push_back(refined(observations, candidate.model, columns, unknowns, kIterations));
         if (isExact(observations, fits.back())) {
@@ -238,6 +238,28 @@ Fit bestOf(const Observations &observations, std::vector<Fit> fits)
         }
     }
     return best;
+}
+
+/// The models from which the search starts: one for each unit in which the angle of the crank may be in the file, or,
+/// if the file does not contain this angle, one for each candidate of the speed.
+std::vector<Model> startModels(const Observations &observations, const std::vector<double> &speeds,
+                               const Parameters &given)
+{
+    Model model{.mechanism = given, .followsAngle = observations.angle.size() > 0};
+    model.readings.resize(observations.columns.size());
+    std::vector<Model> models;
+    if (model.followsAngle) {
+        for (const double unit : kAngleUnits) {
+            model.angleFactor = unit;
+            models.push_back(model);
+        }
+    } else {
+        for (const double speed : speeds) {
+            model.mechanism.omega2 = speed;
+            models.push_back(model);
+        }
+    }
+    return models;
 }
 
 /// Appends the lowest derivative of a coordinate in the file, after `skipped` lower ones.
@@ -297,20 +319,15 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
     constexpr Index kSearchRows = 120; // some dozens of candidates are fitted to them
     const Observations gridRows = thinned(observations, kGridRows);
     const Observations searchRows = thinned(observations, kSearchRows);
-    Model start{.mechanism = given, .followsAngle = observations.angle.size() > 0};
-    start.readings.resize(observations.columns.size());
-    const auto unknowns = [&](Origins origins) {
-        return geometryUnknowns(observations, columns, start.followsAngle, origins);
-    };
-    // Without the angle of the crank, its speed is tried; otherwise the unit of the angle.
-    const std::vector<double> trials =
-        start.followsAngle ? std::vector(kAngleUnits.begin(), kAngleUnits.end()) : speeds;
+    const bool followsAngle = observations.angle.size() > 0;
+    const Unknowns unknownsWithUsualOrigins = geometryUnknowns(observations, columns, followsAngle, Origins::Usual);
+    const Unknowns unknownsWithAnyOrigins = geometryUnknowns(observations, columns, followsAngle, Origins::Any);
     std::vector<Candidate> candidatesWithAnyOrigins;
     std::vector<Fit> fits;
-    for (const double trial : trials) {
-        (start.followsAngle ? start.angleFactor : start.mechanism.omega2) = trial;
+    for (const Model &start : startModels(observations, speeds, given)) {
         const GridResult grid = searchGrid(gridRows, columns, start, given);
-        if (fitCandidates(searchRows, columns, grid.usualOrigins, unknowns(Origins::Usual), fits)) {
+        const bool isOneExact = fitCandidates(searchRows, columns, grid.usualOrigins, unknownsWithUsualOrigins, fits);
+        if (isOneExact) {
             break;
         }
         std::ranges::copy(grid.anyOrigins, std::back_inserter(candidatesWithAnyOrigins));
@@ -320,7 +337,7 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
         return fit;
     }
     std::vector<Fit> fitsWithAnyOrigins;
-    fitCandidates(searchRows, columns, candidatesWithAnyOrigins, unknowns(Origins::Any), fitsWithAnyOrigins);
+    fitCandidates(searchRows, columns, candidatesWithAnyOrigins, unknownsWithAnyOrigins, fitsWithAnyOrigins);
     Fit other = bestOf(observations, std::move(fitsWithAnyOrigins));
     return other.misfit < fit.misfit ? other : fit;
 }

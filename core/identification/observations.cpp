@@ -179,6 +179,31 @@ void countTurnsInGaps(Values &angle, const Values &time)
     }
 }
 
+/// Reads the abscissa of a table over the crank angle.
+void observeTableAngle(Observations &observations, const CrankAngles &crank)
+{
+    const Values degrees = Eigen::Map<const Values>(crank.degrees.data(), std::ssize(crank.degrees));
+    observations.angle = degrees(observations.rows) / kDegreesPerRadian;
+    // Evenly spaced angles are exact, as evenly spaced time stamps are (clock.h).
+    observations.angleHalfStep = 0.5 * clockOf(crank.degrees, crank.rounding).step() / kDegreesPerRadian;
+}
+
+/// Reads θ2 of a file over the time. It is not used if a row lacks it, or if the rows do not show how many turns the
+/// crank makes.
+void observeAngleColumn(Observations &observations, const ReferenceData &data)
+{
+    const ReferenceSeries *const crank = data.find(kCrankAngle);
+    if (!crank) {
+        return;
+    }
+    const ObservedColumn column = observedColumn(data, *crank, observations.rows);
+    if (column.values.isFinite().all() && !isSparse(column.values)) {
+        observations.angleHalfStep = column.halfSteps.maxCoeff();
+        observations.angle = column.values;
+        countTurnsInGaps(observations.angle, observations.time);
+    }
+}
+
 Observations selection(const Observations &observations, const Indices &rows)
 {
     Observations selected = observations;
@@ -205,20 +230,10 @@ Observations observe(const ReferenceData &data, std::stop_token stop)
         return observations;
     }
     if (data.crank) {
-        const std::vector<double> &degrees = data.crank->degrees;
-        observations.angle =
-            Eigen::Map<const Values>(degrees.data(), std::ssize(degrees))(observations.rows) / kDegreesPerRadian;
-        observations.angleHalfStep = 0.5 * clockOf(degrees, data.crank->rounding).step() / kDegreesPerRadian;
+        observeTableAngle(observations, *data.crank);
     } else {
         observeTime(observations, data);
-        if (const ReferenceSeries *const crank = data.find(kCrankAngle)) {
-            const ObservedColumn column = observedColumn(data, *crank, observations.rows);
-            if (column.values.isFinite().all() && !isSparse(column.values)) {
-                observations.angleHalfStep = column.halfSteps.maxCoeff();
-                observations.angle = column.values;
-                countTurnsInGaps(observations.angle, observations.time);
-            }
-        }
+        observeAngleColumn(observations, data);
     }
     for (const ReferenceSeries &series : data.series) {
         if (isAlwaysZero(series.channel) || series.channel == kCrankAngle) {
