@@ -137,8 +137,8 @@ Fit withUsualSign(const Observations &observations, Fit fit)
     return isExact(observations, next) ? next : fit;
 }
 
-/// Whether the file does not need a freedom, of which `usual` is the usual value: compares the fits with it and
-/// without.
+/// Whether the file does not need a freedom (for the conditions, see withoutFreedoms()). `with`: the fit in which
+/// `unknown` is free. `without`: the fit in which it is fixed at its usual value `usual`.
 bool isUnneeded(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double usual)
 {
     if (!without.isFinite()) {
@@ -147,11 +147,13 @@ bool isUnneeded(const Observations &observations, const Fit &with, const Fit &wi
     if (isExact(observations, without)) {
         return true;
     }
-    const bool mayBeFilter =
+    const bool isMisfitSame = without.misfit - with.misfit < kSameMisfit * dependence(with);
+    if (isMisfitSame || isBelowRounding(observations, with, unknown, usual)) {
+        return true;
+    }
+    const bool mayComeFromFilter =
         isSystematic(observations, with) || isSmallOrigin(observations, with.model, unknown, usual);
-    return without.misfit - with.misfit < kSameMisfit * dependence(with) ||
-           isBelowRounding(observations, with, unknown, usual) ||
-           (mayBeFilter && hasSmallResiduals(observations, without));
+    return mayComeFromFilter && hasSmallResiduals(observations, without);
 }
 
 /// Whether an origin that is not needed may exist nevertheless: it is no larger than the rounding steps, or the misfit
@@ -184,16 +186,16 @@ Fit withUsualReadings(const Observations &observations, Fit fit)
     return fit;
 }
 
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &shifts)
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &earlierShifts)
 {
-    ConstrainedFit result{.fit = std::move(fit), .shifts = shifts};
+    ConstrainedFit result{.fit = std::move(fit), .shifts = earlierShifts};
     if (!result.fit.isFinite()) {
         return result;
     }
     Unknowns freedoms;
     std::ranges::copy_if(result.fit.unknowns, std::back_inserter(freedoms), [&](Unknown unknown) {
-        const bool isOriginOfCrank = result.fit.model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
-        return isOriginOfCrank || !unknown.isParameter();
+        const bool isOriginOfAngle = result.fit.model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
+        return isOriginOfAngle || unknown.kind == Unknown::Kind::Origin;
     });
     for (const Unknown freedom : freedoms) {
         const double usual = usualValue(observations, result.fit.model, freedom);

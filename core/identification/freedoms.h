@@ -27,7 +27,8 @@ Fit withUsualReadings(const Observations &observations, Fit fit);
 ///      interpolation bends the curve that much, too.
 /// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
 /// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are added to
-/// `shifts`, which are those of the freedoms that were taken back before. A fit that is not finite remains as it is.
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &shifts = {});
+/// `earlierShifts`, the shifts of a ConstrainedFit from which `fit` was made. A fit that is not finite remains as it
+/// is.
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &earlierShifts = {});
 
 } // namespace slidercrank

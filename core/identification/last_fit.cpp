@@ -140,15 +140,16 @@ Parameters parametersOf(const Model &model, const Observations &observations, co
 
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
 {
-    constexpr int kRounds = 2; // large outliers bend the first fit, so that smaller ones show only in the second one
+    constexpr int kMaxFits = 2; // large outliers bend the first fit, so that smaller ones show only after it
     Fit fit = evaluated(observations, start.model, start.columns);
     Indices excludedRows;
-    for (int round = 0; round < kRounds && fit.isFinite(); ++round) {
-        const Indices excluded = excludeOutliers(observations, fit);
-        if (round == 0 || !excluded.empty()) {
-            fit = refined(observations, fit.model, start.columns, start.unknowns);
+    for (int fitCount = 0; fitCount < kMaxFits && fit.isFinite(); ++fitCount) {
+        const Indices outliers = excludeOutliers(observations, fit);
+        if (fitCount > 0 && outliers.empty()) {
+            break; // `fit` is already the fit of these rows
         }
-        excludedRows.insert(excludedRows.end(), excluded.begin(), excluded.end());
+        excludedRows.insert(excludedRows.end(), outliers.begin(), outliers.end());
+        fit = refined(observations, fit.model, start.columns, start.unknowns);
     }
     std::ranges::sort(excludedRows);
     LastFit result{

@@ -79,18 +79,22 @@ std::tuple<int, int, double> sortingKey(const Observations &observations, const 
     return {readings + (m.branch != given.branch ? 1 : 0), readings, distance};
 }
 
-/// Whether two models read the file in the same way.
+/// Whether two models read the file in the same way: each column that the fit uses, and the angle of the crank if they
+/// follow it.
 bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
 {
     constexpr double kSameOrigin = 1e-6; // rad or mm: rounding errors
-    bool isSame =
-        !first.followsAngle || (first.angleFactor == second.angleFactor &&
-                                std::abs(wrapToPi(first.mechanism.theta20 - second.mechanism.theta20)) < kSameOrigin);
-    for (const Index k : fit.columns) {
-        isSame = isSame && first.readings[k].factor == second.readings[k].factor &&
-                 std::abs(first.readings[k].origin - second.readings[k].origin) < kSameOrigin;
+    if (first.followsAngle) {            // then θ20 is the origin of the angle in the file
+        const double originDifference = wrapToPi(first.mechanism.theta20 - second.mechanism.theta20);
+        const bool isSameOrigin = std::abs(originDifference) < kSameOrigin;
+        if (first.angleFactor != second.angleFactor || !isSameOrigin) {
+            return false;
+        }
     }
-    return isSame;
+    return std::ranges::all_of(fit.columns, [&](Index k) {
+        return first.readings[k].factor == second.readings[k].factor &&
+               std::abs(first.readings[k].origin - second.readings[k].origin) < kSameOrigin;
+    });
 }
 
 /// How many columns there are of one kind (lengths or angles), and how many of them have the opposite sign.

@@ -28,15 +28,16 @@ inline double dependence(const Values &residuals)
     return std::max(1.0, 0.5 * count / runs);
 }
 
-/// Whether residuals change their sign as often as independent errors do, within three standard deviations: from row to
-/// row in half of the pairs of rows.
+/// Whether residuals change their sign from row to row as often as independent errors do: in half of the pairs of
+/// neighbouring rows, or less often by no more than three standard deviations of that number.
 inline bool changeSignLikeNoise(const Values &residuals)
 {
     const Index pairs = residuals.size() - 1;
     const auto product = residuals.head(pairs) * residuals.tail(pairs); // NaN beside a gap
     const double changes = static_cast<double>((product < 0.0).count());
-    const double all = static_cast<double>((product < 0.0).count() + (product >= 0.0).count());
-    return changes > 0.5 * all - 3.0 * 0.5 * std::sqrt(all);
+    const double pairsWithValues = changes + static_cast<double>((product >= 0.0).count());
+    // The number of changes has a binomial distribution with the probability 1/2.
+    return changes > 0.5 * pairsWithValues - 3.0 * 0.5 * std::sqrt(pairsWithValues);
 }
 
 } // namespace slidercrank

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace slidercrank
@@ -58,7 +59,8 @@ std::vector<Vote> votesOf(const Observations &observations, const Fit &fit)
 struct Support {
     int columns = 0;
     int agreeingUnits = 0; ///< minus the number of these columns that contradict their units
-    double speed = 0.0;    ///< of a velocity, if there is one
+    /// rad/s. It is that of a velocity if there is one among the columns, because only a velocity shows the sign.
+    double speed = 0.0;
 
     auto rank() const { return std::pair(columns, agreeingUnits); }
 };
@@ -87,25 +89,26 @@ Support supportOf(const Vote &candidate, const std::vector<Vote> &votes)
 std::vector<double> speedsOfTable(const Observations &observations, const Fit &fit, double givenSpeed)
 {
     const std::vector<Vote> votes = votesOf(observations, fit);
-    std::vector<double> best;
-    std::pair<int, int> bestRank;
-    for (const Vote &vote : votes) {
-        const Support support = supportOf(vote, votes);
-        if (best.empty() || support.rank() > bestRank) {
-            bestRank = support.rank();
-            best.clear();
-        }
+    if (votes.empty()) {
+        return {};
+    }
+    std::vector<Support> supports;
+    std::ranges::transform(votes, std::back_inserter(supports),
+                           [&](const Vote &vote) { return supportOf(vote, votes); });
+    const auto bestRank = std::ranges::max(supports, {}, &Support::rank).rank();
+    std::vector<double> bestSpeeds; // each magnitude once, although several columns vote for it
+    for (const Support &support : supports) {
         const auto isSame = [&](double speed) { return haveSameSize(speed, support.speed); };
-        if (support.rank() == bestRank && std::ranges::none_of(best, isSame)) {
-            best.push_back(support.speed);
+        if (support.rank() == bestRank && std::ranges::none_of(bestSpeeds, isSame)) {
+            bestSpeeds.push_back(support.speed);
         }
     }
-    for (const double speed : best) {
+    for (const double speed : bestSpeeds) {
         if (haveSameSize(speed, givenSpeed)) {
             return {std::copysign(speed, givenSpeed)};
         }
     }
-    return best;
+    return bestSpeeds;
 }
 
 Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
