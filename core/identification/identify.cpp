@@ -61,10 +61,11 @@ ConstrainedFit geometryOf(const Observations &wholeFile, const Observations &sea
     return fit.isFinite() ? withoutFreedoms(searched, withUsualReadings(searched, std::move(fit))) : ConstrainedFit{};
 }
 
-/// The geometry of the lowest derivatives, or that of the next ones if it explains all of these columns better: a
-/// filter or a sensor may have changed the positions. That cannot be if a mechanism explains the positions to the last
-/// digit without another origin. With another origin, it may be a wrong mechanism: both are fitted to all columns
-/// first.
+/// Finds the geometry from the lowest derivatives of R4_x and θ3, and again from the next higher ones, because a filter
+/// or a sensor may have changed the lower ones. Returns the geometry that explains the lower and the higher derivatives
+/// together better. The second search is omitted if rounding explains the lower derivatives with their usual origins:
+/// then they were not changed. If rounding explains them only with a different origin, the first geometry may
+/// nevertheless be wrong, and each of the two is fitted to all these columns before they are compared.
 ConstrainedFit bestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
     Indices columns = shapeColumns(searched);
@@ -161,40 +162,45 @@ void chooseLengthUnit(Findings &findings)
         return std::ranges::count_if(lengths,
                                      [&](Index k) { return std::abs(last.fit.model.readings[k].factor) == unit; });
     };
-    double best = 1.0;
+    double mostFrequentUnit = 1.0;
     for (const Index k : lengths) {
         const double unit = std::abs(last.fit.model.readings[k].factor);
-        best = columnsWith(unit) > columnsWith(best) ? unit : best;
+        mostFrequentUnit = columnsWith(unit) > columnsWith(mostFrequentUnit) ? unit : mostFrequentUnit;
     }
     for (const Index k : lengths) {
-        last.fit.model.readings[k].factor /= best;
+        last.fit.model.readings[k].factor /= mostFrequentUnit;
     }
     Parameters &mechanism = last.fit.model.mechanism;
     for (const Parameter length : kLengths) {
-        valueOf(mechanism, length) *= best;
-        scaleErrors(last, length, best);
+        valueOf(mechanism, length) *= mostFrequentUnit;
+        scaleErrors(last, length, mostFrequentUnit);
     }
 }
 
-/// Reads the last fit as its simplest mirror image.
+/// Replaces the model of the last fit by its mirror image with the simplest reading, and lists the other images that
+/// need the same reading.
 void chooseImage(Findings &findings, const Parameters &given)
 {
     Fit &last = findings.lastFit.fit;
     const Observations &observations = findings.lastFit.observations;
     const std::vector<Model> images = mirrorImagesOf(observations, last, given);
-    const Parameters before = std::exchange(last.model, images.front()).mechanism;
-    const bool isCrankReversed = before.omega2 != last.model.mechanism.omega2;
-    scaleErrors(findings.lastFit, Parameter::C, before.c == last.model.mechanism.c ? 1.0 : -1.0);
-    scaleErrors(findings.lastFit, Parameter::Omega2, isCrankReversed ? -1.0 : 1.0);
-    scaleErrors(findings.lastFit, Parameter::Theta20, isCrankReversed ? -1.0 : 1.0);
+    const Parameters before = last.model.mechanism;
+    const Parameters &after = images.front().mechanism;
+    const double signOfC = after.c == before.c ? 1.0 : -1.0;
+    const double senseOfCrank = after.omega2 == before.omega2 ? 1.0 : -1.0;
+    scaleErrors(findings.lastFit, Parameter::C, signOfC);
+    scaleErrors(findings.lastFit, Parameter::Omega2, senseOfCrank);
+    scaleErrors(findings.lastFit, Parameter::Theta20, senseOfCrank); // θ20 changes its sign with ω2
+    last.model = images.front();
     findings.otherImages.assign(images.begin() + 1, images.end());
-    if (findings.drive.kind == Drive::Kind::RunUp) {
+    if (findings.drive.kind == Drive::Kind::RunUp) { // its angle, speed and acceleration are those of the image
         findings.drive = findDrive(observations, last.model);
     }
 }
 
-/// If the lengths of the given mechanism explain the file as well, with other origins of its columns, they are the
-/// answer. If not, looks for a single wrong one.
+/// If the lengths of the given mechanism do not explain the file as well as the last fit does, looks for a single wrong
+/// one. If they do, and the fit has free origins, replaces its lengths by them: such a fit may explain the file equally
+/// well with other lengths and other origins.
 void relateLengths(Findings &findings, const Observations &searched, const Parameters &given)
 {
     Fit &last = findings.lastFit.fit;
@@ -211,12 +217,15 @@ void relateLengths(Findings &findings, const Observations &searched, const Param
     }
 }
 
-/// Chooses, among all descriptions of the last fit that explain the file equally well, the one that a person expects.
+/// Other units, numbers, mirror images and origins explain the file as well as those of the last fit. Changes the last
+/// fit to those that a person expects: the unit of most columns, round numbers, the simplest reading and the lengths of
+/// the given mechanism.
 void interpret(Findings &findings, const Observations &searched, const Parameters &given)
 {
     LastFit &last = findings.lastFit;
     chooseLengthUnit(findings);
-    moveToChosenNumbers(last, parametersOf(last.fit.model, last.observations, findings.drive), findings.lengthUnit);
+    const Parameters unrounded = parametersOf(last.fit.model, last.observations, findings.drive);
+    moveToChosenNumbers(last, unrounded, findings.lengthUnit);
     chooseImage(findings, given);
     relateLengths(findings, searched, given);
 }
