@@ -10,6 +10,10 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace slidercrank
 {
@@ -291,7 +295,7 @@ void removeWords(std::vector<RawColumn *> &candidates)
     }
 }
 
-/// Returns whether the values are those of a finer column in another unit, up to the rounding of both.
+/// Returns whether the values are those of a finer column in a different unit, up to the rounding of both.
 bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
 {
     const auto stepOf = [](const RawColumn &rounded) {
@@ -305,29 +309,40 @@ bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
                               [&](double a, double b) { return std::abs(a - b) <= step || !std::isfinite(a - b); });
 }
 
-/// Removes columns that repeat another one: "Position (in)" beside "Position (mm)"; or that count the rows, as "Pos"
-/// beside "Slider mm".
+/// Returns whether the column may be a length by its name, but has no unit and counts the rows.
+bool isNumberOfRow(const RawColumn &column)
+{
+    const bool isUncertainLength = column.meaning.kind == Kind::Quantity && !isAngle(column.use.channel.coordinate);
+    return isUncertainLength && column.use.unit.empty() && countsRows(column);
+}
+
+/// Returns why the column is not used beside the other candidates for its channel: "Position (in)" repeats "Position
+/// (mm)", and "Pos" counts the rows beside "Slider mm". nullopt if there is no such reason.
+std::optional<ColumnReason> whyNotBeside(std::span<RawColumn *const> candidates, const RawColumn &column)
+{
+    const auto isRival = [&column](const RawColumn *other) {
+        return other != &column && other->use.channel == column.use.channel;
+    };
+    const auto isRepeated = [&](const RawColumn *other) { return isRival(other) && isCoarserCopy(column, *other); };
+    if (std::ranges::any_of(candidates, isRepeated)) {
+        return ColumnReason::LikeOther;
+    }
+    const bool isCount = isNumberOfRow(column) && std::ranges::any_of(candidates, isRival);
+    return isCount ? std::optional(ColumnReason::RowNumber) : std::nullopt;
+}
+
+/// Removes the candidates that repeat another one or count the rows, and sets the reason in them.
 void removeRepeated(std::vector<RawColumn *> &candidates)
 {
-    const std::vector<RawColumn *> all = candidates;
-    std::erase_if(candidates, [&all](RawColumn *column) {
-        const bool isUncertainLength =
-            column->meaning.kind == Kind::Quantity && !isAngle(column->use.channel.coordinate);
-        const bool isCount = isUncertainLength && column->use.unit.empty() && countsRows(*column);
-        bool isCopy = false;
-        bool hasRival = false;
-        for (const RawColumn *const other : all) {
-            const bool isRival = other != column && other->use.channel == column->use.channel;
-            hasRival = hasRival || isRival;
-            isCopy = isCopy || (isRival && isCoarserCopy(*column, *other));
+    std::vector<RawColumn *> remaining;
+    for (RawColumn *const column : candidates) {
+        if (const std::optional<ColumnReason> reason = whyNotBeside(candidates, *column)) {
+            column->use.reason = *reason;
+        } else {
+            remaining.push_back(column);
         }
-        if (isCopy) {
-            column->use.reason = ColumnReason::LikeOther;
-        } else if (isCount && hasRival) {
-            column->use.reason = ColumnReason::RowNumber;
-        }
-        return isCopy || (isCount && hasRival);
-    });
+    }
+    candidates = std::move(remaining);
 }
 
 /// Replaces the coupler's angle at B, which Norton calls θ3, by the one at A, which differs by half a turn.
