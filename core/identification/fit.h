@@ -48,7 +48,13 @@ using ParameterErrors = std::array<double, kParameterCount>;
 
 inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
 
-// The parameters and the first kinds of unknowns have the same order.
+// The parameters are the first kinds of unknowns, in the same order.
+static_assert(static_cast<std::size_t>(Unknown::Kind::A) == indexOf(Parameter::A) &&
+              static_cast<std::size_t>(Unknown::Kind::B) == indexOf(Parameter::B) &&
+              static_cast<std::size_t>(Unknown::Kind::C) == indexOf(Parameter::C) &&
+              static_cast<std::size_t>(Unknown::Kind::Omega2) == indexOf(Parameter::Omega2) &&
+              static_cast<std::size_t>(Unknown::Kind::CrankAngle) == indexOf(Parameter::Theta20) &&
+              static_cast<std::size_t>(Unknown::Kind::Origin) == kParameterCount);
 inline Unknown unknownOf(Parameter parameter)
 {
     return {static_cast<Unknown::Kind>(indexOf(parameter))};

@@ -291,8 +291,10 @@ void takeResidualsFromComparison(Identification &result)
 {
     for (const ChannelComparison &channel : result.channels) {
         const auto residual = std::ranges::find(result.residuals, channel.channel, &ColumnResidual::channel);
-        residual->rms = channel.rms.value_or(0.0);
-        residual->max = channel.maxAbs.value_or(0.0);
+        if (residual != result.residuals.end()) {
+            residual->rms = channel.rms.value_or(0.0);
+            residual->max = channel.maxAbs.value_or(0.0);
+        }
     }
 }
 
