@@ -59,10 +59,9 @@ public:
              "motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within "
              "that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; "
              "otherwise it differs. Moreover, no error of a column that agrees may exceed its bound by more than 0.5 % "
-             "of "
-             "half the range of the motion, and none of a close one by more than 1 %. For a file that differs, the "
-             "program says what would explain the difference. A file that cannot "
-             "be read is reported, and the others are still compared. FILE may be - for standard input."),
+             "of half the range of the motion, and none of a close one by more than 1 %. For a file that differs, the "
+             "program says what would explain the difference. A file that cannot be read is reported, and the others "
+             "are still compared. FILE may be - for standard input."),
          compareCommand},
         {"identify", "FILE… [options]", QT_TR_NOOP("the mechanism that produced each file"),
          QT_TR_NOOP("Identifies the mechanism that produced a file, from all of its columns, and how certain each "

@@ -108,8 +108,8 @@ Quantity readExpression(const QString &text, const std::optional<Unit> &wanted, 
     static const QRegularExpression expression(R"(^((?:[-+*/().\d\s]|pi|[eE][-+]?\d)*)(.*)$)");
     const QRegularExpressionMatch match = expression.match(spelled);
     QString calculation = match.captured(1);
-    if (!calculation.contains(
-            QRegularExpression("[*/+(]|\\d\\s*-|pi"))) { // it is no calculation: the fault is that of the number
+    static const QRegularExpression calculationSign("[*/+(]|\\d\\s*-|pi");
+    if (!calculation.contains(calculationSign)) { // the fault is that of the number
         return quantity;
     }
     // "6 1/2" is a sum. Other spaces between digits separate thousands, of which each has three.

@@ -187,9 +187,9 @@ void NumberTable::fillCells()
             const TableCell &cell = content.cells[static_cast<std::size_t>(column)];
             const QModelIndex index = m_model->index(row, column);
             const QString before = index.data().toString();
-            if (cell.text.size() > before.size() ||
-                (!cell.number &&
-                 cell.text != before)) { // a number needs no more space than one with as many characters
+            // A number needs no more space than one with as many characters; other texts may.
+            const bool isOtherText = !cell.number && cell.text != before;
+            if (isOtherText || cell.text.size() > before.size()) {
                 widen(column, cell.text);
             }
             m_model->setData(index, cell.text, Qt::DisplayRole);

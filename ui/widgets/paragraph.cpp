@@ -22,8 +22,8 @@ QLabel *plainText(const QString &text)
     policy.setHeightForWidth(true);
     paragraph->setSizePolicy(policy);
     paragraph->setTextFormat(Qt::PlainText);
-    paragraph->setTextInteractionFlags(
-        Qt::TextSelectableByMouse); // not by the keyboard, for which a click would leave a caret
+    // Not selectable by the keyboard, for which a click would leave a caret.
+    paragraph->setTextInteractionFlags(Qt::TextSelectableByMouse);
     return paragraph;
 }
 
