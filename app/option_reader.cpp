@@ -114,10 +114,17 @@ QStringList OptionReader::inputFiles() const
 
 void OptionReader::refuseFiles() const
 {
-    if (!files().isEmpty()) {
-        throw UsageError{CommandLine::tr("\"slidercrank %1\" takes options only: remove \"%2\".")
-                             .arg(m_command.name, files().first())};
+    if (files().isEmpty()) {
+        return;
     }
+    const QString file = files().first();
+    const char *const option = file.endsWith(QLatin1String(".slidercrank")) ? "scene" : "reference";
+    if (find(option)) {
+        throw UsageError{CommandLine::tr("\"slidercrank %1\" takes options only: write --%2 before \"%3\".")
+                             .arg(m_command.name, QLatin1String(option), file)};
+    }
+    throw UsageError{
+        CommandLine::tr("\"slidercrank %1\" takes options only: remove \"%2\".").arg(m_command.name, file)};
 }
 
 const OptionDescription *OptionReader::find(const char *name) const

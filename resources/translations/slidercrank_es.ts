@@ -610,6 +610,10 @@
         <translation>--%1 debe ser %2, y no «%3».</translation>
     </message>
     <message>
+        <source>&quot;slidercrank %1&quot; takes options only: write --%2 before &quot;%3&quot;.</source>
+        <translation>«slidercrank %1» solo admite opciones: escriba --%2 delante de «%3».</translation>
+    </message>
+    <message>
         <source>&quot;slidercrank %1&quot; takes options only: remove &quot;%2&quot;.</source>
         <translation>«slidercrank %1» solo admite opciones: quite «%2».</translation>
     </message>

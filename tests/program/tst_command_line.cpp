@@ -140,7 +140,9 @@ private slots:
             {"render --what frames --output x --duration 1e6", "100000 frames"},
             {"render --what mechanism --output x.png --speed 2", "remove --speed"},
             {"study --cases soft", "nominal, hard or all"},
-            {"study x.csv", "takes options only"},
+            {"study x.csv", "takes options only: remove \"x.csv\""},
+            {"render x.csv -o y.svg", "takes options only: write --reference before \"x.csv\""},
+            {"study x.slidercrank", "takes options only: write --scene before \"x.slidercrank\""},
         };
         for (const Row &row : rows) {
             const RunResult outcome = run(QString(row.line));
