@@ -326,11 +326,11 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
     std::vector<Fit> fits;
     for (const Model &start : startModels(observations, speeds, given)) {
         const GridResult grid = searchGrid(gridRows, columns, start, given);
+        std::ranges::copy(grid.anyOrigins, std::back_inserter(candidatesWithAnyOrigins));
         const bool isOneExact = fitCandidates(searchRows, columns, grid.usualOrigins, unknownsWithUsualOrigins, fits);
         if (isOneExact) {
             break;
         }
-        std::ranges::copy(grid.anyOrigins, std::back_inserter(candidatesWithAnyOrigins));
     }
     Fit fit = bestOf(observations, std::move(fits));
     if (isExact(observations, fit)) {
