@@ -52,7 +52,6 @@ struct ColumnResidual {
     double max = 0.0;
     double percentOfRange = 0.0; ///< max, in percent of the range of the column (largest minus smallest value); 0 for
                                  ///< R4_y, which is constant
-    bool isWithinRounding = false;
 };
 
 /// The speed of the crank in a file that contains both θ2 and the time, if it is not constant.

@@ -39,8 +39,7 @@ ColumnResidual residualOf(const Observations &observations, const Fit &fit, Inde
     return {.channel = column.channel,
             .rms = toFileUnit(column.channel, fit.rms[k]),
             .max = toFileUnit(column.channel, largest),
-            .percentOfRange = hasRange ? 100.0 * largest / column.range : 0.0,
-            .isWithinRounding = isWithinRounding(observations, fit, k)};
+            .percentOfRange = hasRange ? 100.0 * largest / column.range : 0.0};
 }
 
 /// The largest errors of the parameters. Standard errors assume that errors of many rows cancel. Systematic errors need
@@ -286,7 +285,8 @@ void compareWithMechanismFound(Identification &result, const ReferenceData &read
     }
 }
 
-/// Replaces the residuals of the columns as they are in the file by those after the conventions are applied.
+/// Replaces the residuals of the columns as they are in the file by those after the conventions are applied. In percent
+/// of the range they remain, because a column and its range are converted by the same factor.
 void takeResidualsFromComparison(Identification &result)
 {
     for (const ChannelComparison &channel : result.channels) {
