@@ -147,8 +147,7 @@ bool isUnneeded(const Observations &observations, const Fit &with, const Fit &wi
     if (isExact(observations, without)) {
         return true;
     }
-    const bool isMisfitSame = without.misfit - with.misfit < kSameMisfit * dependence(with);
-    if (isMisfitSame || isBelowRounding(observations, with, unknown, usual)) {
+    if (without.misfit - with.misfit < kSameMisfit * dependence(with)) {
         return true;
     }
     const bool mayComeFromFilter =

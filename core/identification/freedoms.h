@@ -21,8 +21,7 @@ Fit withUsualReadings(const Observations &observations, Fit fit);
 /// the crank and θ3 to a multiple of half a turn, lengths to 0. An origin stays free only if the file needs it:
 ///   1. without it, rounding does not explain the residuals;
 ///   2. the misfit grows without it, by more than 20 times the dependence of the residuals (see noise.h);
-///   3. it changes a column by more than one rounding step;
-///   4. without it, the residuals of a column are larger than 1 % of its range. This is required if the residuals are
+///   3. without it, the residuals of a column are larger than 1 % of its range. This is required if the residuals are
 ///      systematic or the origin is small (2 % of the range of its column, 1° of the crank), because a filter or an
 ///      interpolation bends the curve that much, too.
 /// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
