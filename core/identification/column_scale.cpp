@@ -16,8 +16,8 @@ namespace
 /// The factor with which a motion fits values best, by least squares. Gaps of the values do not count.
 double bestFactor(const Values &motion, const Values &values)
 {
-    const Values counted = values.isFinite().select(finite(motion), 0.0);
-    return (counted * finite(values)).sum() / counted.square().sum();
+    const Values counted = values.isFinite().select(gapsAsZeros(motion), 0.0);
+    return (counted * gapsAsZeros(values)).sum() / counted.square().sum();
 }
 
 } // namespace
@@ -44,13 +44,13 @@ double signOfCoordinate(const Observations &observations, const Fit &fit, Coordi
     return 1.0;
 }
 
-ColumnScale scaleOf(const Observations &observations, const Fit &fit, const Model &model, Index k, bool othersAreExact)
+ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index k, bool othersAreExact)
 {
     const ObservedColumn &column = observations.columns[k];
-    const double factor = bestFactor(motionIn(model, observations, {k}).col(0), column.values);
+    const double factor = bestFactor(computeMotion(model, observations, {k}).col(0), column.values);
     Model scaled = model;
     scaled.readings[k] = {factor, 0.0};
-    const Fit ofColumn = evaluated(observations, scaled, {k});
+    const Fit ofColumn = evaluateModel(observations, scaled, {k});
     const bool isSmall = ofColumn.rms[0] < largestFurtherResidual(othersAreExact) * column.range;
     return {.factor = factor * signOfCoordinate(observations, fit, column.channel.coordinate),
             .isExplained = ofColumn.isFinite() && (isSmall || isWithinRounding(observations, ofColumn, 0))};
@@ -68,7 +68,7 @@ double usualFactor(const Observations &observations, const Fit &fit, Index k)
     if (column.range == 0.0 && !isSpeedOfCrank) {
         return sign; // zeros have neither sign nor scale
     }
-    const double factor = sign * scaleOf(observations, fit, fit.model, k, false).factor;
+    const double factor = sign * fitScale(observations, fit, fit.model, k, false).factor;
     if (isSpeedOfCrank) {
         return std::copysign(1.0, factor); // a different value is a different speed
     }

@@ -32,8 +32,8 @@ struct ColumnScale {
 
 /// Compares a column that `fit` does not use with the prediction of `model`, which is that of the fit at the same or at
 /// another speed of the crank.
-ColumnScale scaleOf(const Observations &observations, const Fit &fit, const Model &model, Index column,
-                    bool othersAreExact);
+ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index column,
+                     bool othersAreExact);
 
 /// The usual factor, ±1 or a unit conversion, that is nearest to the one with which the prediction fits a column.
 double usualFactor(const Observations &observations, const Fit &fit, Index column);

@@ -28,7 +28,7 @@ struct Quotients {
     Values bounds; ///< the largest errors of the quotients because of the rounding of the column
 };
 
-Quotients quotientsOf(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column)
+Quotients computeQuotients(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column)
 {
     const Index rows = abscissa.size() - 2;
     const Values widths = 0.5 * (abscissa.tail(rows) - abscissa.head(rows)).abs();
@@ -42,15 +42,15 @@ Quotients quotientsOf(const Stencil &stencil, const Values &abscissa, const Obse
 }
 
 /// Whether `column` contains the quotients of `lower` times one factor for all rows.
-bool isDifferenceOf(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column,
-                    const ObservedColumn &lower)
+bool containsQuotients(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column,
+                       const ObservedColumn &lower)
 {
     constexpr double kMinFraction = 0.8;       // of the rows: the others may lie beside gaps or jumps
     constexpr double kMinMovingFraction = 0.4; // of the rows: values that are zero within rounding prove nothing
     constexpr double kMaxBound = 0.05;         // of the range: a larger rounding of the quotients would prove nothing
-    const Quotients quotients = quotientsOf(stencil, abscissa, lower);
+    const Quotients quotients = computeQuotients(stencil, abscissa, lower);
     const Values values = column.values.segment(1, quotients.values.size());
-    const Values products = finite(quotients.values * values);
+    const Values products = gapsAsZeros(quotients.values * values);
     // By least squares, without gaps and without values that are zero, which prove nothing.
     const double factor = products.sum() / (products != 0.0).select(quotients.values.square(), 0.0).sum();
     const Values bounds = column.halfSteps.segment(1, values.size()) + std::abs(factor) * quotients.bounds;
@@ -66,7 +66,7 @@ bool containsDifferences(const Observations &observations, const ObservedColumn 
         const int order = static_cast<int>(column.channel.order) - static_cast<int>(lower.channel.order);
         for (const Stencil &stencil : kStencils) {
             if (lower.channel.coordinate == column.channel.coordinate && stencil.order == order &&
-                isDifferenceOf(stencil, observations.abscissa(), column, lower)) {
+                containsQuotients(stencil, observations.abscissa(), column, lower)) {
                 return true;
             }
         }
@@ -80,7 +80,7 @@ bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn
 {
     constexpr double kMinFraction = 0.45; // of the rows: nearly every second one
     constexpr double kMinCurvature = 3.0; // at the other rows (median), relative to what rounding can simulate
-    const Quotients curvature = quotientsOf(kSecondDifference, observations.abscissa(), column);
+    const Quotients curvature = computeQuotients(kSecondDifference, observations.abscissa(), column);
     const Index rows = curvature.values.size();
     const auto isRepeated = column.values.segment(1, rows) == column.values.head(rows);
     const Eigen::ArrayX<bool> isComputed = curvature.values.abs() <= curvature.bounds || isRepeated;

@@ -109,7 +109,7 @@ double largestPercent(const std::vector<ChannelComparison> &comparisons, const s
 
 } // namespace
 
-std::vector<ConventionFinding> conventionsOf(const LastFit &lastFit)
+std::vector<ConventionFinding> listConventions(const LastFit &lastFit)
 {
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
@@ -118,20 +118,20 @@ std::vector<ConventionFinding> conventionsOf(const LastFit &lastFit)
     if (model.followsAngle) {
         // θ2 = factor · angle + origin
         const ColumnReading reading{1.0 / model.angleFactor, -wrapToPi(model.mechanism.theta20) / model.angleFactor};
-        const double error = lastFit.errorOf({Unknown::Kind::CrankAngle}) * kDegreesPerRadian;
+        const double error = lastFit.standardErrorOf({Unknown::Kind::CrankAngle}) * kDegreesPerRadian;
         appendReading(conventions, kCrankAngle, reading, false, error);
     }
     Indices columns = fit.columns; // in the order of the file
     std::ranges::sort(columns);
     for (const Index k : columns) {
         const ObservedColumn &column = observations.columns[k];
-        const double error = toFileUnit(column.channel, lastFit.errorOf({Unknown::Kind::Origin, k}));
+        const double error = toFileUnit(column.channel, lastFit.standardErrorOf({Unknown::Kind::Origin, k}));
         appendReading(conventions, column.channel, model.readings[k], column.hadJumps, error);
     }
     return conventions;
 }
 
-ReferenceData allApplied(const std::vector<ConventionFinding> &conventions, ReferenceData data)
+ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, ReferenceData data)
 {
     for (const ConventionFinding &finding : conventions) {
         data = applied(finding.convention, std::move(data));
@@ -156,7 +156,7 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
                         const ReferenceData &data, Drive::Kind drive)
 {
     const auto compareWith = [&](const std::vector<ConventionFinding> &applied, const Parameters &parameters) {
-        return compareRead(parameters, allApplied(applied, data), drive, {}, {});
+        return compareRead(parameters, applyAll(applied, data), drive, {}, {});
     };
     const std::vector<ChannelComparison> after =
         conventions.empty() ? std::vector<ChannelComparison>() : compareWith(conventions, mechanism);

@@ -15,10 +15,10 @@ namespace slidercrank
 
 /// The conventions that turn the columns of the file into those of the mechanism of the last fit, in the order of their
 /// application.
-std::vector<ConventionFinding> conventionsOf(const LastFit &lastFit);
+std::vector<ConventionFinding> listConventions(const LastFit &lastFit);
 
 /// Applies conventions in their order.
-ReferenceData allApplied(const std::vector<ConventionFinding> &conventions, ReferenceData data);
+ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, ReferenceData data);
 
 /// Compares a mechanism with a file to which all conventions have been applied. If the speed of the crank is not
 /// constant, positions are compared as in a table over the crank angle, and derivatives are not compared.

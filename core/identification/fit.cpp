@@ -55,8 +55,9 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
     // The derivative of the angle of the crank by ω2: the angle is ω2 t + θ20, unless it follows that in the file.
     const double angleBySpeed = model.followsAngle ? 0.0 : observations.time[row];
     TextbookMotion<Dual> motion;
-    const bool isAssembled = moveTo<Dual>(motion, m, {independent(m.a, 0), independent(m.b, 1), independent(m.c, 2)},
-                                          independent(model.crankAngle(observations, row), 3));
+    const bool isAssembled =
+        computeUnitSpeedMotion<Dual>(motion, m, {independent(m.a, 0), independent(m.b, 1), independent(m.c, 2)},
+                                     independent(model.crankAngle(observations, row), 3));
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const ObservedColumn &column = observations.columns[columns[k]];
         const ColumnReading &reading = model.readings[columns[k]];
@@ -67,11 +68,11 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
         if (!isAssembled) {
             return false;
         }
-        const Dual prediction = atSpeed(motion, column.channel, speed, model.alpha2);
+        const Dual prediction = motionAtSpeed(motion, column.channel, speed, model.alpha2);
         const auto [byA, byB, byC, byAngle] = std::array{prediction.derivatives()[0], prediction.derivatives()[1],
                                                          prediction.derivatives()[2], prediction.derivatives()[3]};
         double bySpeed = byAngle * angleBySpeed;
-        if (column.isDerivative()) { // of order n: ωⁿ is also a factor of the motion (see atSpeed())
+        if (column.isDerivative()) { // of order n: ωⁿ is also a factor of the motion (see motionAtSpeed())
             const double order = static_cast<double>(column.channel.order);
             bySpeed += order * std::pow(speed, order - 1.0) * motion.valueAt(column.channel).value();
         }
@@ -158,7 +159,7 @@ struct Eigensystem {
     Eigen::MatrixXd vectors;
 };
 
-Eigensystem decomposed(const Eigen::MatrixXd &matrix)
+Eigensystem scaledEigensystem(const Eigen::MatrixXd &matrix)
 {
     Eigen::VectorXd scale = diagonalScale(matrix);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * matrix * scale.asDiagonal());
@@ -194,22 +195,22 @@ double valueOf(const Model &model, Unknown unknown)
     return valueOf(copy, unknown);
 }
 
-bool Fit::uses(Index column) const
+bool Fit::usesColumn(Index column) const
 {
     return std::ranges::find(columns, column) != columns.end();
 }
 
-bool Fit::changes(Unknown unknown) const
+bool Fit::isFree(Unknown unknown) const
 {
-    return positionOf(unknown) < std::ssize(unknowns);
+    return indexOf(unknown) < std::ssize(unknowns);
 }
 
-Index Fit::positionOf(Unknown unknown) const
+Index Fit::indexOf(Unknown unknown) const
 {
     return std::ranges::find(unknowns, unknown) - unknowns.begin();
 }
 
-void Fit::takeModelOf(const Fit &other)
+void Fit::replaceModel(const Fit &other)
 {
     model = other.model;
     residuals = other.residuals;
@@ -222,10 +223,10 @@ double Fit::valueCount() const
     return std::accumulate(counts.begin(), counts.end(), 0.0);
 }
 
-Fit evaluated(const Observations &observations, Model model, Indices columns)
+Fit evaluateModel(const Observations &observations, Model model, Indices columns)
 {
     Fit fit{.model = std::move(model), .columns = std::move(columns)};
-    fit.residuals = -predictedIn(fit.model, observations, fit.columns);
+    fit.residuals = -predictValues(fit.model, observations, fit.columns);
     fit.misfit = hasPositiveLinks(fit.model.mechanism) ? 0.0 : kInfinity;
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
         const ObservedColumn &column = observations.columns[fit.columns[k]];
@@ -233,7 +234,7 @@ Fit evaluated(const Observations &observations, Model model, Indices columns)
         const double count = static_cast<double>(column.values.isFinite().count());
         // The predictions are NaN where the mechanism cannot be assembled.
         const bool isAssembled = static_cast<double>(fit.residuals.col(k).isFinite().count()) == count;
-        const double meanSquare = finite(fit.residuals.col(k)).square().sum() / std::max(count, 1.0);
+        const double meanSquare = gapsAsZeros(fit.residuals.col(k)).square().sum() / std::max(count, 1.0);
         fit.counts.push_back(count);
         fit.rms.push_back(std::sqrt(meanSquare));
         fit.misfit += isAssembled ? columnMisfit(column, meanSquare, count) : kInfinity;
@@ -241,7 +242,7 @@ Fit evaluated(const Observations &observations, Model model, Indices columns)
     return fit;
 }
 
-Fit refined(const Observations &observations, Model start, Indices columns, Unknowns unknowns, int iterationLimit)
+Fit fitModel(const Observations &observations, Model start, Indices columns, Unknowns unknowns, int iterationLimit)
 {
     Eigen::VectorXd values(std::ssize(unknowns));
     std::ranges::transform(unknowns, values.begin(), [&](Unknown unknown) { return valueOf(start, unknown); });
@@ -253,7 +254,7 @@ Fit refined(const Observations &observations, Model start, Indices columns, Unkn
     if (!minimum) {
         return {.model = std::move(start), .columns = std::move(columns), .unknowns = std::move(unknowns)};
     }
-    Fit fit = evaluated(observations, withValues(std::move(start), unknowns, minimum->point), std::move(columns));
+    Fit fit = evaluateModel(observations, withValues(std::move(start), unknowns, minimum->point), std::move(columns));
     fit.unknowns = std::move(unknowns);
     fit.gradient = std::move(minimum->shape.gradient);
     fit.curvature = std::move(minimum->shape.curvature);
@@ -295,23 +296,23 @@ bool isNoise(const Fit &fit)
 
 Eigen::VectorXd stepToMinimum(const Fit &fit)
 {
-    const Eigen::VectorXd step = -0.5 * covarianceOf(fit) * fit.gradient; // the covariance is 2 curvature⁻¹
+    const Eigen::VectorXd step = -0.5 * computeCovariance(fit) * fit.gradient; // the covariance is 2 curvature⁻¹
     return step.array().isFinite().select(step, 0.0);
 }
 
 double conditionNumber(const Fit &fit)
 {
     // The eigenvalues are proportional to inverse squared errors. Rounding errors may make the smallest one negative.
-    const Eigen::VectorXd values = decomposed(fit.curvature).values;
+    const Eigen::VectorXd values = scaledEigensystem(fit.curvature).values;
     return std::sqrt(values.maxCoeff() / std::max(values.minCoeff(), kEpsilon * kEpsilon));
 }
 
-Eigen::MatrixXd covarianceOf(const Fit &fit)
+Eigen::MatrixXd computeCovariance(const Fit &fit)
 {
     // The eigenvalue of a combination that the columns do not determine is 0 apart from rounding errors, which may make
     // it negative. This bound makes its variance positive, finite and very large.
     constexpr double kSmallestEigenvalue = 1e-19;
-    const Eigensystem system = decomposed(fit.curvature);
+    const Eigensystem system = scaledEigensystem(fit.curvature);
     const Eigen::VectorXd inverse = system.values.array().max(kSmallestEigenvalue).inverse();
     const Eigen::MatrixXd vectors = system.scale.asDiagonal() * system.vectors;
     // The covariance is the inverse of the second derivatives of S/2, which is minus the logarithm of the likelihood.

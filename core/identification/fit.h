@@ -22,7 +22,7 @@
 namespace slidercrank
 {
 
-/// A number of the model that a fit may change.
+/// A number of the model that may be free in a fit.
 struct Unknown {
     enum class Kind {
         A,
@@ -33,9 +33,9 @@ struct Unknown {
         Origin      ///< of a column
     };
     Kind kind = Kind::A;
-    Index column = 0; ///< of an Origin
+    Index column = 0; ///< the column of the observations whose origin it is; 0 for the other kinds
 
-    bool isParameter() const { return kind != Kind::Origin; }
+    bool isParameter() const { return kind != Kind::Origin; } ///< of the mechanism
     friend bool operator==(const Unknown &, const Unknown &) = default;
 };
 using Unknowns = std::vector<Unknown>;
@@ -55,12 +55,12 @@ static_assert(static_cast<std::size_t>(Unknown::Kind::A) == indexOf(Parameter::A
               static_cast<std::size_t>(Unknown::Kind::Omega2) == indexOf(Parameter::Omega2) &&
               static_cast<std::size_t>(Unknown::Kind::CrankAngle) == indexOf(Parameter::Theta20) &&
               static_cast<std::size_t>(Unknown::Kind::Origin) == kParameterCount);
-inline Unknown unknownOf(Parameter parameter)
+inline Unknown toUnknown(Parameter parameter)
 {
     return {static_cast<Unknown::Kind>(indexOf(parameter))};
 }
 /// Requires unknown.isParameter().
-inline Parameter parameterOf(Unknown unknown)
+inline Parameter toParameter(Unknown unknown)
 {
     return static_cast<Parameter>(unknown.kind);
 }
@@ -70,24 +70,26 @@ inline constexpr double kSameMisfit = 20.0;
 
 struct Fit {
     Model model;
-    Indices columns;
-    Unknowns unknowns{};          ///< the numbers of the model that were fitted
-    Eigen::ArrayXXd residuals{};  ///< value - prediction, one column each; NaN in gaps
-    std::vector<double> rms{};    ///< of the residuals of each column
-    std::vector<double> counts{}; ///< number of values of each column
+    Indices columns;     ///< those of the observations to which the model was fitted
+    Unknowns unknowns{}; ///< the numbers of the model that were free
+    Eigen::ArrayXXd
+        residuals{};           ///< value - prediction: a row for each row, a column for each of `columns`; NaN in gaps
+    std::vector<double> rms{}; ///< of the residuals, for each of `columns`
+    std::vector<double> counts{}; ///< number of values, for each of `columns`
     double misfit = kInfinity;    ///< S; infinite if the mechanism cannot be assembled in a row that has values
     Eigen::VectorXd gradient{};   ///< first derivatives of S by the unknowns
     Eigen::MatrixXd curvature{};  ///< second derivatives of S by the unknowns
     int iterations = 0;
 
     bool isFinite() const { return std::isfinite(misfit); }
-    bool uses(Index column) const;
-    bool changes(Unknown unknown) const;
-    Index positionOf(Unknown unknown) const; ///< in `unknowns`; their number if the fit does not change it
-    double valueCount() const;               ///< of all columns
+    bool usesColumn(Index column) const;
+    bool isFree(Unknown unknown) const;
+    Index indexOf(Unknown unknown) const; ///< in `unknowns`; unknowns.size() if it is not free
+    double valueCount() const;            ///< number of values in all columns
 
-    /// Takes the model of another fit of the same columns, with its residuals. Unknowns, gradient and curvature remain.
-    void takeModelOf(const Fit &other);
+    /// Replaces the model and its residuals by those of another fit of the same columns. The unknowns, the gradient and
+    /// the curvature remain.
+    void replaceModel(const Fit &other);
 
     /// How the mechanism was fitted, for a comparison. The number of values is the average of the columns and not that
     /// of all columns together, because one column may determine all unknowns.
@@ -97,26 +99,28 @@ struct Fit {
     }
 };
 
-/// Computes residuals and misfit of a model without changing it.
-Fit evaluated(const Observations &observations, Model model, Indices columns);
+/// Computes the residuals and the misfit of a model, without unknowns.
+Fit evaluateModel(const Observations &observations, Model model, Indices columns);
 
-/// Minimizes the misfit from a start. The result is not finite if the mechanism of the start cannot be assembled, or if
+/// Changes the unknowns of a model so that the misfit in `columns` is least, and returns this fit. The search starts at
+/// the values that they have in `start`. The fit is not finite if the mechanism of the start cannot be assembled, or if
 /// the observations request a stop.
-Fit refined(const Observations &observations, Model start, Indices columns, Unknowns unknowns,
-            int iterationLimit = 200);
+Fit fitModel(const Observations &observations, Model start, Indices columns, Unknowns unknowns,
+             int iterationLimit = 200);
 
 /// Whether the crank makes less than a turn, so that nothing returns to where it was: the motions of many mechanisms,
 /// with other origins, are nearly equal on an arc.
 bool isShortArc(const Observations &observations, const Model &model);
 
-/// The dependence of the residuals (noise.h) in the column in which it is largest.
+/// The largest dependence (noise.h) of the residuals of a column; at least 1.
 double dependence(const Fit &fit);
 
-/// Whether the residuals of every column change their sign like independent errors.
+/// Whether the residuals of every column change their sign as often as independent errors do (noise.h).
 bool isNoise(const Fit &fit);
 
-/// The step from the unknowns of a fit to the minimum, as gradient and curvature predict it. It is large if the search
-/// has ended in a long and curved valley of the misfit, and 0 for unknowns that the columns do not determine.
+/// How far the unknowns of a fit are from the minimum of the misfit, as its gradient and curvature predict it. That is
+/// far if the search has ended in a long and curved valley of the misfit. 0 for unknowns that the columns do not
+/// determine.
 Eigen::VectorXd stepToMinimum(const Fit &fit);
 
 /// The error of the worst determined combination of the unknowns, divided by that of the best determined one. The
@@ -124,6 +128,6 @@ Eigen::VectorXd stepToMinimum(const Fit &fit);
 double conditionNumber(const Fit &fit);
 
 /// The covariance matrix of the unknowns; very large variances for unknowns that the columns do not determine.
-Eigen::MatrixXd covarianceOf(const Fit &fit);
+Eigen::MatrixXd computeCovariance(const Fit &fit);
 
 } // namespace slidercrank

@@ -15,8 +15,9 @@ namespace slidercrank
 namespace
 {
 
-/// The usual value that is nearest to the value of an unknown.
-double usualValue(const Observations &observations, const Model &model, Unknown unknown)
+/// The usual value that is nearest to the value of an origin or of the angle of the crank: a multiple of half a turn,
+/// or 0 for lengths.
+double nearestUsualValue(const Observations &observations, const Model &model, Unknown unknown)
 {
     const bool isOrigin = unknown.kind == Unknown::Kind::Origin;
     if (isOrigin && !observations.columns[unknown.column].containsAngles()) {
@@ -29,10 +30,10 @@ double usualValue(const Observations &observations, const Model &model, Unknown 
 
 /// Fits with `unknown` fixed at a value. The other unknowns start at the values that their covariance with it predicts,
 /// and at those that they have in `fit`. Returns the better fit.
-Fit withFixed(const Observations &observations, const Fit &fit, Unknown unknown, double value)
+Fit fitWithFixed(const Observations &observations, const Fit &fit, Unknown unknown, double value)
 {
-    const Eigen::MatrixXd covariance = covarianceOf(fit);
-    const Index position = fit.positionOf(unknown);
+    const Eigen::MatrixXd covariance = computeCovariance(fit);
+    const Index position = fit.indexOf(unknown);
     Unknowns others = fit.unknowns;
     others.erase(others.begin() + position);
     Fit best;
@@ -43,7 +44,7 @@ Fit withFixed(const Observations &observations, const Fit &fit, Unknown unknown,
             valueOf(start, fit.unknowns[k]) += change * covariance(k, position);
         }
         valueOf(start, unknown) = value;
-        Fit next = refined(observations, std::move(start), fit.columns, others);
+        Fit next = fitModel(observations, std::move(start), fit.columns, others);
         if (next.misfit < best.misfit) {
             best = std::move(next);
         }
@@ -56,22 +57,22 @@ bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown u
 {
     Model moved = fit.model;
     valueOf(moved, unknown) = value;
-    const Eigen::ArrayXXd change = evaluated(observations, moved, fit.columns).residuals - fit.residuals;
+    const Eigen::ArrayXXd change = evaluateModel(observations, moved, fit.columns).residuals - fit.residuals;
     bool isSmall = true;
     for (Index k = 0; isSmall && k < change.cols(); ++k) {
         const double squaredStep = 12.0 * observations.columns[fit.columns[k]].variance;
-        isSmall = finite(change.col(k)).square().sum() <= squaredStep * fit.counts[k];
+        isSmall = gapsAsZeros(change.col(k)).square().sum() <= squaredStep * fit.counts[k];
     }
     return isSmall;
 }
 
-/// Whether the residuals are small compared with the ranges of the columns.
+/// Whether the residuals of every column are as small as those that a filter or an interpolation leaves.
 bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 {
-    constexpr double kMaxFraction = 0.01; // rms: a filter or an interpolation leaves no more
+    constexpr double kMaxFraction = 0.01; // of the size of the column (rms)
     bool isSmall = fit.isFinite();
     for (Index k = 0; isSmall && k < fit.residuals.cols(); ++k) {
-        isSmall = fit.rms[k] < kMaxFraction * sizeOf(observations, fit, k);
+        isSmall = fit.rms[k] < kMaxFraction * columnSize(observations, fit, k);
     }
     return isSmall;
 }
@@ -104,7 +105,7 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
             start.readings[k].factor /= unit;
             start.mechanism.b /= unit;
             start.mechanism.c *= offsetScale;
-            Fit next = refined(observations, std::move(start), fit.columns, fit.unknowns);
+            Fit next = fitModel(observations, std::move(start), fit.columns, fit.unknowns);
             if (isExact(observations, next) || next.misfit - fit.misfit < kSameMisfit * dependence(fit)) {
                 fit = std::move(next);
                 break;
@@ -133,7 +134,7 @@ Fit withUsualSign(const Observations &observations, Fit fit)
     if (!isNegated || fit.model.followsAngle) {
         return fit;
     }
-    Fit next = refined(observations, std::move(start), fit.columns, fit.unknowns);
+    Fit next = fitModel(observations, std::move(start), fit.columns, fit.unknowns);
     return isExact(observations, next) ? next : fit;
 }
 
@@ -168,7 +169,7 @@ void addShifts(ParameterErrors &shifts, const Fit &with, const Fit &without)
 {
     for (const Unknown unknown : without.unknowns) {
         if (unknown.isParameter()) {
-            double &shift = shifts[indexOf(parameterOf(unknown))];
+            double &shift = shifts[indexOf(toParameter(unknown))];
             shift = std::hypot(shift, valueOf(without.model, unknown) - valueOf(with.model, unknown));
         }
     }
@@ -197,8 +198,8 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const 
         return isOriginOfAngle || unknown.kind == Unknown::Kind::Origin;
     });
     for (const Unknown freedom : freedoms) {
-        const double usual = usualValue(observations, result.fit.model, freedom);
-        Fit without = withFixed(observations, result.fit, freedom, usual);
+        const double usual = nearestUsualValue(observations, result.fit.model, freedom);
+        Fit without = fitWithFixed(observations, result.fit, freedom, usual);
         if (!isUnneeded(observations, result.fit, without, freedom, usual)) {
             continue;
         }

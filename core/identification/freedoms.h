@@ -8,10 +8,11 @@
 namespace slidercrank
 {
 
-/// A fit, and how uncertain its parameters are because a freedom that was taken back may nevertheless exist.
+/// A fit from which freedoms were taken back. Some of these may exist nevertheless, so that its parameters are
+/// uncertain.
 struct ConstrainedFit {
     Fit fit;
-    ParameterErrors shifts{}; ///< how far the parameters have moved when such freedoms were taken back
+    ParameterErrors shifts{}; ///< how far each parameter has moved when such freedoms were taken back
 };
 
 /// Reads θ3 in its usual unit and R4_x with its usual sign if a very long coupler hides the difference.

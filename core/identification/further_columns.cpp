@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 namespace slidercrank
 {
@@ -18,35 +20,36 @@ namespace
 
 using Reason = LeftOutColumn::Reason;
 
-/// The origin with which the prediction fits a column of positions best: 0 if the column is one of derivatives.
+/// The origin with which the prediction, multiplied by a factor, fits a column of positions best; 0 for derivatives.
 double bestOrigin(const Observations &observations, const Fit &fit, Index k, double factor)
 {
     const ObservedColumn &column = observations.columns[k];
-    const Values differences = column.values - factor * motionIn(fit.model, observations, {k}).col(0);
+    const Values differences = column.values - factor * computeMotion(fit.model, observations, {k}).col(0);
     return column.isDerivative() ? 0.0 : median(differences);
 }
 
-/// Adds a column to a fit, starting from `model`. The result is not finite if the column and the others are not
-/// explained together.
-Fit withColumn(const Observations &observations, const Fit &fit, const Model &model, Index k, bool areExact)
+/// Fits column k together with the columns of a fit, starting from `model`, which reads the column. Returns nullopt if
+/// no mechanism explains them all. `othersAreExact`: rounding explains the columns of the fit.
+std::optional<Fit> withColumn(const Observations &observations, const Fit &fit, const Model &model, Index k,
+                              bool othersAreExact)
 {
     Indices columns = fit.columns;
     columns.push_back(k);
-    Fit next = refined(observations, model, columns, fit.unknowns);
-    if (!next.isFinite()) {
-        return next;
+    Fit together = fitModel(observations, model, columns, fit.unknowns);
+    if (!together.isFinite()) {
+        return std::nullopt;
     }
-    const Fit others = evaluated(observations, next.model, fit.columns);
     const Index last = std::ssize(columns) - 1;
-    const bool isUsable = isWithinRounding(observations, next, last) ||
-                          (isExplained(observations, next, last) &&
-                           next.rms.back() < largestFurtherResidual(areExact) * sizeOf(observations, next, last));
-    const bool spoilsOthers = others.misfit - fit.misfit > kSameMisfit && !(areExact && isExact(observations, others));
-    next.misfit = isUsable && !spoilsOthers ? next.misfit : kInfinity;
-    return next;
+    const double largestRms = largestFurtherResidual(othersAreExact) * columnSize(observations, together, last);
+    const bool isColumnExplained = isWithinRounding(observations, together, last) ||
+                                   (isExplained(observations, together, last) && together.rms.back() < largestRms);
+    const Fit others = evaluateModel(observations, together.model, fit.columns);
+    const bool areOthersExplained =
+        others.misfit - fit.misfit <= kSameMisfit || (othersAreExact && isExact(observations, others));
+    return isColumnExplained && areOthersExplained ? std::optional(std::move(together)) : std::nullopt;
 }
 
-/// Whether a column may be measured from a different origin.
+/// Whether an origin of the column can be told from the motion: that of a position that changes, or of R4_y.
 bool mayHaveOrigin(const ObservedColumn &column)
 {
     return !column.isDerivative() && (column.range > 0.0 || column.channel == kSliderLine);
@@ -75,48 +78,48 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
     return readings;
 }
 
-/// Adds a column in the simplest reading with which it is explained; not finite if there is none.
-Fit withUsualReading(const Observations &observations, const Fit &fit, Index k, bool areExact)
+/// Fits column k together with the columns of a fit, in the simplest reading with which a mechanism explains them all:
+/// one of simpleReadings(), otherwise with a free origin. Returns nullopt if there is none.
+std::optional<Fit> withSimplestReading(const Observations &observations, const Fit &fit, Index k, bool othersAreExact)
 {
     const double factor = usualFactor(observations, fit, k);
     Model model = fit.model;
     for (const ColumnReading &reading : simpleReadings(observations, fit, k, factor)) {
         model.readings[k] = reading;
-        if (Fit next = withColumn(observations, fit, model, k, areExact); next.isFinite()) {
-            return next;
+        if (std::optional<Fit> together = withColumn(observations, fit, model, k, othersAreExact)) {
+            return together;
         }
     }
     if (!mayHaveOrigin(observations.columns[k])) {
-        return {};
+        return std::nullopt;
     }
     model.readings[k] = {factor, bestOrigin(observations, fit, k, factor)};
     Fit withOrigin = fit;
     withOrigin.unknowns.push_back({Unknown::Kind::Origin, k});
-    return withColumn(observations, withOrigin, model, k, areExact);
+    return withColumn(observations, withOrigin, model, k, othersAreExact);
 }
 
-/// Whether a slider-crank with other proportions explains the column at the same speed. A coupler of more than a
-/// hundred cranks proves nothing, because its length hardly shows.
+/// Whether a slider-crank with proportions other than those of the fit explains the column at the same speed. A coupler
+/// of more than a hundred cranks proves nothing, because its length hardly shows.
 bool isMotionOfOtherLengths(const Observations &observations, const Fit &fit, Index k)
 {
     constexpr double kMinValues = 20.0; // fewer prove nothing
     constexpr double kMinChange = 3e-3; // of b/a or c/a, relative to (b + |c|)/a: a delayed column changes neither
-    if (observations.columns[k].range == 0.0) {
+    if (observations.columns[k].isConstant()) {
         return false;
     }
     const Fit alone =
-        refined(observations, fit.model, {k},
-                {{Unknown::Kind::A}, {Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}});
-    const auto differ = [&](double length, double other) {
-        const Parameters &m = fit.model.mechanism;
-        const Parameters &changed = alone.model.mechanism;
-        return std::abs(length / changed.a - other / m.a) > kMinChange * (m.b + std::abs(m.c)) / m.a;
-    };
-    const bool haveProportions = !hasLongCoupler(alone.model.mechanism) && !hasLongCoupler(fit.model.mechanism);
-    return alone.isFinite() && haveProportions && alone.counts[0] >= kMinValues &&
-           isWithinRounding(observations, alone, 0) &&
-           (differ(alone.model.mechanism.b, fit.model.mechanism.b) ||
-            differ(alone.model.mechanism.c, fit.model.mechanism.c));
+        fitModel(observations, fit.model, {k},
+                 {{Unknown::Kind::A}, {Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}});
+    if (!alone.isFinite() || alone.counts[0] < kMinValues || !isWithinRounding(observations, alone, 0)) {
+        return false;
+    }
+    const Parameters &found = fit.model.mechanism;
+    const Parameters &other = alone.model.mechanism;
+    const double change = std::max(std::abs(other.b / other.a - found.b / found.a), // of the proportions
+                                   std::abs(other.c / other.a - found.c / found.a));
+    return !hasLongCoupler(found) && !hasLongCoupler(other) &&
+           change > kMinChange * (found.b + std::abs(found.c)) / found.a;
 }
 
 /// The largest deviation of a column from the prediction times a factor, in percent of its peak.
@@ -124,10 +127,10 @@ double percentOfPeak(const Observations &observations, const Fit &fit, Index k, 
 {
     Model model = fit.model;
     model.readings[k] = {factor, 0.0};
-    const Fit alone = evaluated(observations, model, {k});
-    const double deviation = finite(alone.residuals.col(0)).abs().maxCoeff();
+    const Fit alone = evaluateModel(observations, model, {k});
+    const double deviation = gapsAsZeros(alone.residuals.col(0)).abs().maxCoeff();
     // If a column contains only zeros, its deviation is the peak of the prediction.
-    const double peak = std::max(finite(observations.columns[k].values).abs().maxCoeff(), deviation);
+    const double peak = std::max(gapsAsZeros(observations.columns[k].values).abs().maxCoeff(), deviation);
     return peak > 0.0 ? 100.0 * deviation / peak : kNone;
 }
 
@@ -141,8 +144,10 @@ bool isGenuine(const Observations &observations, const Fit &fit, Index k)
            fit.rms[k] < kBounds * std::sqrt(roundingBounds(observations, fit, k).square().mean());
 }
 
-/// Adds a column to result.fit, or to result.leftOut.
-void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Index k, Drive::Kind drive, bool areExact)
+/// Adds column k to result.fit, or to result.leftOut with a reason. `othersAreExact`: rounding explains the columns of
+/// the geometry.
+void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Index k, Drive::Kind drive,
+                   bool othersAreExact)
 {
     const Channel channel = observations.columns[k].channel;
     const bool isDerivative = channel.order != Order::Position;
@@ -150,15 +155,15 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
     LeftOutColumn column{channel, isDifference ? Reason::FiniteDifferences : Reason::Unknown};
     if (isDerivative && drive == Drive::Kind::Uneven) {
         column.reason = Reason::UnevenSpeed;
-    } else if (isDerivative && drive == Drive::Kind::OverAngle && !result.fit.changes({Unknown::Kind::Omega2})) {
+    } else if (isDerivative && drive == Drive::Kind::OverAngle && !result.fit.isFree({Unknown::Kind::Omega2})) {
         column.reason = isDifference ? Reason::FiniteDifferences : Reason::OpenSpeed;
-        const ColumnScale scale = scaleOf(observations, result.fit, result.fit.model, k, areExact);
+        const ColumnScale scale = fitScale(observations, result.fit, result.fit.model, k, othersAreExact);
         const double sign = signOfCoordinate(observations, result.fit, channel.coordinate);
         column.percentOfPeak = percentOfPeak(observations, result.fit, k, sign * scale.factor);
     } else {
-        Fit next = withUsualReading(observations, result.fit, k, areExact);
-        if (next.isFinite() && (!isDifference || isGenuine(observations, next, std::ssize(next.columns) - 1))) {
-            result.fit = std::move(next);
+        std::optional<Fit> next = withSimplestReading(observations, result.fit, k, othersAreExact);
+        if (next && (!isDifference || isGenuine(observations, *next, std::ssize(next->columns) - 1))) {
+            result.fit = *std::move(next);
             return;
         }
         column.percentOfPeak = percentOfPeak(observations, result.fit, k, usualFactor(observations, result.fit, k));
@@ -175,10 +180,10 @@ std::vector<double> possibleSpeeds(const Observations &observations, const Fit &
     // A fit of derivatives of lengths determines only a · ω2, and so do further ones.
     const bool hasOnlyProduct =
         !determineLengths(observations, fit.columns) && !observations.containOnlyAngles(fit.columns);
-    if (hasOnlyProduct || fit.changes({Unknown::Kind::Omega2})) {
+    if (hasOnlyProduct || fit.isFree({Unknown::Kind::Omega2})) {
         return {};
     }
-    return speedsOfTable(observations, fit, givenSpeed);
+    return findTableSpeeds(observations, fit, givenSpeed);
 }
 
 } // namespace
@@ -187,7 +192,7 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
                                   const Parameters &given)
 {
     FurtherColumns result{.fit = drive.kind == Drive::Kind::OverTime ? withSpeedOfVelocities(observations, fit) : fit};
-    const bool areExact = isExact(observations, result.fit);
+    const bool othersAreExact = isExact(observations, result.fit);
     if (drive.kind == Drive::Kind::OverAngle) {
         result.speeds = possibleSpeeds(observations, fit, given.omega2);
         if (result.speeds.size() == 1) { // the derivatives can be used, and improve it
@@ -197,8 +202,8 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
     }
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
         for (Index k = 0; k < std::ssize(observations.columns); ++k) {
-            if (observations.columns[k].channel.order == order && !result.fit.uses(k)) {
-                addOrLeaveOut(result, observations, k, drive.kind, areExact);
+            if (observations.columns[k].channel.order == order && !result.fit.usesColumn(k)) {
+                addOrLeaveOut(result, observations, k, drive.kind, othersAreExact);
             }
         }
     }

@@ -19,33 +19,37 @@ namespace slidercrank
 namespace
 {
 
-/// The origins that a search allows: the usual ones (0, half turns of θ3), or any for each column of positions.
+/// The origins that a search allows for columns of positions: the usual ones, which are 0 for lengths and any multiple
+/// of half a turn for θ3, or any. Derivatives have no origin.
 enum class Origins { Usual, Any };
-enum class ColumnOrigin { None, HalfTurns, Any };
 
-ColumnOrigin originOf(Channel channel, Origins origins)
+/// The values that the origin of one column may have.
+enum class ColumnOrigin { Zero, HalfTurns, Any };
+
+ColumnOrigin allowedOrigin(Channel channel, Origins origins)
 {
     if (channel.order != Order::Position) {
-        return ColumnOrigin::None;
+        return ColumnOrigin::Zero;
     }
     if (origins == Origins::Any) {
         return ColumnOrigin::Any;
     }
-    return isAngle(channel.coordinate) ? ColumnOrigin::HalfTurns : ColumnOrigin::None;
+    return isAngle(channel.coordinate) ? ColumnOrigin::HalfTurns : ColumnOrigin::Zero;
 }
 
-/// The factor and the origin with which a motion fits a column best, and what remains.
+/// The factor and the origin with which a motion fits a column best, and the mean square of the residuals then.
 struct Regression {
     ColumnReading reading{0.0, 0.0};
     double meanSquare = kInfinity;
 };
 
-/// Sums over the rows in which a column has a value y, with the motion f.
+/// The sums from which a Regression is computed: over the rows in which a column has a value y, with the motion f
+/// there. `n` is their number, `fy` the sum of f · y, and so on.
 struct Moments {
     double n = 0.0, f = 0.0, y = 0.0, ff = 0.0, fy = 0.0, yy = 0.0;
 };
 
-Moments momentsOf(const Values &motion, const Values &values)
+Moments computeMoments(const Values &motion, const Values &values)
 {
     Moments m;
     for (Index i = 0; i < values.size(); ++i) {
@@ -57,12 +61,12 @@ Moments momentsOf(const Values &motion, const Values &values)
     return m;
 }
 
-/// `fixedFactor`: nullopt if the factor may be any number.
-Regression regressionOf(const Moments &m, std::optional<double> fixedFactor, ColumnOrigin columnOrigin)
+/// Fits the reading of a column by least squares. `fixedFactor`: nullopt if the factor may be any number.
+Regression fitReading(const Moments &m, std::optional<double> fixedFactor, ColumnOrigin columnOrigin)
 {
     const double mean = columnOrigin == ColumnOrigin::Any ? 1.0 / m.n : 0.0;
     const double factor = fixedFactor.value_or((m.fy - mean * m.f * m.y) / (m.ff - mean * m.f * m.f));
-    double origin = columnOrigin == ColumnOrigin::None ? 0.0 : (m.y - factor * m.f) / m.n;
+    double origin = columnOrigin == ColumnOrigin::Zero ? 0.0 : (m.y - factor * m.f) / m.n;
     if (columnOrigin == ColumnOrigin::HalfTurns) {
         origin = std::numbers::pi * factor * std::rint(origin / (std::numbers::pi * factor));
     }
@@ -71,46 +75,48 @@ Regression regressionOf(const Moments &m, std::optional<double> fixedFactor, Col
     return {{factor, origin}, std::max(squares, 0.0) / m.n};
 }
 
-/// θ3 has no free factor: where sin θ3 ≈ θ3, it would be the same unknown as b.
-Regression couplerRegression(const Moments &moments, ColumnOrigin origin)
+/// Fits the reading of θ3. Its factor is not free, because it would be the same unknown as b where sin θ3 ≈ θ3: only
+/// both signs and the units of angles are tried.
+Regression fitCouplerReading(const Moments &moments, ColumnOrigin origin)
 {
     Regression best;
     for (const double unit : kAngleUnits) {
         for (const double factor : {unit, -unit}) {
-            const Regression regression = regressionOf(moments, factor, origin);
+            const Regression regression = fitReading(moments, factor, origin);
             best = regression.meanSquare < best.meanSquare ? regression : best;
         }
     }
     return best;
 }
 
+/// A model from which a fit may start, and how badly it explains the columns without one.
 struct Candidate {
     double misfit = kInfinity;
     Model model;
 };
 
-/// Fits the columns to the motion of a model with a = 1 by regressions, and returns the model with the readings, the
-/// lengths and, in a table over the crank angle, the speed that follow from them. `moments`: of the columns and the
-/// motion.
-Candidate scaledToColumns(Model model, const Observations &observations, const Indices &columns,
-                          const std::vector<Moments> &moments, const Parameters &given, Origins origins)
+/// Chooses the size of a mechanism with a = 1 mm and the readings of the columns, so that its motion fits them best.
+/// Returns the model with these readings and lengths and, in a table over the crank angle, with the speed that follows
+/// from the derivatives. `moments`: of each column and its motion.
+Candidate scaleToColumns(Model model, const Observations &observations, const Indices &columns,
+                         const std::vector<Moments> &moments, const Parameters &given, Origins origins)
 {
     constexpr double kFloor = 1e-8; // of the squared range: smaller residuals on a coarse grid are accidents
     Candidate candidate{.misfit = 0.0, .model = std::move(model)};
     Parameters &mechanism = candidate.model.mechanism;
-    double crankLength = given.a; // mm
+    double crankLength = given.a; // mm; of the given mechanism unless a column shows it
     std::optional<double> speed;  // |ω2| in a table over the crank angle, where the motion is computed for ω2 = 1
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const ObservedColumn &column = observations.columns[columns[k]];
         const double order = static_cast<double>(column.channel.order);
         const bool showsSpeed = order > 0.0 && candidate.model.followsAngle;
-        const ColumnOrigin origin = originOf(column.channel, origins);
+        const ColumnOrigin origin = allowedOrigin(column.channel, origins);
         Regression best;
         if (column.containsAngles() && !showsSpeed) {
-            best = couplerRegression(moments[k], origin);
+            best = fitCouplerReading(moments[k], origin);
         } else {
             // Apart from its sign, the factor is the length of the crank, a power of the speed, or their product.
-            best = regressionOf(moments[k], {}, origin);
+            best = fitReading(moments[k], {}, origin);
             const double size = std::abs(best.reading.factor);
             if (column.containsAngles()) {
                 speed = std::pow(size, 1.0 / order);
@@ -129,7 +135,7 @@ Candidate scaledToColumns(Model model, const Observations &observations, const I
     return candidate;
 }
 
-/// The best candidates of a grid, by the origins that they have.
+/// The best candidates of a grid if the columns have their usual origins, and if they may have any.
 struct GridResult {
     std::vector<Candidate> usualOrigins, anyOrigins;
 };
@@ -141,6 +147,7 @@ void replaceIfBetter(Candidate &best, Candidate candidate)
     }
 }
 
+/// Removes all candidates but the best ones, and sorts these.
 void keepBest(std::vector<Candidate> &candidates)
 {
     constexpr std::size_t kCandidates = 6; // each costs a fit
@@ -149,8 +156,8 @@ void keepBest(std::vector<Candidate> &candidates)
     candidates.resize(std::min(kCandidates, candidates.size()));
 }
 
-/// Tries mechanisms of all proportions with all angles of the crank. The couplers shorter than a + |c| belong to cranks
-/// that oscillate.
+/// Tries mechanisms of all proportions with all angles of the crank at t = 0. For each of the proportions, the best
+/// angle becomes a candidate. Couplers shorter than a + |c| belong to cranks that oscillate.
 GridResult searchGrid(const Observations &observations, const Indices &columns, const Model &start,
                       const Parameters &given)
 {
@@ -170,13 +177,13 @@ GridResult searchGrid(const Observations &observations, const Indices &columns, 
                                    .c = offset,
                                    .omega2 = speed,
                                    .theta20 = kTurn * i / kAngles};
-                const Eigen::ArrayXXd motion = motionIn(model, observations, columns);
+                const Eigen::ArrayXXd motion = computeMotion(model, observations, columns);
                 std::vector<Moments> moments;
                 for (Index k = 0; k < motion.cols(); ++k) {
-                    moments.push_back(momentsOf(motion.col(k), observations.columns[columns[k]].values));
+                    moments.push_back(computeMoments(motion.col(k), observations.columns[columns[k]].values));
                 }
-                replaceIfBetter(usual, scaledToColumns(model, observations, columns, moments, given, Origins::Usual));
-                replaceIfBetter(any, scaledToColumns(model, observations, columns, moments, given, Origins::Any));
+                replaceIfBetter(usual, scaleToColumns(model, observations, columns, moments, given, Origins::Usual));
+                replaceIfBetter(any, scaleToColumns(model, observations, columns, moments, given, Origins::Any));
             }
             result.usualOrigins.push_back(std::move(usual));
             result.anyOrigins.push_back(std::move(any));
@@ -187,7 +194,7 @@ GridResult searchGrid(const Observations &observations, const Indices &columns, 
     return result;
 }
 
-/// All that the columns determine.
+/// The unknowns that the columns determine. `followsAngle`: the file contains the angle of the crank.
 Unknowns geometryUnknowns(const Observations &observations, const Indices &columns, bool followsAngle, Origins origins)
 {
     Unknowns unknowns{{Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}};
@@ -209,30 +216,30 @@ Unknowns geometryUnknowns(const Observations &observations, const Indices &colum
     return unknowns;
 }
 
-/// Fits candidates until rounding explains the residuals of one: then nothing can be better. Appends the fits to `fits`
-/// and returns whether that is so.
-bool fitCandidates(const Observations &observations, const Indices &columns, const std::vector<Candidate> &candidates,
-                   const Unknowns &unknowns, std::vector<Fit> &fits)
+/// Fits candidates one after the other. Stops after a fit whose residuals are rounding, because none can be better.
+std::vector<Fit> fitCandidates(const Observations &observations, const Indices &columns,
+                               const std::vector<Candidate> &candidates, const Unknowns &unknowns)
 {
     constexpr int kIterations = 20; // enough to see which candidates are worth a complete fit
+    std::vector<Fit> fits;
     for (const Candidate &candidate : candidates) {
-        fits.push_back(refined(observations, candidate.model, columns, unknowns, kIterations));
+        fits.push_back(fitModel(observations, candidate.model, columns, unknowns, kIterations));
         if (isExact(observations, fits.back())) {
-            return true;
+            break;
         }
     }
-    return false;
+    return fits;
 }
 
-/// Fits the best two fits of some rows to more rows, and returns the better one.
-Fit bestOf(const Observations &observations, std::vector<Fit> fits)
+/// Repeats the best two of some fits with all rows of `observations`, and returns the better one.
+Fit fitFinalists(const Observations &observations, std::vector<Fit> fits)
 {
     constexpr std::size_t kFinalists = 2; // the best fit of some rows may be the second one of all
     Fit best;
     std::ranges::sort(fits, {}, &Fit::misfit);
     fits.resize(std::min(kFinalists, fits.size()));
     for (const Fit &start : fits) {
-        Fit fit = refined(observations, start.model, start.columns, start.unknowns);
+        Fit fit = fitModel(observations, start.model, start.columns, start.unknowns);
         if (fit.misfit < best.misfit) {
             best = std::move(fit);
         }
@@ -262,35 +269,35 @@ std::vector<Model> startModels(const Observations &observations, const std::vect
     return models;
 }
 
-/// Appends the lowest derivative of a coordinate in the file, after `skipped` lower ones.
-void appendLowest(Indices &columns, const Observations &observations, Coordinate coordinate, int skipped)
+/// The columns of a coordinate in the file that change: position, velocity, acceleration, as far as they exist.
+Indices changingColumns(const Observations &observations, Coordinate coordinate)
 {
-    int lowerOnes = 0;
+    Indices columns;
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
         const auto column =
             std::ranges::find(observations.columns, Channel{coordinate, order}, &ObservedColumn::channel);
-        if (column == observations.columns.end() || column->range == 0.0) {
-            continue;
-        }
-        if (lowerOnes == skipped) {
+        if (column != observations.columns.end() && !column->isConstant()) {
             columns.push_back(column - observations.columns.begin());
-            return;
         }
-        ++lowerOnes;
     }
+    return columns;
 }
 
 } // namespace
 
-Indices shapeColumns(const Observations &observations, int skipped)
+Indices shapeColumns(const Observations &observations, std::size_t skipped)
 {
     Indices columns;
-    appendLowest(columns, observations, Theta3, skipped);
-    appendLowest(columns, observations, R4x, skipped);
-    if (columns.empty() && skipped == 0) {
-        for (const Coordinate centre : {R3x, R3y, R2x, R2y}) {
-            appendLowest(columns, observations, centre, skipped);
+    const auto append = [&](Coordinate coordinate) {
+        const Indices changing = changingColumns(observations, coordinate);
+        if (changing.size() > skipped) {
+            columns.push_back(changing[skipped]);
         }
+    };
+    append(Theta3);
+    append(R4x);
+    if (columns.empty() && skipped == 0) {
+        std::ranges::for_each(std::array{R3x, R3y, R2x, R2y}, append);
     }
     const auto isPosition = [&](Index k) { return !observations.columns[k].isDerivative(); };
     if (observations.angle.size() > 0 && std::ranges::any_of(columns, isPosition)) {
@@ -317,32 +324,31 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
 {
     constexpr Index kGridRows = 40;    // the grid is coarse, and has many points
     constexpr Index kSearchRows = 120; // some dozens of candidates are fitted to them
-    const Observations gridRows = thinned(observations, kGridRows);
-    const Observations searchRows = thinned(observations, kSearchRows);
+    const Observations gridRows = selectRows(observations, kGridRows);
+    const Observations searchRows = selectRows(observations, kSearchRows);
     const bool followsAngle = observations.angle.size() > 0;
-    const Unknowns unknownsWithUsualOrigins = geometryUnknowns(observations, columns, followsAngle, Origins::Usual);
-    const Unknowns unknownsWithAnyOrigins = geometryUnknowns(observations, columns, followsAngle, Origins::Any);
-    std::vector<Candidate> candidatesWithAnyOrigins;
+    const Unknowns unknowns = geometryUnknowns(observations, columns, followsAngle, Origins::Usual);
     std::vector<Fit> fits;
+    std::vector<Candidate> candidatesWithAnyOrigins;
     for (const Model &start : startModels(observations, speeds, given)) {
         const GridResult grid = searchGrid(gridRows, columns, start, given);
         std::ranges::copy(grid.anyOrigins, std::back_inserter(candidatesWithAnyOrigins));
-        const bool isOneExact = fitCandidates(searchRows, columns, grid.usualOrigins, unknownsWithUsualOrigins, fits);
-        if (isOneExact) {
-            break;
+        std::ranges::move(fitCandidates(searchRows, columns, grid.usualOrigins, unknowns), std::back_inserter(fits));
+        if (!fits.empty() && isExact(searchRows, fits.back())) {
+            break; // no other start can be better
         }
     }
-    Fit fit = bestOf(observations, std::move(fits));
-    if (isExact(observations, fit)) {
-        return fit;
+    Fit best = fitFinalists(observations, std::move(fits));
+    if (isExact(observations, best)) {
+        return best;
     }
-    std::vector<Fit> fitsWithAnyOrigins;
-    fitCandidates(searchRows, columns, candidatesWithAnyOrigins, unknownsWithAnyOrigins, fitsWithAnyOrigins);
-    Fit other = bestOf(observations, std::move(fitsWithAnyOrigins));
-    return other.misfit < fit.misfit ? other : fit;
+    const Unknowns unknownsWithOrigins = geometryUnknowns(observations, columns, followsAngle, Origins::Any);
+    Fit bestWithAnyOrigins =
+        fitFinalists(observations, fitCandidates(searchRows, columns, candidatesWithAnyOrigins, unknownsWithOrigins));
+    return bestWithAnyOrigins.misfit < best.misfit ? bestWithAnyOrigins : best;
 }
 
-double misfitOf(const Observations &observations, const Fit &geometry, const Indices &columns)
+double misfitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
     constexpr int kIterations = 5; // enough, because the predictions are linear in the origins
     Unknowns origins;
@@ -351,11 +357,11 @@ double misfitOf(const Observations &observations, const Fit &geometry, const Ind
             origins.push_back({Unknown::Kind::Origin, k});
         }
     }
-    return geometry.isFinite() ? refined(observations, geometry.model, columns, origins, kIterations).misfit
+    return geometry.isFinite() ? fitModel(observations, geometry.model, columns, origins, kIterations).misfit
                                : kInfinity;
 }
 
-double misfitAfterFit(const Observations &observations, const Fit &geometry, const Indices &columns)
+double misfitOfRepeatedFit(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
     if (!geometry.isFinite()) {
         return kInfinity;
@@ -365,14 +371,14 @@ double misfitAfterFit(const Observations &observations, const Fit &geometry, con
     for (const Index k : columns) {
         const ObservedColumn &column = observations.columns[k];
         const Unknown origin{Unknown::Kind::Origin, k};
-        if (!geometry.uses(k)) {
+        if (!geometry.usesColumn(k)) {
             start.readings[k].factor = usualFactor(observations, geometry, k);
         }
-        if (!column.isDerivative() && !geometry.changes(origin)) {
+        if (!column.isDerivative() && !geometry.isFree(origin)) {
             unknowns.push_back(origin);
         }
     }
-    return refined(observations, std::move(start), columns, unknowns).misfit;
+    return fitModel(observations, std::move(start), columns, unknowns).misfit;
 }
 
 } // namespace slidercrank

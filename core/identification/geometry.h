@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The mechanism, with everything free that a file may do to a column.
+// The mechanism that explains a few columns best, whatever their unit, sign and origin are.
 
 #include "core/identification/fit.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace slidercrank
@@ -13,7 +14,7 @@ namespace slidercrank
 /// Columns that show the shape of the mechanism: for each of R4_x and θ3 the lowest derivative in the file, after
 /// `skipped` lower ones. If the file has none of them, the same for the centres of the links. If the file contains the
 /// angle of the crank, positions need no speed, and derivatives are not used beside them.
-Indices shapeColumns(const Observations &observations, int skipped = 0);
+Indices shapeColumns(const Observations &observations, std::size_t skipped = 0);
 
 /// Whether the columns determine lengths, and not only ratios of lengths.
 bool determineLengths(const Observations &observations, const Indices &columns);
@@ -28,10 +29,10 @@ bool determineLengths(const Observations &observations, const Indices &columns);
 Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,
                  const Parameters &given);
 
-/// The misfit of a geometry in `columns`, if only the origins of positions may be changed.
-double misfitOf(const Observations &observations, const Fit &geometry, const Indices &columns);
+/// The misfit of a geometry in `columns`, if only the origins of their positions are fitted again.
+double misfitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns);
 
-/// The misfit of a geometry after it has been fitted to `columns`, whose positions may have any origin.
-double misfitAfterFit(const Observations &observations, const Fit &geometry, const Indices &columns);
+/// The misfit of a geometry in `columns`, if all of its unknowns and the origins of their positions are fitted again.
+double misfitOfRepeatedFit(const Observations &observations, const Fit &geometry, const Indices &columns);
 
 } // namespace slidercrank

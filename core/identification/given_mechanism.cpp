@@ -146,19 +146,19 @@ double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, 
                               double lengthUnit)
 {
     const double value = valueOf(fit.model.mechanism, length);
-    const Index position = fit.positionOf(unknownOf(length));
-    const double error = std::sqrt(dependence(fit) * covarianceOf(fit)(position, position));
+    const Index position = fit.indexOf(toUnknown(length));
+    const double error = std::sqrt(dependence(fit) * computeCovariance(fit)(position, position));
     Model model = fit.model;
     valueOf(model.mechanism, length) = roundLength(value, error, lengthUnit).value;
-    const Fit rounded = refined(observations, model, fit.columns, withoutLengths(fit));
+    const Fit rounded = fitModel(observations, model, fit.columns, withoutLengths(fit));
     return explainsAsWell(observations, rounded, best) ? valueOf(model.mechanism, length) : value;
 }
 
 } // namespace
 
-Fit withGivenLengths(const Observations &observations, const Fit &best, const Parameters &given)
+Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const Parameters &given)
 {
-    return refined(observations, modelWithGivenLengths(best, given), best.columns, withoutLengths(best));
+    return fitModel(observations, modelWithGivenLengths(best, given), best.columns, withoutLengths(best));
 }
 
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best)
@@ -174,8 +174,8 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
         Model changed = modelWithGivenLengths(best, given);
         valueOf(changed.mechanism, length) = valueOf(best.model.mechanism, length);
         Unknowns unknowns = withoutLengths(best);
-        unknowns.push_back(unknownOf(length));
-        const Fit fit = refined(observations, changed, best.columns, unknowns);
+        unknowns.push_back(toUnknown(length));
+        const Fit fit = fitModel(observations, changed, best.columns, unknowns);
         if (explainsAsWell(observations, fit, best)) {
             changes.push_back({length, roundIfExplainedAsWell(observations, fit, length, best, lengthUnit)});
         }

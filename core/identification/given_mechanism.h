@@ -14,7 +14,7 @@ namespace slidercrank
 
 /// The fit with the lengths of the given mechanism, in the reading of `best`; its drive and the origins are fitted
 /// again.
-Fit withGivenLengths(const Observations &observations, const Fit &best, const Parameters &given);
+Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const Parameters &given);
 
 /// Whether a fit with fewer unknowns explains the file as well as `best`: its residuals are rounding, or its misfit is
 /// not higher by more than its residuals prove.

@@ -27,16 +27,11 @@ namespace slidercrank
 namespace
 {
 
-constexpr Index kSearchedRows = 400; // in all steps but the last fit
+constexpr Index kSearchedRows = 400; // all steps but the last fit use at most so many rows
 
-std::vector<double> speedsOf(const Observations &observations, const Indices &columns)
-{
-    return observations.angle.size() > 0 ? std::vector<double>() : findSpeedCandidates(observations, columns);
-}
-
-/// If the columns of a fit belong to two mechanisms, each of which explains one column exactly, returns the fit of R4_x
-/// alone; otherwise the same fit.
-Fit ofOneMechanism(const Observations &searched, const Fit &fit)
+/// The columns of a fit of θ3 and R4_x may belong to two mechanisms, each of which explains one column exactly. Then
+/// returns the fit of R4_x alone; otherwise the same fit.
+Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
 {
     if (fit.columns.size() != 2 || isExact(searched, fit)) {
         return fit;
@@ -45,7 +40,7 @@ Fit ofOneMechanism(const Observations &searched, const Fit &fit)
     for (const Index column : fit.columns) {
         Unknowns unknowns = fit.unknowns;
         std::erase_if(unknowns, [&](Unknown unknown) { return !unknown.isParameter() && unknown.column != column; });
-        alone = refined(searched, fit.model, {column}, unknowns);
+        alone = fitModel(searched, fit.model, {column}, unknowns);
         if (!isExact(searched, alone) || isShortArc(searched, alone.model)) {
             return fit;
         }
@@ -53,47 +48,52 @@ Fit ofOneMechanism(const Observations &searched, const Fit &fit)
     return alone; // of the last column: shapeColumns() lists R4_x after θ3
 }
 
-/// The geometry of some columns, without the freedoms that they do not need.
-ConstrainedFit geometryOf(const Observations &wholeFile, const Observations &searched, const Indices &columns,
-                          const Parameters &given)
+/// The geometry of some columns, without the freedoms that they do not need. `searched`: selected rows of `wholeFile`.
+ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Observations &searched,
+                                       const Indices &columns, const Parameters &given)
 {
-    Fit fit = ofOneMechanism(searched, findGeometry(searched, columns, speedsOf(wholeFile, columns), given));
+    const bool hasAngle = wholeFile.angle.size() > 0;
+    const std::vector<double> speeds = hasAngle ? std::vector<double>() : findSpeedCandidates(wholeFile, columns);
+    Fit fit = withoutContradictingColumn(searched, findGeometry(searched, columns, speeds, given));
     return fit.isFinite() ? withoutFreedoms(searched, withUsualReadings(searched, std::move(fit))) : ConstrainedFit{};
 }
 
-/// Finds the geometry from the lowest derivatives of R4_x and θ3, and again from the next higher ones, because a filter
-/// or a sensor may have changed the lower ones. Returns the geometry that explains the lower and the higher derivatives
-/// together better. The second search is omitted if rounding explains the lower derivatives with their usual origins:
-/// then they were not changed. If rounding explains them only with a different origin, the first geometry may
-/// nevertheless be wrong, and each of the two is fitted to all these columns before they are compared.
-ConstrainedFit bestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
+/// Finds the geometry from the lowest derivatives of R4_x and θ3 in the file (usually their positions), and again from
+/// the next higher ones, because a filter or a sensor may have changed the lower ones. Returns the geometry that
+/// explains the lower and the higher derivatives together better. The second search is omitted if rounding explains the
+/// lower derivatives with their usual origins: then they were not changed. If rounding explains them only with a
+/// different origin, the first geometry may nevertheless be wrong, and each of the two is fitted to all these columns
+/// before they are compared.
+ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
     Indices columns = shapeColumns(searched);
-    ConstrainedFit lowest = geometryOf(wholeFile, searched, columns, given);
+    ConstrainedFit lowest = findConstrainedGeometry(wholeFile, searched, columns, given);
     const Indices next = shapeColumns(searched, 1);
     const bool isLowestExact = isExact(searched, lowest.fit);
     const bool hasUsualOrigins = std::ranges::all_of(lowest.fit.unknowns, &Unknown::isParameter);
     if (next.empty() || (isLowestExact && hasUsualOrigins)) {
         return lowest;
     }
-    ConstrainedFit other = geometryOf(wholeFile, searched, next, given);
+    ConstrainedFit other = findConstrainedGeometry(wholeFile, searched, next, given);
     columns.insert(columns.end(), next.begin(), next.end());
     if (isLowestExact) {
-        const double misfit = misfitAfterFit(searched, lowest.fit, columns);
-        return misfitAfterFit(searched, other.fit, columns) + kSameMisfit < misfit ? other : lowest;
+        const double misfit = misfitOfRepeatedFit(searched, lowest.fit, columns);
+        return misfitOfRepeatedFit(searched, other.fit, columns) + kSameMisfit < misfit ? other : lowest;
     }
-    return misfitOf(searched, other.fit, columns) < misfitOf(searched, lowest.fit, columns) ? other : lowest;
+    return misfitWithFreeOrigins(searched, other.fit, columns) < misfitWithFreeOrigins(searched, lowest.fit, columns)
+               ? other
+               : lowest;
 }
 
-/// A fit of some rows, with the observations of which it is one.
+/// A fit with the observations to which it belongs.
 struct ObservedFit {
-    Observations wholeFile;
-    Observations searched; ///< the rows of the fit
+    Observations wholeFile; ///< all rows of the file
+    Observations searched;  ///< the rows to which the model was fitted
     Fit fit;
 };
 
-/// Uses the time stamps as they were printed if these explain the columns better than evenly spaced ones: a program may
-/// have computed its values at rounded times.
+/// Replaces evenly spaced time stamps by those that were printed if the fit is better with them: a program may have
+/// computed its values at rounded times.
 ObservedFit withBestTimeStamps(ObservedFit current)
 {
     const Fit &fit = current.fit;
@@ -102,7 +102,7 @@ ObservedFit withBestTimeStamps(ObservedFit current)
     }
     Observations printed = current.searched;
     printed.time = printed.printedTime;
-    Fit other = refined(printed, fit.model, fit.columns, fit.unknowns);
+    Fit other = fitModel(printed, fit.model, fit.columns, fit.unknowns);
     if (other.misfit < fit.misfit) {
         current.fit = std::move(other);
         current.searched = std::move(printed);
@@ -111,15 +111,15 @@ ObservedFit withBestTimeStamps(ObservedFit current)
     return current;
 }
 
-/// The same fit for the mirror image with the simplest reading.
-Fit simplestImage(const Observations &observations, Fit fit, const Parameters &given)
+/// Fits the mirror image of a fit that has the simplest reading.
+Fit fitSimplestImage(const Observations &observations, Fit fit, const Parameters &given)
 {
-    fit.model = mirrorImagesOf(observations, fit, given).front();
-    return refined(observations, fit.model, fit.columns, fit.unknowns);
+    fit.model = findMirrorImages(observations, fit, given).front();
+    return fitModel(observations, fit.model, fit.columns, fit.unknowns);
 }
 
-/// Makes the angle of the crank a column like the others, because a constant speed predicts it, and fits it together
-/// with them.
+/// Makes the angle of the crank in the file a column like the others, because a constant speed predicts it, and fits it
+/// together with them over the time.
 ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
 {
     Observations &observations = current.wholeFile;
@@ -138,25 +138,24 @@ ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
     model.mechanism.theta20 = drive.theta20;
     fit.columns.push_back(column);
     for (const Unknown unknown : {Unknown{Unknown::Kind::CrankAngle}, {Unknown::Kind::Omega2}}) {
-        if (!fit.changes(unknown)) {
+        if (!fit.isFree(unknown)) {
             fit.unknowns.push_back(unknown);
         }
     }
     fit.unknowns.push_back({Unknown::Kind::Origin, column});
-    current.searched = thinned(withoutSpikes(observations), kSearchedRows);
-    fit = refined(current.searched, fit.model, fit.columns, fit.unknowns);
+    current.searched = selectRows(withoutSpikes(observations), kSearchedRows);
+    fit = fitModel(current.searched, fit.model, fit.columns, fit.unknowns);
     return current;
 }
 
 /// Until here, the lengths are in the unit of the column from which the geometry was found. Converts them to the unit
 /// of most columns, so that only the others are said to be in a wrong unit.
-void chooseLengthUnit(Findings &findings)
+void convertToUnitOfMostColumns(LastFit &last)
 {
-    LastFit &last = findings.lastFit;
     Indices lengths;
     std::ranges::copy_if(last.fit.columns, std::back_inserter(lengths), [&](Index k) {
         const ObservedColumn &column = last.observations.columns[k];
-        return !column.containsAngles() && column.range > 0.0;
+        return !column.containsAngles() && !column.isConstant();
     });
     const auto columnsWith = [&](double unit) {
         return std::ranges::count_if(lengths,
@@ -177,13 +176,13 @@ void chooseLengthUnit(Findings &findings)
     }
 }
 
-/// Replaces the model of the last fit by its mirror image with the simplest reading, and lists the other images that
-/// need the same reading.
+/// Replaces the model of the last fit by its mirror image with the simplest reading. Sets findings.otherImages to those
+/// that need the same reading, and the drive of a run-up to that of the image.
 void chooseImage(Findings &findings, const Parameters &given)
 {
     Fit &last = findings.lastFit.fit;
     const Observations &observations = findings.lastFit.observations;
-    const std::vector<Model> images = mirrorImagesOf(observations, last, given);
+    const std::vector<Model> images = findMirrorImages(observations, last, given);
     const Parameters before = last.model.mechanism;
     const Parameters &after = images.front().mechanism;
     const double signOfC = after.c == before.c ? 1.0 : -1.0;
@@ -199,38 +198,38 @@ void chooseImage(Findings &findings, const Parameters &given)
 }
 
 /// If the lengths of the given mechanism do not explain the file as well as the last fit does, looks for a single wrong
-/// one. If they do, and the fit has free origins, replaces its lengths by them: such a fit may explain the file equally
-/// well with other lengths and other origins.
-void relateLengths(Findings &findings, const Observations &searched, const Parameters &given)
+/// one, findings.change. If they do, and the fit has free origins, replaces its lengths by them: such a fit may explain
+/// the file equally well with other lengths and other origins.
+void compareWithGivenLengths(Findings &findings, const Observations &searched, const Parameters &given)
 {
     Fit &last = findings.lastFit.fit;
-    const Fit best = refined(searched, last.model, last.columns, last.unknowns);
+    const Fit best = fitModel(searched, last.model, last.columns, last.unknowns);
     if (!best.isFinite() || !determineLengths(searched, best.columns)) {
         return;
     }
     const auto isOrigin = [](Unknown unknown) { return !unknown.isParameter(); };
-    if (!explainsAsWell(searched, withGivenLengths(searched, best, given), best)) {
+    if (!explainsAsWell(searched, fitWithGivenLengths(searched, best, given), best)) {
         findings.change = findLengthChange(searched, best, given, findings.lengthUnit);
     } else if (std::ranges::any_of(last.unknowns, isOrigin)) {
-        last.takeModelOf(withGivenLengths(findings.lastFit.observations, last, given));
+        last.replaceModel(fitWithGivenLengths(findings.lastFit.observations, last, given));
         chooseImage(findings, given); // the other images have the same lengths
     }
 }
 
-/// Other units, numbers, mirror images and origins explain the file as well as those of the last fit. Changes the last
-/// fit to those that a person expects: the unit of most columns, round numbers, the simplest reading and the lengths of
-/// the given mechanism.
-void interpret(Findings &findings, const Observations &searched, const Parameters &given)
+/// Several units, numbers, mirror images and origins explain the file equally well. Changes the last fit to those that
+/// a person expects: the unit of most columns, round numbers, the simplest reading and the lengths of the given
+/// mechanism. `searched`: selected rows.
+void chooseExpectedDescription(Findings &findings, const Observations &searched, const Parameters &given)
 {
     LastFit &last = findings.lastFit;
-    chooseLengthUnit(findings);
-    const Parameters unrounded = parametersOf(last.fit.model, last.observations, findings.drive);
+    convertToUnitOfMostColumns(last);
+    const Parameters unrounded = parametersAtTimeZero(last.fit.model, last.observations, findings.drive);
     moveToChosenNumbers(last, unrounded, findings.lengthUnit);
     chooseImage(findings, given);
-    relateLengths(findings, searched, given);
+    compareWithGivenLengths(findings, searched, given);
 }
 
-/// Runs all steps for a table, after a change of its axes, headings or clock if there is one.
+/// Runs all steps for a table. `change`: of its axes, headings or clock, which is applied before; nullopt: none.
 Identification identifyTable(const ReferenceData &original, const std::optional<Convention> &change,
                              const Parameters &given, const std::stop_token &stop)
 {
@@ -240,15 +239,15 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
         return {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack};
     }
     const Observations clean = withoutSpikes(wholeFile);
-    Observations searched = thinned(clean, kSearchedRows);
-    ConstrainedFit constrained = bestGeometry(clean, searched, given);
+    Observations searched = selectRows(clean, kSearchedRows);
+    ConstrainedFit constrained = findBestGeometry(clean, searched, given);
     Findings findings;
-    findings.lengthUnit = lengthUnitOf(data);
+    findings.lengthUnit = findLengthUnit(data);
     if (!constrained.fit.isFinite()) {
         return judge(data, findings, given);
     }
     ObservedFit current = withBestTimeStamps({std::move(wholeFile), std::move(searched), std::move(constrained.fit)});
-    current.fit = simplestImage(current.searched, std::move(current.fit), given);
+    current.fit = fitSimplestImage(current.searched, std::move(current.fit), given);
     findings.drive = findDrive(current.wholeFile, current.fit.model);
     if (findings.drive.kind == Drive::Kind::Constant) {
         current = withAngleAsColumn(std::move(current), findings.drive);
@@ -265,7 +264,7 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     constrained = withoutFreedoms(current.searched, std::move(further.fit), constrained.shifts);
     findings.lastFit = fitAllRows(std::move(current.wholeFile), constrained.fit, constrained.shifts, findings.drive);
     if (findings.lastFit.fit.isFinite()) {
-        interpret(findings, current.searched, given);
+        chooseExpectedDescription(findings, current.searched, given);
     }
     Identification result = judge(data, findings, given);
     if (result.hasMechanism()) {
@@ -306,7 +305,8 @@ std::vector<Convention> possibleChanges(const ReferenceData &data, const Identif
     return changes;
 }
 
-/// Orders results: the better outcome, then fewer columns left out, then fewer conventions come first.
+/// Whether a result is preferred to another one: by the outcome, then by the number of columns that are left out, then
+/// by the number of conventions.
 bool isBetter(const Identification &result, const Identification &other)
 {
     const auto rank = [](const Identification &found) {

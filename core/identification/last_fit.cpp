@@ -16,7 +16,7 @@ namespace
 {
 
 /// For each value, the larger one of its differences from the value before and the value after it.
-Values changeToNeighbours(const Values &values)
+Values largestChangeToNeighbours(const Values &values)
 {
     const Index pairs = values.size() - 1;
     const Values changes = (values.tail(pairs) - values.head(pairs)).abs();
@@ -28,7 +28,7 @@ Values changeToNeighbours(const Values &values)
 
 /// Which rows have an outlier in fit.columns[k]: its residual is far from those of the other rows, and larger than a
 /// harmless cause could make it.
-Eigen::ArrayX<bool> outliersOf(const Observations &observations, const Fit &fit, Index k)
+Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fit, Index k)
 {
     constexpr double kDeviations = 8.0;        // robust standard deviations
     constexpr double kNormal = 1.4826;         // standard deviation of noise, in medians of its absolute values
@@ -41,13 +41,13 @@ Eigen::ArrayX<bool> outliersOf(const Observations &observations, const Fit &fit,
     const double limit = kDeviations * std::max(kNormal * median(errors), std::sqrt(column.variance));
     // Residuals from row to row jump at outliers. Systematic residuals may be as large, but rise and fall slowly.
     const Index pairs = residuals.size() - 1;
-    if (!(finite(residuals.tail(pairs) - residuals.head(pairs)).abs() > limit).any()) {
+    if (!(gapsAsZeros(residuals.tail(pairs) - residuals.head(pairs)).abs() > limit).any()) {
         return Eigen::ArrayX<bool>::Constant(residuals.size(), false);
     }
-    const Values predictions = predictedIn(fit.model, observations, {fit.columns[k]}).col(0);
+    const Values predictions = predictValues(fit.model, observations, {fit.columns[k]}).col(0);
     const Values harmless = (kRoundings * roundingBounds(observations, fit, k))
                                 .max(kHarmlessFraction * column.range)
-                                .max(kLateness * changeToNeighbours(predictions));
+                                .max(kLateness * largestChangeToNeighbours(predictions));
     return errors > limit && errors > harmless;
 }
 
@@ -57,7 +57,7 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
     constexpr double kMaxOutlierFraction = 0.05; // of the rows: more are no accidents
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        isFarOff = isFarOff || outliersOf(observations, fit, k);
+        isFarOff = isFarOff || findOutliers(observations, fit, k);
     }
     Indices rows;
     for (Index row = 0; row < isFarOff.size(); ++row) {
@@ -81,12 +81,12 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
 {
     const Fit &fit = result.fit;
     Eigen::MatrixXd &covariance = result.covariance;
-    covariance = result.dependence * covarianceOf(fit);
+    covariance = result.dependence * computeCovariance(fit);
     Eigen::VectorXd step = stepToMinimum(fit);
-    if (!fit.model.followsAngle && fit.changes({Unknown::Kind::Omega2}) && fit.changes({Unknown::Kind::CrankAngle})) {
+    if (!fit.model.followsAngle && fit.isFree({Unknown::Kind::Omega2}) && fit.isFree({Unknown::Kind::CrankAngle})) {
         // The unknown is the angle in the middle of the file: θ20 at its t = 0 is CrankAngle - ω2 timeOrigin.
-        const Index angle = fit.positionOf({Unknown::Kind::CrankAngle});
-        const Index speed = fit.positionOf({Unknown::Kind::Omega2});
+        const Index angle = fit.indexOf({Unknown::Kind::CrankAngle});
+        const Index speed = fit.indexOf({Unknown::Kind::Omega2});
         covariance.row(angle) -= result.observations.timeOrigin * covariance.row(speed);
         covariance.col(angle) -= result.observations.timeOrigin * covariance.col(speed);
         step[angle] -= result.observations.timeOrigin * step[speed];
@@ -94,7 +94,7 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
     covariance.diagonal() += step.cwiseAbs2();
     for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
         if (fit.unknowns[k].isParameter()) {
-            const std::size_t i = indexOf(parameterOf(fit.unknowns[k]));
+            const std::size_t i = indexOf(toParameter(fit.unknowns[k]));
             covariance(k, k) += shifts[i] * shifts[i];
             result.standardError[i] = std::sqrt(covariance(k, k));
         }
@@ -103,24 +103,24 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
 
 } // namespace
 
-double LastFit::errorOf(Unknown unknown) const
+double LastFit::standardErrorOf(Unknown unknown) const
 {
-    const Index k = fit.positionOf(unknown);
-    return fit.changes(unknown) ? std::sqrt(covariance(k, k)) : kNone;
+    const Index k = fit.indexOf(unknown);
+    return fit.isFree(unknown) ? std::sqrt(covariance(k, k)) : kNone;
 }
 
 void scaleErrors(LastFit &lastFit, Parameter parameter, double factor)
 {
-    const Unknown unknown = unknownOf(parameter);
-    if (lastFit.fit.changes(unknown)) {
-        const Index k = lastFit.fit.positionOf(unknown);
+    const Unknown unknown = toUnknown(parameter);
+    if (lastFit.fit.isFree(unknown)) {
+        const Index k = lastFit.fit.indexOf(unknown);
         lastFit.covariance.row(k) *= factor;
         lastFit.covariance.col(k) *= factor;
     }
     lastFit.standardError[indexOf(parameter)] *= std::abs(factor);
 }
 
-Parameters parametersOf(const Model &model, const Observations &observations, const Drive &drive)
+Parameters parametersAtTimeZero(const Model &model, const Observations &observations, const Drive &drive)
 {
     Parameters parameters = model.mechanism;
     if (drive.kind == Drive::Kind::RunUp) {
@@ -141,7 +141,7 @@ Parameters parametersOf(const Model &model, const Observations &observations, co
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
 {
     constexpr int kMaxFits = 2; // large outliers bend the first fit, so that smaller ones show only after it
-    Fit fit = evaluated(observations, start.model, start.columns);
+    Fit fit = evaluateModel(observations, start.model, start.columns);
     Indices excludedRows;
     for (int fitCount = 0; fitCount < kMaxFits && fit.isFinite(); ++fitCount) {
         const Indices outliers = excludeOutliers(observations, fit);
@@ -149,7 +149,7 @@ LastFit fitAllRows(Observations observations, const Fit &start, const ParameterE
             break; // `fit` is already the fit of these rows
         }
         excludedRows.insert(excludedRows.end(), outliers.begin(), outliers.end());
-        fit = refined(observations, fit.model, start.columns, start.unknowns);
+        fit = fitModel(observations, fit.model, start.columns, start.unknowns);
     }
     std::ranges::sort(excludedRows);
     LastFit result{

@@ -26,7 +26,8 @@ struct LastFit {
     /// crank are those at t = 0 of the file.
     Eigen::MatrixXd covariance{};
 
-    double errorOf(Unknown unknown) const; ///< standard error; NaN if the fit does not change it
+    /// The standard error of an unknown; NaN if it is not free in the fit.
+    double standardErrorOf(Unknown unknown) const;
 };
 
 /// Changes the errors as if an unknown parameter had been multiplied by a factor.
@@ -39,6 +40,6 @@ LastFit fitAllRows(Observations observations, const Fit &start, const ParameterE
 
 /// The parameters at t = 0 of the file, with θ20 in (-π, π]. In a file over the angle of the crank, the speed and the
 /// angle at t = 0 are those of `drive`.
-Parameters parametersOf(const Model &model, const Observations &observations, const Drive &drive);
+Parameters parametersAtTimeZero(const Model &model, const Observations &observations, const Drive &drive);
 
 } // namespace slidercrank

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <numbers>
-#include <tuple>
 
 namespace slidercrank
 {
@@ -16,17 +16,17 @@ namespace
 
 constexpr double kHalfTurn = std::numbers::pi;
 
-/// The angle of the crank becomes `from` - θ2.
-Model withReversedCrank(Model model, double from)
+/// The model whose crank is at `sum` - θ2 (rad) where that of the given model is at θ2.
+Model withReversedCrank(Model model, double sum)
 {
     model.angleFactor = -model.angleFactor;
     model.mechanism.omega2 = -model.mechanism.omega2;
-    model.mechanism.theta20 = from - model.mechanism.theta20;
+    model.mechanism.theta20 = sum - model.mechanism.theta20;
     model.alpha2 = -model.alpha2;
     return model;
 }
 
-/// All y and all angles are negated.
+/// The image in the x axis: all y and all angles are negated.
 Model mirroredInX(const Model &model, const Observations &observations)
 {
     Model image = withReversedCrank(model, 0.0);
@@ -44,7 +44,7 @@ Model mirroredInX(const Model &model, const Observations &observations)
     return image;
 }
 
-/// All x are negated, all angles are subtracted from half a turn.
+/// The image in the y axis: all x are negated, and all angles are subtracted from half a turn.
 Model mirroredInY(const Model &model, const Observations &observations)
 {
     Model image = withReversedCrank(model, kHalfTurn);
@@ -66,10 +66,16 @@ bool isOddHalfTurn(double angle)
     return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
 }
 
-/// The key by which images are sorted. First, the number of readings, where another assembly than the given one counts
-/// as one more. Among equal ones, the number of readings without that, and then the distance from the given mechanism.
-std::tuple<int, int, double> sortingKey(const Observations &observations, const Fit &fit, const Model &model,
-                                        const Parameters &given)
+/// Orders the images: that with the lowest rank, compared member by member, is preferred.
+struct ImageRank {
+    int differences; ///< readings, and one more if the assembly is not that of the given mechanism
+    int readings;
+    double distance; ///< from the given mechanism: 0 … 1 for c, and kReversedCrank if it turns in the other direction
+
+    friend auto operator<=>(const ImageRank &, const ImageRank &) = default;
+};
+
+ImageRank rankImage(const Observations &observations, const Fit &fit, const Model &model, const Parameters &given)
 {
     constexpr double kReversedCrank = 1.5; // worse than the opposite c, for which the other term is 1
     const Parameters &m = model.mechanism;
@@ -97,27 +103,27 @@ bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
     });
 }
 
-/// How many columns there are of one kind (lengths or angles), and how many of them have the opposite sign.
+/// The columns of lengths, or those of angles.
 struct SignCount {
     int columns = 0;
-    int negated = 0;
+    int negated = 0; ///< those with the opposite sign
 
-    /// If all have it, they are counted along the opposite axis, which is one reading.
+    /// The readings that the signs are: one if all columns are negated, because then the axis has the other direction.
     int readings() const { return negated == columns ? std::min(negated, 1) : negated; }
 };
 
-/// The readings of the angle in the file, if the model follows it: clockwise, and half a turn off.
+/// The number of unusual readings of the angle in the file, if the model follows it: clockwise, and half a turn off.
 int crankReadingCount(const Fit &fit, const Model &model)
 {
     if (!model.followsAngle) {
         return 0;
     }
-    const bool hasUsualOrigin = !fit.changes({Unknown::Kind::CrankAngle});
+    const bool hasUsualOrigin = !fit.isFree({Unknown::Kind::CrankAngle});
     const int clockwise = model.angleFactor < 0.0 ? 1 : 0;
     return clockwise + (hasUsualOrigin && isOddHalfTurn(model.mechanism.theta20) ? 1 : 0);
 }
 
-/// The readings of R4_y: a column that is not c.
+/// 1 if the file has a column R4_y that is not the c of the model; otherwise 0.
 int sliderLineReadingCount(const Observations &observations, const Model &model)
 {
     constexpr double kTolerance = 0.02; // of a: rounding and noise
@@ -138,7 +144,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
     for (const Index k : fit.columns) {
         const ObservedColumn &column = observations.columns[k];
         const ColumnReading &reading = model.readings[k];
-        const bool hasOrigin = fit.changes({Unknown::Kind::Origin, k});
+        const bool hasOrigin = fit.isFree({Unknown::Kind::Origin, k});
         const bool isNegated = reading.factor < 0.0;
         if (column.channel == kSliderLine) {
             continue; // counted above
@@ -159,7 +165,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
     return count + (hasNegatedDisplacement && count > 0 ? 1 : 0);
 }
 
-std::vector<Model> mirrorImagesOf(const Observations &observations, const Fit &fit, const Parameters &given)
+std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given)
 {
     std::vector<Model> images{fit.model, mirroredInX(fit.model, observations)};
     images.push_back(mirroredInY(images[0], observations));
@@ -170,7 +176,7 @@ std::vector<Model> mirrorImagesOf(const Observations &observations, const Fit &f
         }
     }
     std::ranges::stable_sort(images, {},
-                             [&](const Model &model) { return sortingKey(observations, fit, model, given); });
+                             [&](const Model &model) { return rankImage(observations, fit, model, given); });
     std::erase_if(images,
                   [&, best = images.front()](const Model &model) { return !haveSameReading(fit, model, best); });
     return images;

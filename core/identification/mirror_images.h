@@ -17,7 +17,7 @@ namespace slidercrank
 /// Returns the image with the simplest reading first, then those that need the same reading of the file. A reading is
 /// simple if few columns have another sign, θ2 and θ3 are not half a turn off, and the assembly is that of the given
 /// mechanism; among equally simple ones, the mechanism near the given one comes first.
-std::vector<Model> mirrorImagesOf(const Observations &observations, const Fit &fit, const Parameters &given);
+std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given);
 
 /// The number of columns that have to be read differently than their headings say, for a model with the columns and
 /// unknowns of a fit.

@@ -4,26 +4,26 @@
 namespace slidercrank
 {
 
-Eigen::ArrayXXd motionIn(const Model &model, const Observations &observations, const Indices &columns)
+Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observations, const Indices &columns)
 {
     const Parameters &m = model.mechanism;
     Eigen::ArrayXXd result = Eigen::ArrayXXd::Constant(observations.size(), std::ssize(columns), kNone);
     for (Index row = 0; row < observations.size() && !observations.stop.stop_requested(); ++row) {
         TextbookMotion<double> motion;
-        if (!moveTo(motion, m, {m.a, m.b, m.c}, model.crankAngle(observations, row))) {
+        if (!computeUnitSpeedMotion(motion, m, {m.a, m.b, m.c}, model.crankAngle(observations, row))) {
             continue;
         }
         const double speed = model.crankSpeed(observations, row);
         for (Index k = 0; k < result.cols(); ++k) {
-            result(row, k) = atSpeed(motion, observations.columns[columns[k]].channel, speed, model.alpha2);
+            result(row, k) = motionAtSpeed(motion, observations.columns[columns[k]].channel, speed, model.alpha2);
         }
     }
     return result;
 }
 
-Eigen::ArrayXXd predictedIn(const Model &model, const Observations &observations, const Indices &columns)
+Eigen::ArrayXXd predictValues(const Model &model, const Observations &observations, const Indices &columns)
 {
-    Eigen::ArrayXXd result = motionIn(model, observations, columns);
+    Eigen::ArrayXXd result = computeMotion(model, observations, columns);
     for (Index k = 0; k < result.cols(); ++k) {
         const ColumnReading &reading = model.readings[columns[k]];
         result.col(k) = reading.factor * result.col(k) + reading.origin;

@@ -55,20 +55,21 @@ inline bool hasLongCoupler(const Parameters &mechanism)
     return std::max(mechanism.b, std::abs(mechanism.c)) > kMaxRatio * mechanism.a;
 }
 
-/// The positions, and the derivatives by the angle of the crank, of a mechanism at one angle. `Number`: double or a
-/// type with partial derivatives. Returns false if the mechanism cannot be assembled there or is singular.
+/// Computes the positions of a mechanism at one angle of the crank, and their derivatives by this angle. `Number`:
+/// double or a type with partial derivatives. Returns false if the mechanism cannot be assembled there or is singular.
 template <class Number>
-bool moveTo(TextbookMotion<Number> &motion, const Parameters &mechanism, const std::array<Number, 3> &lengths,
-            const Number &crankAngle)
+bool computeUnitSpeedMotion(TextbookMotion<Number> &motion, const Parameters &mechanism,
+                            const std::array<Number, 3> &lengths, const Number &crankAngle)
 {
     // At a speed of one radian per second, the derivatives by the time are those by the angle.
     return motion.compute({lengths[0], lengths[1], lengths[2], Number(1.0), Number(0.0)}, crankAngle,
                           mechanism.branch == Branch::Open ? 1.0 : -1.0);
 }
 
-/// The motion of a channel at a speed and acceleration of the crank, f, f'ω or f''ω² + f'α.
+/// The motion of a channel at a speed ω (rad/s) and an angular acceleration α (rad/s²) of the crank. With the
+/// derivatives f' and f'' by the angle of the crank, a position is f, a velocity f'ω, and an acceleration f''ω² + f'α.
 template <class Number>
-Number atSpeed(const TextbookMotion<Number> &motion, Channel channel, double speed, double acceleration)
+Number motionAtSpeed(const TextbookMotion<Number> &motion, Channel channel, double speed, double acceleration)
 {
     switch (channel.order) {
     case Order::Position: break;
@@ -80,11 +81,11 @@ Number atSpeed(const TextbookMotion<Number> &motion, Channel channel, double spe
     return motion.valueAt({channel.coordinate, Order::Position});
 }
 
-/// The motion in some columns, one in each column of the result, without their readings. NaN where the mechanism cannot
-/// be assembled.
-Eigen::ArrayXXd motionIn(const Model &model, const Observations &observations, const Indices &columns);
+/// The motion of the model in all rows of some columns (mm, rad, s), before it is read as ColumnReading says. Returns
+/// one column for each of `columns`; NaN where the mechanism cannot be assembled.
+Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observations, const Indices &columns);
 
-/// The values that some columns should contain.
-Eigen::ArrayXXd predictedIn(const Model &model, const Observations &observations, const Indices &columns);
+/// The values that some columns should contain: factor · motion + origin. Otherwise like computeMotion().
+Eigen::ArrayXXd predictValues(const Model &model, const Observations &observations, const Indices &columns);
 
 } // namespace slidercrank

@@ -36,8 +36,8 @@ bool statesUnit(const FileLayout &layout, Channel channel)
 
 /// Half of the rounding step of each value, in mm or rad. `unit`: that of the file in mm or rad; `size`: the largest
 /// magnitude of the values, in mm or rad.
-Values halfStepsOf(const std::vector<double> &valuesInFile, const Rounding &rounding, const Indices &rows, double unit,
-                   double size)
+Values computeHalfSteps(const std::vector<double> &valuesInFile, const Rounding &rounding, const Indices &rows,
+                        double unit, double size)
 {
     constexpr double kStepOfZeros = 1e-3; // mm or rad: zeros do not show their rounding
     if (!(size > 0.0)) {
@@ -52,7 +52,7 @@ Values halfStepsOf(const std::vector<double> &valuesInFile, const Rounding &roun
     return halfSteps.max(std::max(kSmallestFractionOfLargestStep * halfSteps.maxCoeff(), 0.5 * kArithmeticStep * size));
 }
 
-ObservedColumn observedColumn(const ReferenceData &data, const ReferenceSeries &series, const Indices &rows)
+ObservedColumn readColumn(const ReferenceData &data, const ReferenceSeries &series, const Indices &rows)
 {
     const bool isAnAngle = isAngle(series.channel.coordinate);
     const double unit = isAnAngle ? 1.0 / kDegreesPerRadian : 1.0;
@@ -69,14 +69,14 @@ ObservedColumn observedColumn(const ReferenceData &data, const ReferenceSeries &
         .channel = series.channel, .statesUnit = statesUnit(data.layout, series.channel), .hadJumps = hadJumps};
     column.range = range.count > 0 ? range.width() : 0.0;
     column.values = Eigen::Map<const Values>(values.data(), std::ssize(values));
-    column.halfSteps = halfStepsOf(series.values, rounding, rows, unit, range.size());
+    column.halfSteps = computeHalfSteps(series.values, rounding, rows, unit, range.size());
     column.variance = column.halfSteps.square().mean() / 3.0;
     return column;
 }
 
 /// Sets the range of a column to 0 unless it changes by more than its rounding, and by more than the rounding errors of
 /// the program that computed it. `span`: of the abscissa.
-void judgeRange(ObservedColumn &column, double span)
+void markIfConstant(ObservedColumn &column, double span)
 {
     constexpr double kZero = 1e-8; // mm or rad, change of the position in the whole file
     const double zero = kZero / std::pow(span, static_cast<double>(column.channel.order));
@@ -196,7 +196,7 @@ void observeAngleColumn(Observations &observations, const ReferenceData &data)
     if (!crank) {
         return;
     }
-    const ObservedColumn column = observedColumn(data, *crank, observations.rows);
+    const ObservedColumn column = readColumn(data, *crank, observations.rows);
     if (column.values.isFinite().all() && !isSparse(column.values)) {
         observations.angleHalfStep = column.halfSteps.maxCoeff();
         observations.angle = column.values;
@@ -204,7 +204,7 @@ void observeAngleColumn(Observations &observations, const ReferenceData &data)
     }
 }
 
-Observations selection(const Observations &observations, const Indices &rows)
+Observations withRows(const Observations &observations, const Indices &rows)
 {
     Observations selected = observations;
     selected.rows.resize(rows.size());
@@ -239,8 +239,8 @@ Observations observe(const ReferenceData &data, std::stop_token stop)
         if (isAlwaysZero(series.channel) || series.channel == kCrankAngle) {
             continue;
         }
-        ObservedColumn column = observedColumn(data, series, observations.rows);
-        judgeRange(column, observations.span());
+        ObservedColumn column = readColumn(data, series, observations.rows);
+        markIfConstant(column, observations.span());
         if (column.values.isFinite().any()) {
             observations.columns.push_back(std::move(column));
         }
@@ -248,7 +248,7 @@ Observations observe(const ReferenceData &data, std::stop_token stop)
     return observations;
 }
 
-Observations thinned(const Observations &observations, Index count)
+Observations selectRows(const Observations &observations, Index count)
 {
     constexpr double kGoldenSection = 0.6180339887498949; // its multiples are spread evenly and irregularly
     if (observations.size() <= count) {
@@ -259,10 +259,10 @@ Observations thinned(const Observations &observations, Index count)
     for (double k = 0.0; k < static_cast<double>(count); k += 1.0) {
         rows.push_back(static_cast<Index>((k + std::fmod(kGoldenSection * k, 1.0)) * stride));
     }
-    return selection(observations, rows);
+    return withRows(observations, rows);
 }
 
-double lengthUnitOf(const ReferenceData &data)
+double findLengthUnit(const ReferenceData &data)
 {
     constexpr double kSameUnit = 1e-9; // relative error of a factor that conventions have changed
     std::optional<double> unit;

@@ -73,20 +73,20 @@ Observations observe(const ReferenceData &data, std::stop_token stop);
 
 /// Selects at most `count` rows, evenly spread. If some are left out, the distances of the others vary, so that a
 /// motion which is too fast for them does not look like a slow one.
-Observations thinned(const Observations &all, Index count);
+Observations selectRows(const Observations &all, Index count);
 
 /// Replaces values that are far from their neighbours by gaps (Hampel's filter: R. Pearson, "Outliers in process
 /// modeling and identification", IEEE Trans. Control Syst. Technol. 10, 2002).
 Observations withoutSpikes(Observations observations);
 
 /// The unit of the lengths in a file, mm; 1 if its columns are in different units, or none is a length.
-double lengthUnitOf(const ReferenceData &data);
+double findLengthUnit(const ReferenceData &data);
 
 /// The median of the finite values; 0 if there are none.
 double median(const Values &values);
 
 /// The values, with 0 in place of those that are not finite.
-inline Values finite(const Values &values)
+inline Values gapsAsZeros(const Values &values)
 {
     return values.isFinite().select(values, 0.0);
 }

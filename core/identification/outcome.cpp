@@ -23,6 +23,7 @@ namespace
 
 using Outcome = Identification::Outcome;
 using Lack = Identification::Lack;
+using Misfit = Identification::Misfit;
 using UnknownKind = Unknown::Kind;
 
 // Larger errors leave a parameter open. They are relative to the parameter; for c, to the larger of a and |c|; for θ20,
@@ -31,19 +32,21 @@ constexpr double kMaxError = 0.2;           // a larger standard error makes a s
 constexpr double kMaxErrorOfCrank = 0.03;   // standard error of a: with a larger one, linear theory underestimates all
 constexpr double kMaxSystematicError = 0.1; // of any parameter, by systematic residuals (see largestErrors())
 
-ColumnResidual residualOf(const Observations &observations, const Fit &fit, Index k)
+/// The residual of fit.columns[k] in the units of files.
+ColumnResidual describeResidual(const Observations &observations, const Fit &fit, Index k)
 {
     const ObservedColumn &column = observations.columns[fit.columns[k]];
-    const double largest = finite(fit.residuals.col(k)).abs().maxCoeff();
-    const bool hasRange = column.range > 0.0 && column.channel != kSliderLine; // R4_y is a constant
+    const double largest = gapsAsZeros(fit.residuals.col(k)).abs().maxCoeff();
+    const bool hasRange = !column.isConstant() && column.channel != kSliderLine; // R4_y is constant apart from noise
     return {.channel = column.channel,
             .rms = toFileUnit(column.channel, fit.rms[k]),
             .max = toFileUnit(column.channel, largest),
             .percentOfRange = hasRange ? 100.0 * largest / column.range : 0.0};
 }
 
-/// The largest errors of the parameters. Standard errors assume that errors of many rows cancel. Systematic errors need
-/// not: those of the size (rms) of the residuals can change a parameter by √n standard errors of n independent values.
+/// The errors from which openParameters() decides. Standard errors assume that errors of many rows cancel. Systematic
+/// errors need not: those of the size (rms) of the residuals can change a parameter by √n standard errors of n
+/// independent values.
 ParameterErrors largestErrors(const LastFit &lastFit, bool isSystematic)
 {
     ParameterErrors errors = lastFit.standardError;
@@ -53,7 +56,8 @@ ParameterErrors largestErrors(const LastFit &lastFit, bool isSystematic)
     return errors;
 }
 
-double maxErrorOf(Unknown unknown, bool isSystematic)
+/// The largest error, relative to the parameter, with which it is determined.
+double maxRelativeError(Unknown unknown, bool isSystematic)
 {
     if (isSystematic) {
         return kMaxSystematicError;
@@ -61,7 +65,16 @@ double maxErrorOf(Unknown unknown, bool isSystematic)
     return unknown.kind == UnknownKind::A ? kMaxErrorOfCrank : kMaxError;
 }
 
-/// Which unknown parameters the file leaves open. `errors`: the largest ones.
+/// Whether all columns of the fit are those of one coordinate, such as R4_x and its derivatives.
+bool hasOneCoordinate(const LastFit &lastFit)
+{
+    const std::vector<ObservedColumn> &columns = lastFit.observations.columns;
+    const Indices &used = lastFit.fit.columns;
+    return std::ranges::all_of(
+        used, [&](Index k) { return columns[k].channel.coordinate == columns[used.front()].channel.coordinate; });
+}
+
+/// Which unknown parameters the file leaves open. `errors`: those of largestErrors().
 std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const ParameterErrors &errors,
                                                  bool isSystematic)
 {
@@ -72,24 +85,22 @@ std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const P
     const bool isCouplerOpen = !lastFit.isExact && hasLongCoupler(m);
     // On an arc, many motions resemble each other. If a mechanism explains one coordinate there only approximately, no
     // other coordinate confirms that it is the one that moved.
-    const auto coordinateOf = [&](Index k) { return lastFit.observations.columns[k].channel.coordinate; };
-    const auto isOther = [&](Index k) { return coordinateOf(k) != coordinateOf(fit.columns[0]); };
     const bool isEverythingOpen =
-        isSystematic && isShortArc(lastFit.observations, fit.model) && std::ranges::none_of(fit.columns, isOther);
+        isSystematic && isShortArc(lastFit.observations, fit.model) && hasOneCoordinate(lastFit);
     std::array<bool, kParameterCount> open{};
     for (const Unknown unknown : fit.unknowns) {
         if (unknown.isParameter()) {
-            const std::size_t i = indexOf(parameterOf(unknown));
+            const std::size_t i = indexOf(toParameter(unknown));
             const bool isOfCoupler = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
             open[i] = isEverythingOpen || (isCouplerOpen && isOfCoupler) ||
-                      errors[i] > maxErrorOf(unknown, isSystematic) * sizes[i];
+                      errors[i] > maxRelativeError(unknown, isSystematic) * sizes[i];
         }
     }
     return open;
 }
 
-/// Whether the file has too few values for the fit.
-Lack lackOfValues(const LastFit &lastFit)
+/// Whether the file has too few values (FewValues) or rows (FewRowsPerTurn) for the fit; otherwise Nothing.
+Lack findLackOfValues(const LastFit &lastFit)
 {
     constexpr double kSpareValues = 3.0;    // with fewer, any curve passes through the values
     constexpr double kMinRowsPerTurn = 4.0; // with fewer, a faster crank may give the same positions
@@ -98,24 +109,44 @@ Lack lackOfValues(const LastFit &lastFit)
     if (fit.valueCount() < static_cast<double>(fit.unknowns.size()) + kSpareValues) {
         return Lack::FewValues;
     }
+    if (fit.model.followsAngle || observations.containDerivatives(fit.columns)) {
+        return Lack::Nothing;
+    }
     const double turns = std::abs(fit.model.mechanism.omega2) * observations.span() / kTurn;
     const bool isSparse = static_cast<double>(observations.size()) < kMinRowsPerTurn * turns;
-    return !fit.model.followsAngle && !observations.containDerivatives(fit.columns) && isSparse ? Lack::FewRowsPerTurn
-                                                                                                : Lack::Nothing;
+    return isSparse ? Lack::FewRowsPerTurn : Lack::Nothing;
 }
 
-/// Replaces the parameters that are not `known` by those of the given mechanism.
-Parameters withGiven(Parameters found, const std::array<bool, kParameterCount> &known, const Parameters &given)
+/// Why no mechanism explains the file; nullopt if the mechanism of the last fit does.
+std::optional<Misfit> findMisfit(const Findings &findings)
+{
+    if (std::ranges::find(findings.leftOut, kSliderLine, &LeftOutColumn::channel) != findings.leftOut.end()) {
+        return Misfit::SliderLine;
+    }
+    const LastFit &lastFit = findings.lastFit;
+    for (Index k = 0; k < lastFit.fit.residuals.cols(); ++k) {
+        if (!isExplained(lastFit.observations, lastFit.fit, k)) {
+            return Misfit::LargeResiduals;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Replaces the parameters that are not determined by those of the given mechanism. `isDetermined`: of each parameter,
+/// at indexOf(Parameter).
+Parameters completedByGiven(Parameters found, const std::array<bool, kParameterCount> &isDetermined,
+                            const Parameters &given)
 {
     for (const Parameter parameter : kAllParameters) {
-        if (!known[indexOf(parameter)]) {
+        if (!isDetermined[indexOf(parameter)]) {
             valueOf(found, parameter) = valueOf(given, parameter);
         }
     }
     return found;
 }
 
-std::optional<UnevenDrive> unevenDrive(const Drive &drive, const Parameters &found)
+/// What is said about a crank whose speed changes; nullopt if the file does not show that. `found`: the parameters.
+std::optional<UnevenDrive> describeUnevenDrive(const Drive &drive, const Parameters &found)
 {
     if (!drive.hasChangingSpeed()) {
         return std::nullopt;
@@ -128,7 +159,8 @@ std::optional<UnevenDrive> unevenDrive(const Drive &drive, const Parameters &fou
     return result;
 }
 
-/// Sets what an insufficient file determines: the other parameters are those of the given mechanism.
+/// Sets the parameters that an insufficient file determines, and their errors. The others are those of the given
+/// mechanism. `errors`: those of largestErrors().
 void setDetermined(Identification &result, const Findings &findings, const ParameterErrors &errors,
                    const Parameters &given)
 {
@@ -136,13 +168,13 @@ void setDetermined(Identification &result, const Findings &findings, const Param
     std::array<bool, kParameterCount> determined{};
     for (const Unknown unknown : lastFit.fit.unknowns) {
         if (unknown.isParameter()) {
-            const std::size_t i = indexOf(parameterOf(unknown));
+            const std::size_t i = indexOf(toParameter(unknown));
             determined[i] = !result.openParameters[i] && std::isfinite(errors[i]);
             result.standardError[i] = determined[i] ? errors[i] : kNone;
         }
     }
-    result.parameters =
-        withGiven(parametersOf(lastFit.fit.model, lastFit.observations, findings.drive), determined, given);
+    result.parameters = completedByGiven(parametersAtTimeZero(lastFit.fit.model, lastFit.observations, findings.drive),
+                                         determined, given);
     result.rounded = result.parameters;
 }
 
@@ -154,12 +186,13 @@ std::array<bool, kParameterCount> identifiableParameters(const Findings &finding
     for (const Parameter length : kLengths) {
         identifiable[indexOf(length)] = determineLengths(findings.lastFit.observations, fit.columns);
     }
-    identifiable[indexOf(Parameter::Omega2)] = fit.changes({UnknownKind::Omega2}) || findings.drive.hasChangingSpeed();
+    identifiable[indexOf(Parameter::Omega2)] = fit.isFree({UnknownKind::Omega2}) || findings.drive.hasChangingSpeed();
     identifiable[indexOf(Parameter::Theta20)] = !fit.model.followsAngle || findings.drive.kind == Drive::Kind::RunUp;
     return identifiable;
 }
 
-/// Adds the mechanisms of the other mirror images. `isFromFit`: which parameters are not those of the given mechanism.
+/// Adds the mechanisms of the other mirror images. `isFromFit`: which of their parameters are those of the fit; the
+/// others are those of the given mechanism.
 void addAlternatives(Identification &result, const Findings &findings,
                      const std::array<bool, kParameterCount> &isFromFit, const Parameters &given)
 {
@@ -168,7 +201,8 @@ void addAlternatives(Identification &result, const Findings &findings,
     const bool areAngles = observations.containOnlyAngles(findings.lastFit.fit.columns);
     const Symmetry ofSameAssembly = areAngles ? Symmetry::ReversedCrank : Symmetry::MirrorImage;
     for (const Model &image : findings.otherImages) {
-        const Parameters parameters = withGiven(parametersOf(image, observations, findings.drive), isFromFit, given);
+        const Parameters parameters =
+            completedByGiven(parametersAtTimeZero(image, observations, findings.drive), isFromFit, given);
         const bool hasSameAssembly = parameters.branch == result.parameters.branch;
         result.alternatives.push_back({hasSameAssembly ? ofSameAssembly : Symmetry::OtherAssembly, parameters});
     }
@@ -192,11 +226,11 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
     for (const Parameter length : kLengths) {
         isFromFit[indexOf(length)] = true; // if only their ratios are identifiable, the fit has kept the given a or ω2
     }
-    const Parameters unrounded = parametersOf(fit.model, observations, findings.drive);
+    const Parameters unrounded = parametersAtTimeZero(fit.model, observations, findings.drive);
     const Parameters rounded = roundedParameters(lastFit, unrounded, findings.lengthUnit);
-    result.parameters = withGiven(unrounded, isFromFit, given);
-    result.rounded = withGiven(rounded, isFromFit, given);
-    result.drive = unevenDrive(findings.drive, unrounded);
+    result.parameters = completedByGiven(unrounded, isFromFit, given);
+    result.rounded = completedByGiven(rounded, isFromFit, given);
+    result.drive = describeUnevenDrive(findings.drive, unrounded);
     result.change = findings.change;
     addAlternatives(result, findings, isFromFit, given);
     if (findings.speeds.size() > 1) {
@@ -250,7 +284,7 @@ void addWholeFileConventions(Identification &result, const ReferenceData &used, 
         return;
     }
     const WholeFileReading reading =
-        readLikeGiven(allApplied(result.conventions, used), result.rounded, result.standardError, given);
+        readLikeGiven(applyAll(result.conventions, used), result.rounded, result.standardError, given);
     if (reading.conventions.empty()) {
         return;
     }
@@ -316,35 +350,32 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
     const Fit &fit = lastFit.fit;
     Identification result{.parameters = given, .rounded = given, .lengthUnit = findings.lengthUnit};
     if (!fit.isFinite()) {
-        result.misfit = Identification::Misfit::CannotBeAssembled;
+        result.misfit = Misfit::CannotBeAssembled;
         return result;
     }
-    bool hasLargeResiduals = false;
     for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        result.residuals.push_back(residualOf(observations, fit, k));
-        hasLargeResiduals = hasLargeResiduals || !isExplained(observations, fit, k);
+        result.residuals.push_back(describeResidual(observations, fit, k));
     }
     result.iterations = fit.iterations;
     result.conditionNumber = conditionNumber(fit);
-    const bool hasSlantedLine =
-        std::ranges::find(findings.leftOut, kSliderLine, &LeftOutColumn::channel) != findings.leftOut.end();
     result.hasSystematicResiduals = isSystematic(observations, fit);
-    const ParameterErrors errors = largestErrors(lastFit, result.hasSystematicResiduals);
-    const auto open = openParameters(lastFit, errors, result.hasSystematicResiduals);
-    result.lack = lackOfValues(lastFit);
-    if (result.lack == Lack::Nothing && (hasSlantedLine || hasLargeResiduals)) {
-        result.misfit = hasSlantedLine ? Identification::Misfit::SliderLine : Identification::Misfit::LargeResiduals;
-        return result;
-    }
-    if (result.lack == Lack::Nothing && std::ranges::find(open, true) != open.end()) {
-        result.lack = Lack::OpenParameters;
-        result.openParameters = open;
-    }
+    result.lack = findLackOfValues(lastFit);
     if (result.lack != Lack::Nothing) {
         result.outcome = Outcome::Insufficient;
-        if (result.lack == Lack::OpenParameters) {
-            setDetermined(result, findings, errors, given);
-        }
+        return result;
+    }
+    if (const std::optional<Misfit> misfit = findMisfit(findings)) {
+        result.outcome = Outcome::None;
+        result.misfit = *misfit;
+        return result;
+    }
+    const ParameterErrors errors = largestErrors(lastFit, result.hasSystematicResiduals);
+    const auto open = openParameters(lastFit, errors, result.hasSystematicResiduals);
+    if (std::ranges::find(open, true) != open.end()) {
+        result.outcome = Outcome::Insufficient;
+        result.lack = Lack::OpenParameters;
+        result.openParameters = open;
+        setDetermined(result, findings, errors, given);
         return result;
     }
     result.outcome = lastFit.isExact ? Outcome::Identified : Outcome::Approximate;
@@ -361,14 +392,14 @@ void addConventions(Identification &result, const ReferenceData &data, const std
 {
     const Drive::Kind drive = findings.drive.kind;
     const ReferenceData used = usedData(data, change, findings.lastFit);
-    result.conventions = conventionsOf(findings.lastFit);
+    result.conventions = listConventions(findings.lastFit);
     if (change) {
         result.conventions.insert(result.conventions.begin(), {*change});
     }
     addWholeFileConventions(result, used, given);
     measureConventions(result.conventions, result.parameters, used, drive);
-    const ReferenceData read = allApplied(result.conventions, used);
-    result.lengthUnit = lengthUnitOf(read);
+    const ReferenceData read = applyAll(result.conventions, used);
+    result.lengthUnit = findLengthUnit(read);
     compareWithMechanismFound(result, read, findings);
     takeResidualsFromComparison(result);
     const auto differs = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; };

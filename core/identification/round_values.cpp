@@ -68,7 +68,7 @@ RoundNumber roundInUsualUnits(Unknown unknown, double value, double standardErro
 }
 
 /// The size with which the error of a parameter is compared.
-double sizeOf(Parameter parameter, const Parameters &parameters)
+double parameterSize(Parameter parameter, const Parameters &parameters)
 {
     switch (parameter) {
     case Parameter::A:
@@ -101,7 +101,7 @@ struct Estimate {
     }
 };
 
-Estimate estimateOf(const LastFit &lastFit, const Parameters &unrounded)
+Estimate makeEstimate(const LastFit &lastFit, const Parameters &unrounded)
 {
     const Model &model = lastFit.fit.model;
     Estimate estimate{
@@ -110,9 +110,9 @@ Estimate estimateOf(const LastFit &lastFit, const Parameters &unrounded)
         const Index k = std::ssize(estimate.unknowns);
         const bool isOriginOfAngle = model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
         if (unknown.isParameter() && !isOriginOfAngle) {
-            const Parameter parameter = parameterOf(unknown);
+            const Parameter parameter = toParameter(unknown);
             estimate.values[k] = valueOf(unrounded, parameter);
-            estimate.unknowns.push_back({unknown, parameter, sizeOf(parameter, unrounded)});
+            estimate.unknowns.push_back({unknown, parameter, parameterSize(parameter, unrounded)});
         } else {
             estimate.values[k] = valueOf(model, unknown);
             estimate.unknowns.push_back({unknown});
@@ -196,7 +196,7 @@ Model withParameters(Model model, const Parameters &parameters, const Observatio
 /// Whether nearly all residuals of fit.columns[k] are within the bounds of rounding.
 bool agrees(const Observations &observations, const Fit &fit, Index k)
 {
-    const Values errors = finite(fit.residuals.col(k)).abs();
+    const Values errors = gapsAsZeros(fit.residuals.col(k)).abs();
     const auto beyond = static_cast<double>((errors > roundingBounds(observations, fit, k)).count());
     return 100.0 * (fit.counts[k] - beyond) >= static_cast<double>(kPercentWithinBound) * fit.counts[k];
 }
@@ -271,10 +271,10 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded
             for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20}) {
                 const double error = fraction * lastFit.standardError[indexOf(parameter)];
                 valueOf(rounded, parameter) =
-                    roundInUsualUnits(unknownOf(parameter), valueOf(unrounded, parameter), error, lengthUnit).value;
+                    roundInUsualUnits(toUnknown(parameter), valueOf(unrounded, parameter), error, lengthUnit).value;
             }
         }
-        Estimate estimate = estimateOf(lastFit, unrounded);
+        Estimate estimate = makeEstimate(lastFit, unrounded);
         estimate.covariance *= fraction * fraction;
         for (const Index k : openUnknowns(estimate)) {
             if (!estimate.unknowns[k].parameter) {
@@ -287,7 +287,7 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded
         }
         rounded = withEstimate(rounded, estimate);
         const Model model = withParameters(fit.model, rounded, observations);
-        if (!findFault(rounded) && isAsGood(observations, evaluated(observations, model, fit.columns), fit)) {
+        if (!findFault(rounded) && isAsGood(observations, evaluateModel(observations, model, fit.columns), fit)) {
             return rounded;
         }
     }
@@ -297,7 +297,7 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded
 void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double lengthUnit)
 {
     Fit &fit = lastFit.fit;
-    Estimate estimate = estimateOf(lastFit, unrounded);
+    Estimate estimate = makeEstimate(lastFit, unrounded);
     const auto isParameter = [](const Estimated &estimated) { return estimated.parameter.has_value(); };
     if (std::ranges::all_of(estimate.unknowns, isParameter)) {
         return;
@@ -309,9 +309,9 @@ void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double l
             valueOf(model, estimate.unknowns[k].unknown) = estimate.values[k];
         }
     }
-    const Fit moved = evaluated(lastFit.observations, std::move(model), fit.columns);
+    const Fit moved = evaluateModel(lastFit.observations, std::move(model), fit.columns);
     if (isAsGood(lastFit.observations, moved, fit)) {
-        fit.takeModelOf(moved);
+        fit.replaceModel(moved);
     }
 }
 

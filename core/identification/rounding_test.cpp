@@ -23,13 +23,13 @@ Values roundingBounds(const Observations &observations, const Fit &fit, Index k)
         }
         Model shifted = fit.model;
         shifted.mechanism.theta20 += side;
-        const Values residuals = column.values - predictedIn(shifted, observations, {fit.columns[k]}).col(0);
-        motion = motion.max(finite((residuals - fit.residuals.col(k)).abs()));
+        const Values residuals = column.values - predictValues(shifted, observations, {fit.columns[k]}).col(0);
+        motion = motion.max(gapsAsZeros((residuals - fit.residuals.col(k)).abs()));
     }
     return kTies * column.halfSteps + motion;
 }
 
-double sizeOf(const Observations &observations, const Fit &fit, Index k)
+double columnSize(const Observations &observations, const Fit &fit, Index k)
 {
     const ObservedColumn &column = observations.columns[fit.columns[k]];
     return column.channel == kSliderLine ? fit.model.mechanism.a : column.range;
@@ -42,7 +42,7 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index k)
     // Each bound grows by the error of the fitted mechanism, but at most by the bound of a value with the largest
     // rounding step: a fit of many values is no less exact than the least exact of them.
     bound += (bound + (column.halfSteps.maxCoeff() - column.halfSteps)).min(fit.fittedMechanism().errorOf(fit.rms[k]));
-    const Values errors = finite(fit.residuals.col(k)).abs();
+    const Values errors = gapsAsZeros(fit.residuals.col(k)).abs();
     const double within = fit.counts[k] - static_cast<double>((errors > bound).count());
     return 100.0 * within >= static_cast<double>(kPercentWithinBound) * fit.counts[k] &&
            (errors <= kBoundsOfAgreement * bound).all() &&
@@ -52,7 +52,7 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index k)
 bool isExplained(const Observations &observations, const Fit &fit, Index k)
 {
     const double largest = changeSignLikeNoise(fit.residuals.col(k)) ? kLargestNoise : kLargestSystematicResidual;
-    return fit.rms[k] < largest * sizeOf(observations, fit, k) || isWithinRounding(observations, fit, k);
+    return fit.rms[k] < largest * columnSize(observations, fit, k) || isWithinRounding(observations, fit, k);
 }
 
 bool isExact(const Observations &observations, const Fit &fit)

@@ -18,8 +18,9 @@ inline constexpr double kLargestSystematicResidual = 0.007;
 /// motion during half a rounding step of the abscissa.
 Values roundingBounds(const Observations &observations, const Fit &fit, Index k);
 
-/// The size with which the residuals of fit.columns[k] are compared: its range, or a, because R4_y is constant.
-double sizeOf(const Observations &observations, const Fit &fit, Index k);
+/// The size with which the residuals of fit.columns[k] are compared: the range of the column; for R4_y, which is
+/// constant, the length of the crank.
+double columnSize(const Observations &observations, const Fit &fit, Index k);
 
 /// Whether at least 95 % of the residuals of fit.columns[k] are within a bound, none is beyond ten bounds, and none
 /// exceeds the bound by more than 0.5 % of half the range. The bound is that of rounding, plus the error of the fit

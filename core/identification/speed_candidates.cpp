@@ -15,7 +15,7 @@ namespace
 {
 
 /// How often the column goes from below the middle of its range to above it, or back.
-int crossings(const ObservedColumn &column)
+int countMiddleCrossings(const ObservedColumn &column)
 {
     constexpr double kHysteresis = 0.15;          // of the range: noise crosses nothing
     constexpr std::size_t kValuesPerOutlier = 50; // one value in 50, at either end
@@ -54,7 +54,7 @@ double misfitOfHarmonics(const Observations &observations, const Indices &column
     for (const Index k : columns) {
         const ObservedColumn &column = observations.columns[k];
         const Eigen::MatrixXd basis = column.values.isFinite().cast<double>().matrix().asDiagonal() * harmonics;
-        const double squares = fitLinearly(basis, finite(column.values)).residuals.square().sum();
+        const double squares = fitLinearly(basis, gapsAsZeros(column.values)).residuals.square().sum();
         const double count = static_cast<double>(column.values.isFinite().count());
         misfit += count * std::log(squares / count + column.variance + kFloor * column.range * column.range);
     }
@@ -67,7 +67,7 @@ struct Trial {
 };
 
 /// The trials that are no worse than their neighbours.
-std::vector<Trial> minimaOf(const std::vector<Trial> &trials)
+std::vector<Trial> findLocalMinima(const std::vector<Trial> &trials)
 {
     std::vector<Trial> minima;
     for (std::size_t i = 1; i + 1 < trials.size(); ++i) {
@@ -141,9 +141,9 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     const double speedOfOneTurn = kTurn / observations.span();
     int maxCrossings = 0;
     for (const Index column : columns) {
-        maxCrossings = std::max(maxCrossings, crossings(observations.columns[column]));
+        maxCrossings = std::max(maxCrossings, countMiddleCrossings(observations.columns[column]));
     }
-    const Observations selected = thinned(observations, kRows);
+    const Observations selected = selectRows(observations, kRows);
     std::vector<Trial> trials;
     for (const double turns : possibleTurns(maxCrossings, coverage(observations), observations.size())) {
         if (!selected.stop.stop_requested()) {
@@ -152,7 +152,7 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
         }
     }
     const bool mayBeArc = maxCrossings <= kCrossingsOfOneTurn;
-    std::vector<Trial> best = minimaOf(trials);
+    std::vector<Trial> best = findLocalMinima(trials);
     if (best.empty() && !mayBeArc) { // the misfit rises or falls from the first trial to the last
         best = std::move(trials);
     }

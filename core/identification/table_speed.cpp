@@ -15,7 +15,7 @@ namespace slidercrank
 namespace
 {
 
-/// The speed that a column shows if it is in some unit.
+/// The speed that a derivative shows if it is in a certain unit.
 struct Vote {
     Index column = 0;
     double speed = 0.0; ///< rad/s; with a sign only if isVelocity
@@ -29,7 +29,7 @@ bool haveSameSize(double speed, double other)
     return std::abs(std::abs(speed / other) - 1.0) < kTolerance;
 }
 
-std::vector<Vote> votesOf(const Observations &observations, const Fit &fit)
+std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
 {
     Model model = fit.model;
     model.mechanism.omega2 = 1.0;
@@ -37,10 +37,10 @@ std::vector<Vote> votesOf(const Observations &observations, const Fit &fit)
     std::vector<Vote> votes;
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
-        if (fit.uses(k) || column.channel.order == Order::Position) {
+        if (fit.usesColumn(k) || column.channel.order == Order::Position) {
             continue;
         }
-        const ColumnScale scale = scaleOf(observations, fit, model, k, areExact);
+        const ColumnScale scale = fitScale(observations, fit, model, k, areExact);
         if (!scale.isExplained) {
             continue;
         }
@@ -55,17 +55,18 @@ std::vector<Vote> votesOf(const Observations &observations, const Fit &fit)
     return votes;
 }
 
-/// The columns that vote for a speed.
+/// A speed, and how many columns vote for it.
 struct Support {
-    int columns = 0;
-    int agreeingUnits = 0; ///< minus the number of these columns that contradict their units
     /// rad/s. It is that of a velocity if there is one among the columns, because only a velocity shows the sign.
     double speed = 0.0;
+    int columns = 0;
+    int contradictedUnits = 0; ///< those of these columns whose stated unit is a different one
 
-    auto rank() const { return std::pair(columns, agreeingUnits); }
+    /// The speed with the highest rank is preferred: that with the most columns, then with the fewest contradictions.
+    auto rank() const { return std::pair(columns, -contradictedUnits); }
 };
 
-Support supportOf(const Vote &candidate, const std::vector<Vote> &votes)
+Support countSupport(const Vote &candidate, const std::vector<Vote> &votes)
 {
     Support support{.speed = candidate.speed};
     Indices columns;
@@ -77,7 +78,7 @@ Support supportOf(const Vote &candidate, const std::vector<Vote> &votes)
             }
             columns.push_back(vote.column);
             support.columns += 1;
-            support.agreeingUnits -= contradicts ? 1 : 0;
+            support.contradictedUnits += contradicts ? 1 : 0;
             support.speed = vote.isVelocity ? vote.speed : support.speed;
         }
     }
@@ -86,15 +87,15 @@ Support supportOf(const Vote &candidate, const std::vector<Vote> &votes)
 
 } // namespace
 
-std::vector<double> speedsOfTable(const Observations &observations, const Fit &fit, double givenSpeed)
+std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed)
 {
-    const std::vector<Vote> votes = votesOf(observations, fit);
+    const std::vector<Vote> votes = collectVotes(observations, fit);
     if (votes.empty()) {
         return {};
     }
     std::vector<Support> supports;
     std::ranges::transform(votes, std::back_inserter(supports),
-                           [&](const Vote &vote) { return supportOf(vote, votes); });
+                           [&](const Vote &vote) { return countSupport(vote, votes); });
     const auto bestRank = std::ranges::max(supports, {}, &Support::rank).rank();
     std::vector<double> bestSpeeds; // each magnitude once, although several columns vote for it
     for (const Support &support : supports) {
@@ -117,10 +118,10 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const Channel channel = observations.columns[k].channel;
         const bool isOfSliderOrCoupler = channel.coordinate == R4x || channel.coordinate == Theta3;
-        if (fit.uses(k) || channel.order != Order::Velocity || !isOfSliderOrCoupler) {
+        if (fit.usesColumn(k) || channel.order != Order::Velocity || !isOfSliderOrCoupler) {
             continue;
         }
-        const ColumnScale scale = scaleOf(observations, fit, fit.model, k, areExact);
+        const ColumnScale scale = fitScale(observations, fit, fit.model, k, areExact);
         const auto isScale = [&](double unit) { return haveSameSize(scale.factor, unit); };
         const bool isInOtherUnit = std::ranges::any_of(unitFactors(channel), isScale); // likelier than another speed
         if (!scale.isExplained || isInOtherUnit) {
@@ -132,7 +133,7 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
         changed.theta20 += (fit.model.mechanism.omega2 - changed.omega2) * observations.time[0];
         Model model = fit.model;
         model.mechanism = changed;
-        Fit other = refined(observations, model, fit.columns, fit.unknowns);
+        Fit other = fitModel(observations, model, fit.columns, fit.unknowns);
         if (other.misfit < fit.misfit + kSameMisfit) {
             return other;
         }

@@ -16,7 +16,7 @@ namespace slidercrank
 /// (rad/s) with the most votes; among these, those that contradict the fewest stated units. These are several if the
 /// units do not determine the speed, and none if no derivative votes. If one of them has the magnitude of the given
 /// speed, returns only this one, with the sign of the given speed.
-std::vector<double> speedsOfTable(const Observations &observations, const Fit &fit, double givenSpeed);
+std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed);
 
 /// In a file over the time with few rows per turn, different speeds give the same positions. Returns the fit with the
 /// speed that a velocity shows, or the same fit if none shows another speed or a different unit explains it.

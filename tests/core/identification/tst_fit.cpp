@@ -45,8 +45,8 @@ double numericalSlope(const PrintedFile &file, Unknown unknown, double step)
     Model below = file.model;
     valueOf(above, unknown) += step;
     valueOf(below, unknown) -= step;
-    return (evaluated(file.observations, above, file.columns).misfit -
-            evaluated(file.observations, below, file.columns).misfit) /
+    return (evaluateModel(file.observations, above, file.columns).misfit -
+            evaluateModel(file.observations, below, file.columns).misfit) /
            (2.0 * step);
 }
 
@@ -68,7 +68,7 @@ private slots:
             const Unknowns unknowns{{UnknownKind::A},        {UnknownKind::B},          {UnknownKind::C},
                                     {UnknownKind::Omega2},   {UnknownKind::CrankAngle}, {UnknownKind::Origin, 0},
                                     {UnknownKind::Origin, 1}};
-            const Fit fit = refined(file.observations, file.model, file.columns, unknowns);
+            const Fit fit = fitModel(file.observations, file.model, file.columns, unknowns);
             QVERIFY(fit.isFinite());
             file.model = fit.model;
             for (Index k = 0; k < std::ssize(unknowns); ++k) {
@@ -77,7 +77,7 @@ private slots:
                 QVERIFY2(std::abs(slope) * width < 0.05, QByteArray::number(slope * width));
                 Model moved = file.model;
                 valueOf(moved, unknowns[k]) += 5.0 * width;
-                const double growth = evaluated(file.observations, moved, file.columns).misfit - fit.misfit;
+                const double growth = evaluateModel(file.observations, moved, file.columns).misfit - fit.misfit;
                 QVERIFY2(std::abs(growth / 12.5 - 1.0) < 0.2, QByteArray::number(growth)); // 5² / 2
             }
         }
@@ -92,8 +92,8 @@ private slots:
         file.model.mechanism.omega2 *= 1.02;
         const Unknowns unknowns{
             {UnknownKind::A}, {UnknownKind::B}, {UnknownKind::C}, {UnknownKind::Omega2}, {UnknownKind::CrankAngle}};
-        const Fit fit = refined(file.observations, file.model, file.columns, unknowns);
-        const Eigen::MatrixXd covariance = covarianceOf(fit);
+        const Fit fit = fitModel(file.observations, file.model, file.columns, unknowns);
+        const Eigen::MatrixXd covariance = computeCovariance(fit);
         QVERIFY(isExact(file.observations, fit));
         for (Index k = 0; k < std::ssize(unknowns); ++k) {
             Model expected = truth;
@@ -111,21 +111,21 @@ private slots:
         for (double &value : file.observations.columns[0].values) {
             value += random.uniform(-0.01, 0.01);
         }
-        const Fit noisy = evaluated(file.observations, file.model, {0});
+        const Fit noisy = evaluateModel(file.observations, file.model, {0});
         QVERIFY2(dependence(noisy) < 1.3, QByteArray::number(dependence(noisy)));
         QVERIFY(!isExact(file.observations, noisy));
         for (Index i = 0; i < file.observations.size(); ++i) {
             file.observations.columns[1].values[i] += std::sin(0.1 * static_cast<double>(i)); // 3 periods in 201 rows
         }
-        QVERIFY(dependence(evaluated(file.observations, file.model, {1})) > 10.0);
+        QVERIFY(dependence(evaluateModel(file.observations, file.model, {1})) > 10.0);
     }
 
     void isNotFiniteWhereNoMechanismCanBeAssembled()
     {
         PrintedFile file = printedFile(kFitted, {});
         file.model.mechanism.b = 30.0; // the offset 25 and the crank 20 need 45
-        QVERIFY(!evaluated(file.observations, file.model, file.columns).isFinite());
-        QVERIFY(!refined(file.observations, file.model, file.columns, {{UnknownKind::B}}).isFinite());
+        QVERIFY(!evaluateModel(file.observations, file.model, file.columns).isFinite());
+        QVERIFY(!fitModel(file.observations, file.model, file.columns, {{UnknownKind::B}}).isFinite());
     }
 };
 

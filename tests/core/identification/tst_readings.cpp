@@ -34,14 +34,14 @@ Fit freeFit(const Observations &observations)
     Model model{.mechanism = kMechanism};
     model.mechanism.theta20 += kMechanism.omega2 * observations.timeOrigin;
     model.readings.resize(observations.columns.size());
-    return refined(observations, model, {0, 1},
-                   {{UnknownKind::A},
-                    {UnknownKind::B},
-                    {UnknownKind::C},
-                    {UnknownKind::Omega2},
-                    {UnknownKind::CrankAngle},
-                    kAngleOrigin,
-                    kSliderOrigin});
+    return fitModel(observations, model, {0, 1},
+                    {{UnknownKind::A},
+                     {UnknownKind::B},
+                     {UnknownKind::C},
+                     {UnknownKind::Omega2},
+                     {UnknownKind::CrankAngle},
+                     kAngleOrigin,
+                     kSliderOrigin});
 }
 
 using Change = std::function<double(double value, std::size_t row)>;
@@ -72,7 +72,7 @@ private slots:
     {
         const Observations observations = changedObservations(unchanged, unchanged);
         const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations));
-        QVERIFY(!result.fit.changes(kAngleOrigin) && !result.fit.changes(kSliderOrigin));
+        QVERIFY(!result.fit.isFree(kAngleOrigin) && !result.fit.isFree(kSliderOrigin));
         QVERIFY(result.fit.model.readings[0].origin == 0.0 && result.fit.model.readings[1].origin == 0.0);
         for (const double shift : result.shifts) { // only what origins below the rounding steps can change
             QVERIFY(shift < 1e-3);
@@ -84,7 +84,7 @@ private slots:
         const Observations observations = changedObservations([](double value, std::size_t) { return value - 180.0; },
                                                               [](double value, std::size_t) { return value - 40.0; });
         const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations));
-        QVERIFY(!result.fit.changes(kAngleOrigin) && result.fit.changes(kSliderOrigin));
+        QVERIFY(!result.fit.isFree(kAngleOrigin) && result.fit.isFree(kSliderOrigin));
         QCOMPARE(result.fit.model.readings[0].origin, -0.5 * kTurn);
         QVERIFY(std::abs(result.fit.model.readings[1].origin + 40.0) < 1e-3);
     }
@@ -96,7 +96,7 @@ private slots:
         const Observations observations =
             changedObservations([](double value, std::size_t) { return value + 20.0; }, noise);
         const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations));
-        QVERIFY(result.fit.changes(kAngleOrigin) && !result.fit.changes(kSliderOrigin));
+        QVERIFY(result.fit.isFree(kAngleOrigin) && !result.fit.isFree(kSliderOrigin));
         QVERIFY(std::abs(result.fit.model.readings[0].origin * kDegreesPerRadian - 20.0) < 1.0);
     }
 
@@ -116,7 +116,7 @@ private slots:
         }
         const Observations observations = observe(data, {});
         const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations));
-        QVERIFY(!result.fit.changes(kSliderOrigin));
+        QVERIFY(!result.fit.isFree(kSliderOrigin));
     }
 
     /// Every image explains the columns as well as the fit.
@@ -125,9 +125,9 @@ private slots:
         const Observations observations = changedObservations(unchanged, unchanged);
         const Fit fit = freeFit(observations);
         for (const Parameters &given : mirrorImages(kMechanism)) {
-            const std::vector<Model> images = mirrorImagesOf(observations, fit, given);
+            const std::vector<Model> images = findMirrorImages(observations, fit, given);
             QCOMPARE(images.size(), std::size_t{1}); // x and θ3 together have one image in each reading
-            const Fit image = evaluated(observations, images[0], fit.columns);
+            const Fit image = evaluateModel(observations, images[0], fit.columns);
             QVERIFY(std::abs(image.misfit - fit.misfit) < 1e-3);
         }
     }
@@ -159,8 +159,8 @@ private slots:
                 std::copysign(1.0, slider * (plain.columns[1].values[1] - plain.columns[1].values[0]));
             model.readings[0].origin =
                 observations.columns[0].values[0] - model.readings[0].factor * plain.columns[0].values[0];
-            const Fit fit = evaluated(observations, model, {0, 1});
-            const Parameters found = mirrorImagesOf(observations, fit, kMechanism).front().mechanism;
+            const Fit fit = evaluateModel(observations, model, {0, 1});
+            const Parameters found = findMirrorImages(observations, fit, kMechanism).front().mechanism;
             QVERIFY2(std::abs(found.c - row.c) < 1e-3 && std::abs(found.omega2 - row.omega2) < 1e-3, row.name);
             QCOMPARE(found.branch, row.branch);
         }
