@@ -152,18 +152,23 @@ std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const 
     return std::isfinite(shape.value) ? std::optional(std::move(shape)) : std::nullopt;
 }
 
-/// Eigenvalues and eigenvectors of D·matrix·D, where the diagonal matrix D makes the diagonal of the product 1.
+/// Eigenvalues and eigenvectors of D·curvature·D, where the diagonal matrix D makes the diagonal of the product 1.
 struct Eigensystem {
-    Eigen::VectorXd scale; ///< the diagonal of D
-    Eigen::VectorXd values;
+    Eigen::VectorXd scale;  ///< the diagonal of D
+    Eigen::VectorXd values; ///< positive
     Eigen::MatrixXd vectors;
 };
 
-Eigensystem scaledEigensystem(const Eigen::MatrixXd &matrix)
+Eigensystem scaledEigensystem(const Eigen::MatrixXd &curvature)
 {
-    Eigen::VectorXd scale = diagonalScale(matrix);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * matrix * scale.asDiagonal());
-    return {.scale = std::move(scale), .values = solver.eigenvalues(), .vectors = solver.eigenvectors()};
+    // The eigenvalue of a combination of unknowns that the columns do not determine is 0 apart from rounding errors,
+    // which may make it negative. This bound makes its variance positive, finite and very large.
+    constexpr double kSmallestEigenvalue = kEpsilon * kEpsilon;
+    Eigen::VectorXd scale = diagonalScale(curvature);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * curvature * scale.asDiagonal());
+    return {.scale = std::move(scale),
+            .values = solver.eigenvalues().cwiseMax(kSmallestEigenvalue),
+            .vectors = solver.eigenvectors()};
 }
 
 Model withValues(Model model, const Unknowns &unknowns, const Eigen::VectorXd &values)
@@ -302,18 +307,14 @@ Eigen::VectorXd stepToMinimum(const Fit &fit)
 
 double conditionNumber(const Fit &fit)
 {
-    // The eigenvalues are proportional to inverse squared errors. Rounding errors may make the smallest one negative.
-    const Eigen::VectorXd values = scaledEigensystem(fit.curvature).values;
-    return std::sqrt(values.maxCoeff() / std::max(values.minCoeff(), kEpsilon * kEpsilon));
+    const Eigen::VectorXd values = scaledEigensystem(fit.curvature).values; // proportional to inverse squared errors
+    return std::sqrt(values.maxCoeff() / values.minCoeff());
 }
 
 Eigen::MatrixXd computeCovariance(const Fit &fit)
 {
-    // The eigenvalue of a combination that the columns do not determine is 0 apart from rounding errors, which may make
-    // it negative. This bound makes its variance positive, finite and very large.
-    constexpr double kSmallestEigenvalue = 1e-19;
     const Eigensystem system = scaledEigensystem(fit.curvature);
-    const Eigen::VectorXd inverse = system.values.array().max(kSmallestEigenvalue).inverse();
+    const Eigen::VectorXd inverse = system.values.cwiseInverse();
     const Eigen::MatrixXd vectors = system.scale.asDiagonal() * system.vectors;
     // The covariance is the inverse of the second derivatives of S/2, which is minus the logarithm of the likelihood.
     return 2.0 * (vectors * inverse.asDiagonal() * vectors.transpose());
