@@ -26,15 +26,14 @@ Values largestChangeToNeighbours(const Values &values)
     return largest;
 }
 
-/// Which rows have an outlier in fit.columns[k]: its residual is far from those of the other rows, and larger than a
-/// harmless cause could make it.
+/// Which rows have an outlier in fit.columns[k]: a residual that is far from those of the other rows, and larger than
+/// rounding or a row that is a little late could make it.
 Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fit, Index k)
 {
-    constexpr double kDeviations = 8.0;        // robust standard deviations
-    constexpr double kNormal = 1.4826;         // standard deviation of noise, in medians of its absolute values
-    constexpr double kRoundings = 2.0;         // bounds of rounding: the fit has errors, too
-    constexpr double kHarmlessFraction = 1e-4; // of the range of the column: smaller errors mislead nobody
-    constexpr double kLateness = 0.2;          // intervals between rows by which a row may be late or early
+    constexpr double kDeviations = 8.0; // robust standard deviations
+    constexpr double kNormal = 1.4826;  // standard deviation of noise, in medians of its absolute values
+    constexpr double kRoundings = 2.0;  // bounds of rounding: the fit has errors, too
+    constexpr double kLateness = 0.2;   // intervals between rows by which a row may be late or early
     const ObservedColumn &column = observations.columns[fit.columns[k]];
     const Values residuals = fit.residuals.col(k);
     const Values errors = residuals.abs();
@@ -45,9 +44,8 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
         return Eigen::ArrayX<bool>::Constant(residuals.size(), false);
     }
     const Values predictions = predictValues(fit.model, observations, {fit.columns[k]}).col(0);
-    const Values harmless = (kRoundings * roundingBounds(observations, fit, k))
-                                .max(kHarmlessFraction * column.range)
-                                .max(kLateness * largestChangeToNeighbours(predictions));
+    const Values harmless =
+        (kRoundings * roundingBounds(observations, fit, k)).max(kLateness * largestChangeToNeighbours(predictions));
     return errors > limit && errors > harmless;
 }
 

@@ -30,7 +30,7 @@ struct LastFit {
     double standardErrorOf(Unknown unknown) const;
 };
 
-/// Changes the errors as if an unknown parameter had been multiplied by a factor.
+/// Changes the errors as if a parameter had been multiplied by a factor.
 void scaleErrors(LastFit &lastFit, Parameter parameter, double factor);
 
 /// Fits all rows, starting from a fit of some rows. Outliers are excluded if they are at most 5 % of the rows: their
