@@ -28,28 +28,20 @@ double nearestUsualValue(const Observations &observations, const Model &model, U
     return halfTurn * std::rint(valueOf(model, unknown) / halfTurn);
 }
 
-/// Fits with `unknown` fixed at a value. The other unknowns start at the values that their covariance with it predicts,
-/// and at those that they have in `fit`. Returns the better fit.
+/// Fits with `unknown` fixed at a value. The other unknowns start at the values that their covariance with it predicts.
 Fit fitWithFixed(const Observations &observations, const Fit &fit, Unknown unknown, double value)
 {
     const Eigen::MatrixXd covariance = computeCovariance(fit);
     const Index position = fit.indexOf(unknown);
-    Unknowns others = fit.unknowns;
-    others.erase(others.begin() + position);
-    Fit best;
-    for (const double predictedPart : {1.0, 0.0}) { // of the changes of the other unknowns
-        Model start = fit.model;
-        const double change = predictedPart * (value - valueOf(start, unknown)) / covariance(position, position);
-        for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
-            valueOf(start, fit.unknowns[k]) += change * covariance(k, position);
-        }
-        valueOf(start, unknown) = value;
-        Fit next = fitModel(observations, std::move(start), fit.columns, others);
-        if (next.misfit < best.misfit) {
-            best = std::move(next);
-        }
+    const double change = value - valueOf(fit.model, unknown);
+    Model start = fit.model;
+    for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
+        valueOf(start, fit.unknowns[k]) += change * covariance(k, position) / covariance(position, position);
     }
-    return best;
+    valueOf(start, unknown) = value; // without a rounding error
+    Unknowns others = fit.unknowns;
+    std::erase(others, unknown);
+    return fitModel(observations, std::move(start), fit.columns, others);
 }
 
 /// Whether `unknown`, set to `value`, changes the prediction of each column by less than its rounding step (rms).
