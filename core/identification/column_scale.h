@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// By which factor a column that a fit does not use differs from the prediction of its model.
+// By which factor a column that a fit does not use differs from the prediction of its model: its unit and its sign.
 
 #include "core/identification/fit.h"
 

@@ -18,8 +18,8 @@ namespace
 
 using Kind = Convention::Kind;
 
-/// Adds a column to the convention of the same kind and amount, or appends a new convention. Origins are never
-/// combined, because each has its own standard error.
+/// Adds a column to the convention of this kind and amount; appends a new convention if there is none. Origins are
+/// never combined, because each has its own standard error.
 void append(std::vector<ConventionFinding> &conventions, Kind kind, Channel channel, double amount)
 {
     for (ConventionFinding &finding : conventions) {
@@ -139,8 +139,9 @@ ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, Refere
     return data;
 }
 
-std::vector<ChannelComparison> compareRead(const Parameters &mechanism, const ReferenceData &data, Drive::Kind drive,
-                                           const FittedMechanism &fitted, const std::stop_token &stop)
+std::vector<ChannelComparison> compareReadFile(const Parameters &mechanism, const ReferenceData &data,
+                                               Drive::Kind drive, const FittedMechanism &fitted,
+                                               const std::stop_token &stop)
 {
     const bool overAngle =
         drive == Drive::Kind::RunUp || drive == Drive::Kind::Uneven || (drive == Drive::Kind::OverAngle && !data.crank);
@@ -156,7 +157,7 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
                         const ReferenceData &data, Drive::Kind drive)
 {
     const auto compareWith = [&](const std::vector<ConventionFinding> &applied, const Parameters &parameters) {
-        return compareRead(parameters, applyAll(applied, data), drive, {}, {});
+        return compareReadFile(parameters, applyAll(applied, data), drive, {}, {});
     };
     const std::vector<ChannelComparison> after =
         conventions.empty() ? std::vector<ChannelComparison>() : compareWith(conventions, mechanism);

@@ -22,8 +22,9 @@ ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, Refere
 
 /// Compares a mechanism with a file to which all conventions have been applied. If the speed of the crank is not
 /// constant, positions are compared as in a table over the crank angle, and derivatives are not compared.
-std::vector<ChannelComparison> compareRead(const Parameters &mechanism, const ReferenceData &data, Drive::Kind drive,
-                                           const FittedMechanism &fitted, const std::stop_token &stop);
+std::vector<ChannelComparison> compareReadFile(const Parameters &mechanism, const ReferenceData &data,
+                                               Drive::Kind drive, const FittedMechanism &fitted,
+                                               const std::stop_token &stop);
 
 /// Sets `before` and `after` of the conventions of a mechanism.
 void measureConventions(std::vector<ConventionFinding> &conventions, const Parameters &mechanism,

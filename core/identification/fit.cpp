@@ -200,6 +200,18 @@ double valueOf(const Model &model, Unknown unknown)
     return valueOf(copy, unknown);
 }
 
+double parameterSize(Parameter parameter, const Parameters &parameters)
+{
+    switch (parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return characteristicLength(parameters);
+    case Parameter::Omega2: return std::abs(parameters.omega2);
+    case Parameter::Theta20: break;
+    }
+    return 1.0;
+}
+
 bool Fit::usesColumn(Index column) const
 {
     return std::ranges::find(columns, column) != columns.end();

@@ -65,6 +65,9 @@ inline Parameter toParameter(Unknown unknown)
     return static_cast<Parameter>(unknown.kind);
 }
 
+/// The size with which an error of a parameter is compared: a + b + |c| (mm) for lengths, |ω2| (rad/s), or a radian.
+double parameterSize(Parameter parameter, const Parameters &parameters);
+
 /// Two fits whose misfits differ by less are equally good: the ratio of their likelihoods is less than exp(10).
 inline constexpr double kSameMisfit = 20.0;
 

@@ -24,17 +24,15 @@ bool areNear(const Parameters &found, const Parameters &given, const ParameterEr
 {
     constexpr double kRelativeTolerance = 2e-3; // of exact files, whose standard errors are tiny
     return std::ranges::all_of(kAllParameters, [&](Parameter parameter) {
-        const bool isLength = std::ranges::find(kLengths, parameter) != kLengths.end();
-        const double size = isLength ? characteristicLength(given) : std::abs(given.omega2);
         const double error = errors[indexOf(parameter)];
-        const double tolerance =
-            std::max(kRelativeTolerance * size, std::isfinite(error) ? kStandardErrors * error : 0.0);
+        const double tolerance = std::max(kRelativeTolerance * parameterSize(parameter, given),
+                                          std::isfinite(error) ? kStandardErrors * error : 0.0);
         return parameter == Parameter::Theta20 ||
                std::abs(valueOf(found, parameter) - valueOf(given, parameter)) <= tolerance;
     });
 }
 
-/// Appends a convention of all columns that it changes.
+/// Appends a convention of all columns of the file for whose channel `concerns` returns true.
 template <class Predicate>
 void append(std::vector<ConventionFinding> &conventions, const ReferenceData &data, Kind kind, double amount,
             const Predicate &concerns)
@@ -72,8 +70,8 @@ struct WholeFileChange {
     bool isReversed = false; ///< angles are counted in the opposite direction
 };
 
-/// The change that brings the mechanism found nearest to the given one.
-WholeFileChange changeTowards(const Parameters &given, const Parameters &found, const ReferenceData &data)
+/// The change after which the mechanism found is nearest to the given one.
+WholeFileChange findChangeTowards(const Parameters &given, const Parameters &found, const ReferenceData &data)
 {
     const auto isLength = [](const ReferenceSeries &series) { return !isAngle(series.channel.coordinate); };
     const auto length = std::ranges::find_if(data.series, isLength);
@@ -86,9 +84,9 @@ WholeFileChange changeTowards(const Parameters &given, const Parameters &found, 
     return change;
 }
 
-/// Appends the conventions that make a change.
-void appendChange(std::vector<ConventionFinding> &conventions, const WholeFileChange &change, const ReferenceData &data,
-                  Branch branch)
+/// Appends the conventions that, together, are a change of the whole file. `branch`: of the mechanism found.
+void appendConventions(std::vector<ConventionFinding> &conventions, const WholeFileChange &change,
+                       const ReferenceData &data, Branch branch)
 {
     if (change.lengthFactor != 1.0) {
         append(conventions, data, Kind::LengthUnit, change.lengthFactor,
@@ -109,7 +107,7 @@ void appendChange(std::vector<ConventionFinding> &conventions, const WholeFileCh
 }
 
 /// Adds a change of the whole file to a reading: its conventions, and the mechanism that is found after it.
-WholeFileReading withChange(WholeFileReading reading, const WholeFileChange &change, const ReferenceData &data)
+WholeFileReading addChange(WholeFileReading reading, const WholeFileChange &change, const ReferenceData &data)
 {
     Parameters &found = reading.parameters;
     for (const Parameter length : kLengths) {
@@ -121,27 +119,28 @@ WholeFileReading withChange(WholeFileReading reading, const WholeFileChange &cha
     found.omega2 *= sense / change.timeFactor;
     found.theta20 *= sense;
     reading.standardError[indexOf(Parameter::Omega2)] /= change.timeFactor;
-    appendChange(reading.conventions, change, data, found.branch);
+    appendConventions(reading.conventions, change, data, found.branch);
     return reading;
 }
 
-/// Appends a late start if the crank is not at the given angle at t = 0.
+/// If the crank is not at the given angle at t = 0, appends a late start, and turns the mechanism found accordingly.
 void appendLateStart(WholeFileReading &reading, const Parameters &given)
 {
-    constexpr double kSameAngle = 2e-3; // rad
+    constexpr double kSameAngle = 2e-3; // rad: 0.1°, of exact files, whose standard errors are tiny
     Parameters &p = reading.parameters;
     const double angle = std::remainder(p.theta20 - given.theta20, kTurn);
     const double error = reading.standardError[indexOf(Parameter::Theta20)];
     const double tolerance = std::isfinite(error) ? std::max(kSameAngle, kStandardErrors * error) : kSameAngle;
     if (std::abs(angle) > tolerance) {
-        const double late = roundest(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0}).value;
+        const double late =
+            roundToFewestDigits(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0}).value;
         reading.conventions.push_back({{Kind::TimeShift, {}, late}});
         p.theta20 = std::remainder(p.theta20 - late * p.omega2, kTurn);
     }
 }
 
-/// The value that `fit` has found for a length; or, if a round number explains the file as well as `best` does, that
-/// number.
+/// The round number near the value that `fit` has found for a length, if it explains the file as well as `best` does;
+/// otherwise that value (mm).
 double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, Parameter length, const Fit &best,
                               double lengthUnit)
 {
@@ -183,14 +182,14 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
     return changes.size() == 1 ? std::optional(changes[0]) : std::nullopt;
 }
 
-WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &found, const ParameterErrors &standardError,
-                               const Parameters &given)
+WholeFileReading findWholeFileReading(const ReferenceData &data, const Parameters &found,
+                                      const ParameterErrors &standardError, const Parameters &given)
 {
     // Several changes lead to the given mechanism by chance more often than one. A file with θ2 shows how the crank
     // turns and where it starts; it needs no second change.
     const std::size_t maxConventions = data.find(kCrankAngle) ? 1 : 2;
     const WholeFileReading unchanged{.parameters = found, .standardError = standardError};
-    WholeFileReading reading = withChange(unchanged, changeTowards(given, found, data), data);
+    WholeFileReading reading = addChange(unchanged, findChangeTowards(given, found, data), data);
     if (!areNear(reading.parameters, given, reading.standardError)) {
         return unchanged;
     }

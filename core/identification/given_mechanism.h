@@ -12,8 +12,7 @@
 namespace slidercrank
 {
 
-/// The fit with the lengths of the given mechanism, in the reading of `best`; its drive and the origins are fitted
-/// again.
+/// Fits the given lengths to the file in the reading of `best`: only the drive and the origins are free.
 Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const Parameters &given);
 
 /// Whether a fit with fewer unknowns explains the file as well as `best`: its residuals are rounding, or its misfit is
@@ -37,7 +36,7 @@ struct WholeFileReading {
 /// cannot be distinguished from another mechanism. They are reported only if the mechanism found then is the given one.
 /// `data` has been read with the other conventions. Returns no conventions if none is necessary, or more than two; in a
 /// file with θ2, more than one.
-WholeFileReading readLikeGiven(const ReferenceData &data, const Parameters &found, const ParameterErrors &standardError,
-                               const Parameters &given);
+WholeFileReading findWholeFileReading(const ReferenceData &data, const Parameters &found,
+                                      const ParameterErrors &standardError, const Parameters &given);
 
 } // namespace slidercrank

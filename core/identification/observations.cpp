@@ -19,6 +19,7 @@ namespace slidercrank
 namespace
 {
 
+/// Whether the channel is zero in every mechanism.
 bool isAlwaysZero(Channel channel)
 {
     const Coordinate coordinate = channel.coordinate;
@@ -27,6 +28,7 @@ bool isAlwaysZero(Channel channel)
            channel == Channel{Theta2, Order::Acceleration};
 }
 
+/// Whether the file states the unit of a column.
 bool statesUnit(const FileLayout &layout, Channel channel)
 {
     return std::ranges::any_of(layout.columns, [&](const FileColumn &column) {
@@ -52,6 +54,7 @@ Values computeHalfSteps(const std::vector<double> &valuesInFile, const Rounding 
     return halfSteps.max(std::max(kSmallestFractionOfLargestStep * halfSteps.maxCoeff(), 0.5 * kArithmeticStep * size));
 }
 
+/// Reads a column in mm or rad, without jumps by whole turns.
 ObservedColumn readColumn(const ReferenceData &data, const ReferenceSeries &series, const Indices &rows)
 {
     const bool isAnAngle = isAngle(series.channel.coordinate);
@@ -75,7 +78,7 @@ ObservedColumn readColumn(const ReferenceData &data, const ReferenceSeries &seri
 }
 
 /// Sets the range of a column to 0 unless it changes by more than its rounding, and by more than the rounding errors of
-/// the program that computed it. `span`: of the abscissa.
+/// the program that computed it. A constant column is at least as inexact as such a program. `span`: of the abscissa.
 void markIfConstant(ObservedColumn &column, double span)
 {
     constexpr double kZero = 1e-8; // mm or rad, change of the position in the whole file
@@ -133,6 +136,7 @@ Values evenlySpaced(const Values &printed, const Values &halfSteps)
     return 0.5 * (earliestStart(best) + latestStart(best)) + grid(best);
 }
 
+/// Reads the time stamps of a file over the time.
 void observeTime(Observations &observations, const ReferenceData &data)
 {
     const Clock clock = clockOf(data.time, data.timeRounding);
@@ -151,7 +155,8 @@ void observeTime(Observations &observations, const ReferenceData &data)
     observations.timeHalfStep = 0.5 * clock.step();
 }
 
-/// Whether the crank makes so much of a turn between two rows that it might as well make some turns more.
+/// Whether the rows are so far apart that the crank may have made more turns, or have turned the other way: many of
+/// them are more than a quarter of a turn apart.
 bool isSparse(const Values &angle)
 {
     constexpr double kQuarter = 0.25 * kTurn; // half of the step that hides the direction
@@ -204,6 +209,7 @@ void observeAngleColumn(Observations &observations, const ReferenceData &data)
     }
 }
 
+/// The observations in some of their rows.
 Observations withRows(const Observations &observations, const Indices &rows)
 {
     Observations selected = observations;

@@ -242,7 +242,7 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
 
 /// The file without excluded rows and without the columns that the fit does not use. `change`: of the headings or axes,
 /// after which the columns have the names that the fit knows.
-ReferenceData usedData(ReferenceData data, const std::optional<Convention> &change, const LastFit &lastFit)
+ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention> &change, const LastFit &lastFit)
 {
     const Observations &observations = lastFit.observations;
     const ReferenceData changed = change ? applied(*change, data) : data;
@@ -284,7 +284,7 @@ void addWholeFileConventions(Identification &result, const ReferenceData &used, 
         return;
     }
     const WholeFileReading reading =
-        readLikeGiven(applyAll(result.conventions, used), result.rounded, result.standardError, given);
+        findWholeFileReading(applyAll(result.conventions, used), result.rounded, result.standardError, given);
     if (reading.conventions.empty()) {
         return;
     }
@@ -307,11 +307,11 @@ void compareWithMechanismFound(Identification &result, const ReferenceData &read
         return std::ranges::all_of(channels,
                                    [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
     };
-    result.channels = compareRead(result.parameters, read, findings.drive.kind, fitted, stop);
+    result.channels = compareReadFile(result.parameters, read, findings.drive.kind, fitted, stop);
     if (allAgree(result.channels)) {
         return;
     }
-    std::vector<ChannelComparison> rounded = compareRead(result.rounded, read, findings.drive.kind, fitted, stop);
+    std::vector<ChannelComparison> rounded = compareReadFile(result.rounded, read, findings.drive.kind, fitted, stop);
     if (allAgree(rounded)) {
         result.channels = std::move(rounded);
     } else {
@@ -391,7 +391,7 @@ void addConventions(Identification &result, const ReferenceData &data, const std
                     const Findings &findings, const Parameters &given)
 {
     const Drive::Kind drive = findings.drive.kind;
-    const ReferenceData used = usedData(data, change, findings.lastFit);
+    const ReferenceData used = keepUsedColumns(data, change, findings.lastFit);
     result.conventions = listConventions(findings.lastFit);
     if (change) {
         result.conventions.insert(result.conventions.begin(), {*change});
@@ -404,7 +404,7 @@ void addConventions(Identification &result, const ReferenceData &data, const std
     takeResidualsFromComparison(result);
     const auto differs = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; };
     result.agreesWithGiven =
-        std::ranges::none_of(compareRead(given, read, drive, {}, findings.lastFit.observations.stop), differs);
+        std::ranges::none_of(compareReadFile(given, read, drive, {}, findings.lastFit.observations.stop), differs);
 }
 
 } // namespace slidercrank

@@ -60,39 +60,27 @@ RoundNumber roundInUsualUnits(Unknown unknown, double value, double standardErro
     case Unknown::Kind::A:
     case Unknown::Kind::B:
     case Unknown::Kind::C: return roundLength(value, standardError, lengthUnit);
-    case Unknown::Kind::Omega2: return roundest(value, standardError, std::array{1.0, kDegree, kTurnPerMinute});
-    case Unknown::Kind::CrankAngle: return roundest(value, standardError, std::array{kDegree, 1.0});
+    case Unknown::Kind::Omega2:
+        return roundToFewestDigits(value, standardError, std::array{1.0, kDegree, kTurnPerMinute});
+    case Unknown::Kind::CrankAngle: return roundToFewestDigits(value, standardError, std::array{kDegree, 1.0});
     case Unknown::Kind::Origin: break; // measured, and not chosen
     }
     return {value};
 }
 
-/// The size with which the error of a parameter is compared.
-double parameterSize(Parameter parameter, const Parameters &parameters)
-{
-    switch (parameter) {
-    case Parameter::A:
-    case Parameter::B:
-    case Parameter::C: return characteristicLength(parameters);
-    case Parameter::Omega2: return std::abs(parameters.omega2);
-    case Parameter::Theta20: break;
-    }
-    return 1.0;
-}
-
-/// A number that a fit has found, and its size, with which its error is compared.
-struct Estimated {
+/// An unknown of the last fit.
+struct EstimatedUnknown {
     Unknown unknown;
-    std::optional<Parameter> parameter{}; ///< whose value at t = 0 of the file it is; nullopt for origins
-    double size = 1.0;
-    bool isFixed = false;
+    std::optional<Parameter> parameter{}; ///< the parameter whose value at t = 0 of the file it is; nullopt for origins
+    double size = 1.0;                    ///< with which its error is compared
+    bool isFixed = false;                 ///< at a number that was chosen
 };
 
-/// What a fit knows about its unknowns: their values, normally distributed with a covariance.
+/// What is known about the unknowns of the last fit: their values, normally distributed with a covariance.
 struct Estimate {
-    std::vector<Estimated> unknowns;
-    Eigen::VectorXd values;
-    Eigen::MatrixXd covariance;
+    std::vector<EstimatedUnknown> unknowns;
+    Eigen::VectorXd values;     ///< of each unknown
+    Eigen::MatrixXd covariance; ///< of the values
 
     double standardError(Index k) const
     {
@@ -101,6 +89,7 @@ struct Estimate {
     }
 };
 
+/// The result of the last fit, with all unknowns open. `unrounded`: its parameters at t = 0 of the file.
 Estimate makeEstimate(const LastFit &lastFit, const Parameters &unrounded)
 {
     const Model &model = lastFit.fit.model;
@@ -122,7 +111,7 @@ Estimate makeEstimate(const LastFit &lastFit, const Parameters &unrounded)
 }
 
 /// Fixes an unknown at a value. The others change as their covariance with it predicts, and become more certain.
-void fix(Estimate &estimate, Index k, double value)
+void fixUnknown(Estimate &estimate, Index k, double value)
 {
     const double variance = estimate.covariance(k, k);
     if (variance > 0.0) {
@@ -163,7 +152,7 @@ void fixChosenNumbers(Estimate &estimate, double lengthUnit)
         for (const Index k : openUnknowns(estimate)) {
             const RoundNumber number = roundUnknown(estimate, k, lengthUnit);
             if (number.isChosen) {
-                fix(estimate, k, number.value);
+                fixUnknown(estimate, k, number.value);
                 isAnyFixed = true;
             }
         }
@@ -171,7 +160,7 @@ void fixChosenNumbers(Estimate &estimate, double lengthUnit)
 }
 
 /// Replaces parameters by their values in an estimate.
-Parameters withEstimate(Parameters parameters, const Estimate &estimate)
+Parameters replaceByEstimate(Parameters parameters, const Estimate &estimate)
 {
     for (Index k = 0; k < estimate.values.size(); ++k) {
         if (const std::optional<Parameter> parameter = estimate.unknowns[k].parameter) {
@@ -179,6 +168,31 @@ Parameters withEstimate(Parameters parameters, const Estimate &estimate)
         }
     }
     return parameters;
+}
+
+/// Rounds the parameters of the last fit to a fraction of their standard errors, with the origins that it has found.
+Parameters roundToErrors(const LastFit &lastFit, const Parameters &unrounded, double fraction, double lengthUnit)
+{
+    Parameters rounded = unrounded;
+    if (lastFit.fit.model.followsAngle) { // the drive has errors of its own
+        for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20}) {
+            const double error = fraction * lastFit.standardError[indexOf(parameter)];
+            valueOf(rounded, parameter) =
+                roundInUsualUnits(toUnknown(parameter), valueOf(unrounded, parameter), error, lengthUnit).value;
+        }
+    }
+    Estimate estimate = makeEstimate(lastFit, unrounded);
+    estimate.covariance *= fraction * fraction;
+    for (const Index k : openUnknowns(estimate)) {
+        if (!estimate.unknowns[k].parameter) {
+            fixUnknown(estimate, k, estimate.values[k]);
+        }
+    }
+    fixChosenNumbers(estimate, lengthUnit);
+    for (const Index k : openUnknowns(estimate)) { // they are not round numbers, but need not have more digits
+        fixUnknown(estimate, k, roundUnknown(estimate, k, lengthUnit).value);
+    }
+    return replaceByEstimate(rounded, estimate);
 }
 
 /// The model with other parameters at t = 0 of the file.
@@ -194,7 +208,7 @@ Model withParameters(Model model, const Parameters &parameters, const Observatio
 }
 
 /// Whether nearly all residuals of fit.columns[k] are within the bounds of rounding.
-bool agrees(const Observations &observations, const Fit &fit, Index k)
+bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit, Index k)
 {
     const Values errors = gapsAsZeros(fit.residuals.col(k)).abs();
     const auto beyond = static_cast<double>((errors > roundingBounds(observations, fit, k)).count());
@@ -210,14 +224,15 @@ bool isAsGood(const Observations &observations, const Fit &rounded, const Fit &f
     constexpr double kMaxGrowth = 10.0;
     bool isGood = rounded.misfit - fit.misfit < kMaxGrowth;
     for (Index k = 0; isGood && k < fit.residuals.cols(); ++k) {
-        isGood = agrees(observations, rounded, k) || !agrees(observations, fit, k);
+        isGood =
+            areNearlyAllWithinRounding(observations, rounded, k) || !areNearlyAllWithinRounding(observations, fit, k);
     }
     return isGood;
 }
 
 } // namespace
 
-RoundNumber roundest(double value, double standardError, std::span<const double> units)
+RoundNumber roundToFewestDigits(double value, double standardError, std::span<const double> units)
 {
     // A multiple of 10^place is within the tolerance by chance with the probability 2 tolerance / 10^place.
     constexpr double kMaxChance = 0.1;
@@ -249,9 +264,9 @@ RoundNumber roundLength(double value, double standardError, double unit)
 {
     constexpr int kDigits = 15;                    // 6 in are 152.4 mm, and not 152.39999999999998 mm
     if (std::fmod(std::log10(unit), 1.0) == 0.0) { // a round number of metres is one of millimetres, too
-        return roundest(value, standardError, std::array{1.0});
+        return roundToFewestDigits(value, standardError, std::array{1.0});
     }
-    RoundNumber rounded = roundest(value, standardError, std::array{unit});
+    RoundNumber rounded = roundToFewestDigits(value, standardError, std::array{unit});
     if (rounded.value != 0.0) {
         rounded.value = roundedTo(placeOfFirstDigit(std::abs(rounded.value)) + 1 - kDigits, rounded.value);
     }
@@ -266,26 +281,7 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
     for (const double fraction : kFractions) {
-        Parameters rounded = unrounded;
-        if (fit.model.followsAngle) { // the drive has errors of its own
-            for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20}) {
-                const double error = fraction * lastFit.standardError[indexOf(parameter)];
-                valueOf(rounded, parameter) =
-                    roundInUsualUnits(toUnknown(parameter), valueOf(unrounded, parameter), error, lengthUnit).value;
-            }
-        }
-        Estimate estimate = makeEstimate(lastFit, unrounded);
-        estimate.covariance *= fraction * fraction;
-        for (const Index k : openUnknowns(estimate)) {
-            if (!estimate.unknowns[k].parameter) {
-                fix(estimate, k, estimate.values[k]);
-            }
-        }
-        fixChosenNumbers(estimate, lengthUnit);
-        for (const Index k : openUnknowns(estimate)) {
-            fix(estimate, k, roundUnknown(estimate, k, lengthUnit).value);
-        }
-        rounded = withEstimate(rounded, estimate);
+        const Parameters rounded = roundToErrors(lastFit, unrounded, fraction, lengthUnit);
         const Model model = withParameters(fit.model, rounded, observations);
         if (!findFault(rounded) && isAsGood(observations, evaluateModel(observations, model, fit.columns), fit)) {
             return rounded;
@@ -298,12 +294,12 @@ void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double l
 {
     Fit &fit = lastFit.fit;
     Estimate estimate = makeEstimate(lastFit, unrounded);
-    const auto isParameter = [](const Estimated &estimated) { return estimated.parameter.has_value(); };
+    const auto isParameter = [](const EstimatedUnknown &estimated) { return estimated.parameter.has_value(); };
     if (std::ranges::all_of(estimate.unknowns, isParameter)) {
         return;
     }
     fixChosenNumbers(estimate, lengthUnit);
-    Model model = withParameters(fit.model, withEstimate(unrounded, estimate), lastFit.observations);
+    Model model = withParameters(fit.model, replaceByEstimate(unrounded, estimate), lastFit.observations);
     for (Index k = 0; k < estimate.values.size(); ++k) {
         if (!estimate.unknowns[k].parameter) {
             valueOf(model, estimate.unknowns[k].unknown) = estimate.values[k];

@@ -14,11 +14,11 @@ namespace slidercrank
 namespace
 {
 
-/// How often the column goes from below the middle of its range to above it, or back.
+/// How often the column goes from clearly below the middle of its range to clearly above it, or back.
 int countMiddleCrossings(const ObservedColumn &column)
 {
     constexpr double kHysteresis = 0.15;          // of the range: noise crosses nothing
-    constexpr std::size_t kValuesPerOutlier = 50; // one value in 50, at either end
+    constexpr std::size_t kValuesPerOutlier = 50; // one value in 50, at either end of the range
     std::vector<double> sorted;
     sorted.reserve(static_cast<std::size_t>(column.values.size()));
     std::ranges::copy_if(column.values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
@@ -42,7 +42,7 @@ int countMiddleCrossings(const ObservedColumn &column)
     return count;
 }
 
-/// The misfit of a constant and two harmonics of one speed: the height of the periodogram there.
+/// The misfit of a constant and two harmonics of one speed (rad/s) in the columns: the value of the periodogram there.
 double misfitOfHarmonics(const Observations &observations, const Indices &columns, double speed)
 {
     constexpr double kFloor = 1e-9; // of the squared range: rounding errors of the equations
@@ -78,7 +78,7 @@ std::vector<Trial> findLocalMinima(const std::vector<Trial> &trials)
     return minima;
 }
 
-/// The part of the time of the file in which there are rows, at their usual distance. Gaps hide crossings.
+/// The fraction of the time of the file in which there are rows, at their usual distance; 1 without gaps.
 double coverage(const Observations &observations)
 {
     const Index pairs = observations.size() - 1;
@@ -91,7 +91,7 @@ double coverage(const Observations &observations)
 constexpr double kMaxIncompleteTurns = 1.0;
 
 /// Whether the crank may have made a number of turns in a file with a number of pairs of crossings: a periodic motion
-/// crosses the middle of its range in the same whole number of pairs in every turn.
+/// crosses the middle of its range equally often in every turn, and as often upwards as downwards.
 bool isConsistent(double turns, double crossingPairs)
 {
     constexpr double kMaxMiscounted = 0.005; // fraction of the pairs
@@ -100,9 +100,9 @@ bool isConsistent(double turns, double crossingPairs)
     return std::abs(expectedTurns - turns) <= kMaxIncompleteTurns + kMaxMiscounted * crossingPairs;
 }
 
-/// The numbers of turns in the file that are worth a trial, at equal distances. `coverage`: see coverage(). If there
-/// are so few rows that crossings may be missing, these are all numbers up to half a turn per row: a faster crank gives
-/// the same positions as one of these.
+/// The numbers of turns that the crank may have made in the file, according to the number of crossings, at equal
+/// distances. If there are so few rows that crossings may fall between them, these are all numbers up to half a turn
+/// per row: a faster crank gives the same positions as one of these. `coverage`: that of the file (see above).
 std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 {
     constexpr double kSpacing = 0.1;         // a tenth of the width of a minimum of the periodogram
