@@ -65,7 +65,7 @@ double usualFactor(const Observations &observations, const Fit &fit, Index k)
         return 1.0; // another sign is another c
     }
     const bool isSpeedOfCrank = coordinate == Theta2; // constant, but not zero
-    if (column.range == 0.0 && !isSpeedOfCrank) {
+    if (column.isConstant() && !isSpeedOfCrank) {
         return sign; // zeros have neither sign nor scale
     }
     const double factor = sign * fitScale(observations, fit, fit.model, k, false).factor;

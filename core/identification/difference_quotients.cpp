@@ -94,7 +94,7 @@ Observations withComputedColumnsMarked(Observations observations)
 {
     constexpr Index kMinRows = 3; // of a second difference
     for (ObservedColumn &column : observations.columns) {
-        if (observations.size() >= kMinRows && column.range > 0.0) {
+        if (observations.size() >= kMinRows && !column.isConstant()) {
             column.isDifference = containsDifferences(observations, column);
             column.isInterpolated = isInterpolatedOrHeld(observations, column);
         }

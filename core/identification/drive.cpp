@@ -78,10 +78,10 @@ Drive runUp(const Polynomial &parabola, double timeOrigin)
 Drive findDrive(const Observations &observations, const Model &model)
 {
     constexpr Index kSlopeStep = 4; // rows: over five rows, the rounding of the angle hardly shows in the speed
-    if (observations.angle.size() == 0) {
+    if (!observations.hasAngle()) {
         return {.kind = Drive::Kind::OverTime};
     }
-    if (observations.time.size() == 0 || observations.size() < kSlopeStep + 2) { // too few rows for two slopes
+    if (!observations.hasTime() || observations.size() < kSlopeStep + 2) { // too few rows for two slopes
         return {.kind = Drive::Kind::OverAngle};
     }
     const Values angles = model.angleFactor * observations.angle + model.mechanism.theta20;

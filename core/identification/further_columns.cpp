@@ -52,7 +52,7 @@ std::optional<Fit> withColumn(const Observations &observations, const Fit &fit, 
 /// Whether an origin of the column can be told from the motion: that of a position that changes, or of R4_y.
 bool mayHaveOrigin(const ObservedColumn &column)
 {
-    return !column.isDerivative() && (column.range > 0.0 || column.channel == kSliderLine);
+    return !column.isDerivative() && (!column.isConstant() || column.channel == kSliderLine);
 }
 
 /// The readings of a column without a free origin, the simplest first. `factor`: its usual factor. In a file over the

@@ -194,8 +194,8 @@ GridResult searchGrid(const Observations &observations, const Indices &columns, 
     return result;
 }
 
-/// The unknowns that the columns determine. `followsAngle`: the file contains the angle of the crank.
-Unknowns geometryUnknowns(const Observations &observations, const Indices &columns, bool followsAngle, Origins origins)
+/// The unknowns that the columns determine.
+Unknowns geometryUnknowns(const Observations &observations, const Indices &columns, Origins origins)
 {
     Unknowns unknowns{{Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}};
     const auto isPosition = [&](Index k) { return !observations.columns[k].isDerivative(); };
@@ -205,7 +205,7 @@ Unknowns geometryUnknowns(const Observations &observations, const Indices &colum
     }
     const auto showsSpeed = [&](Index k) { return !isPosition(k) && !isLength(k); };
     // Derivatives of lengths over the angle show only the product of a and ω2.
-    if (!followsAngle || std::ranges::any_of(columns, showsSpeed)) {
+    if (!observations.hasAngle() || std::ranges::any_of(columns, showsSpeed)) {
         unknowns.push_back({Unknown::Kind::Omega2});
     }
     for (const Index k : columns) {
@@ -252,7 +252,7 @@ Fit fitFinalists(const Observations &observations, std::vector<Fit> fits)
 std::vector<Model> startModels(const Observations &observations, const std::vector<double> &speeds,
                                const Parameters &given)
 {
-    Model model{.mechanism = given, .followsAngle = observations.angle.size() > 0};
+    Model model{.mechanism = given, .followsAngle = observations.hasAngle()};
     model.readings.resize(observations.columns.size());
     std::vector<Model> models;
     if (model.followsAngle) {
@@ -300,7 +300,7 @@ Indices shapeColumns(const Observations &observations, std::size_t skipped)
         std::ranges::for_each(std::array{R3x, R3y, R2x, R2y}, append);
     }
     const auto isPosition = [&](Index k) { return !observations.columns[k].isDerivative(); };
-    if (observations.angle.size() > 0 && std::ranges::any_of(columns, isPosition)) {
+    if (observations.hasAngle() && std::ranges::any_of(columns, isPosition)) {
         std::erase_if(columns, std::not_fn(isPosition));
     }
     return columns;
@@ -309,7 +309,7 @@ Indices shapeColumns(const Observations &observations, std::size_t skipped)
 bool determineLengths(const Observations &observations, const Indices &columns)
 {
     bool hasLength = false;
-    bool hasSpeed = observations.time.size() > 0;
+    bool hasSpeed = observations.hasTime();
     for (const Index k : columns) {
         const Channel channel = observations.columns[k].channel;
         const bool isLength = !isAngle(channel.coordinate);
@@ -326,8 +326,7 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
     constexpr Index kSearchRows = 120; // some dozens of candidates are fitted to them
     const Observations gridRows = selectRows(observations, kGridRows);
     const Observations searchRows = selectRows(observations, kSearchRows);
-    const bool followsAngle = observations.angle.size() > 0;
-    const Unknowns unknowns = geometryUnknowns(observations, columns, followsAngle, Origins::Usual);
+    const Unknowns unknowns = geometryUnknowns(observations, columns, Origins::Usual);
     std::vector<Fit> fits;
     std::vector<Candidate> candidatesWithAnyOrigins;
     for (const Model &start : startModels(observations, speeds, given)) {
@@ -342,7 +341,7 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
     if (isExact(observations, best)) {
         return best;
     }
-    const Unknowns unknownsWithOrigins = geometryUnknowns(observations, columns, followsAngle, Origins::Any);
+    const Unknowns unknownsWithOrigins = geometryUnknowns(observations, columns, Origins::Any);
     Fit bestWithAnyOrigins =
         fitFinalists(observations, fitCandidates(searchRows, columns, candidatesWithAnyOrigins, unknownsWithOrigins));
     return bestWithAnyOrigins.misfit < best.misfit ? bestWithAnyOrigins : best;

@@ -52,8 +52,8 @@ Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
 ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Observations &searched,
                                        const Indices &columns, const Parameters &given)
 {
-    const bool hasAngle = wholeFile.angle.size() > 0;
-    const std::vector<double> speeds = hasAngle ? std::vector<double>() : findSpeedCandidates(wholeFile, columns);
+    const std::vector<double> speeds =
+        wholeFile.hasAngle() ? std::vector<double>() : findSpeedCandidates(wholeFile, columns);
     Fit fit = withoutContradictingColumn(searched, findGeometry(searched, columns, speeds, given));
     return fit.isFinite() ? withoutFreedoms(searched, withUsualReadings(searched, std::move(fit))) : ConstrainedFit{};
 }
@@ -145,6 +145,19 @@ ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
     fit.unknowns.push_back({Unknown::Kind::Origin, column});
     current.searched = selectRows(withoutSpikes(observations), kSearchedRows);
     fit = fitModel(current.searched, fit.model, fit.columns, fit.unknowns);
+    return current;
+}
+
+/// Uses a constant or evenly changing speed, which predicts derivatives, in the fit.
+ObservedFit withDrive(ObservedFit current, const Drive &drive)
+{
+    if (drive.kind == Drive::Kind::Constant) {
+        return withAngleAsColumn(std::move(current), drive);
+    }
+    if (drive.kind == Drive::Kind::RunUp) {
+        current.fit.model.mechanism.omega2 = drive.omega2;
+        current.fit.model.alpha2 = drive.alpha2;
+    }
     return current;
 }
 
@@ -249,15 +262,10 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     ObservedFit current = withBestTimeStamps({std::move(wholeFile), std::move(searched), std::move(constrained.fit)});
     current.fit = fitSimplestImage(current.searched, std::move(current.fit), given);
     findings.drive = findDrive(current.wholeFile, current.fit.model);
-    if (findings.drive.kind == Drive::Kind::Constant) {
-        current = withAngleAsColumn(std::move(current), findings.drive);
-    } else if (findings.drive.kind == Drive::Kind::RunUp) {
-        current.fit.model.mechanism.omega2 = findings.drive.omega2;
-        current.fit.model.alpha2 = findings.drive.alpha2;
-    }
+    current = withDrive(std::move(current), findings.drive);
     FurtherColumns further = withFurtherColumns(current.searched, current.fit, findings.drive, given);
     findings.leftOut = std::move(further.leftOut);
-    if (data.find(kCrankAngle) && current.wholeFile.angle.size() == 0) { // the turns between two rows are unknown
+    if (data.find(kCrankAngle) && !current.wholeFile.hasAngle()) { // the turns between two rows are unknown
         findings.leftOut.push_back({kCrankAngle, LeftOutColumn::Reason::OpenSpeed});
     }
     findings.speeds = std::move(further.speeds);
@@ -273,32 +281,39 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     return result;
 }
 
-/// Changes of the table, one of which may explain what a result does not: two headings exchanged, or a clock in a
-/// different unit.
-std::vector<Convention> possibleChanges(const ReferenceData &data, const Identification &result)
+/// The columns whose headings may be exchanged, because the result does not explain the columns under these headings.
+std::vector<Channel> findDoubtfulHeadings(const Identification &result)
 {
     constexpr double kMinPercent = 10.0; // of the peak: another heading changes a column by more than a filter does
-    std::vector<Convention> changes;
-    std::vector<Channel> unexplained;
+    if (result.outcome == Identification::Outcome::None) {
+        return {{Theta3, Order::Position}, {R4x, Order::Position}};
+    }
+    std::vector<Channel> doubtful;
     for (const LeftOutColumn &column : result.leftOut) {
         const bool isUnexplained =
             column.reason == LeftOutColumn::Reason::Unknown || column.reason == LeftOutColumn::Reason::OtherMotion;
         if (isUnexplained && !(column.percentOfPeak < kMinPercent)) {
-            unexplained.push_back(column.channel);
+            doubtful.push_back(column.channel);
         }
     }
-    if (result.outcome == Identification::Outcome::None) {
-        unexplained = {{Theta3, Order::Position}, {R4x, Order::Position}};
-    }
-    const auto isOtherDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };
-    if (!data.crank && std::ranges::any_of(result.leftOut, isOtherDerivative)) {
+    return doubtful;
+}
+
+/// Changes of the table, one of which may explain what a result does not: two headings exchanged, or a clock in a
+/// different unit.
+std::vector<Convention> possibleChanges(const ReferenceData &data, const Identification &result)
+{
+    std::vector<Convention> changes;
+    const auto isDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };
+    if (!data.crank && std::ranges::any_of(result.leftOut, isDerivative)) {
         const double unit = data.timeRounding.unitFactor; // of the heading
         changes.push_back({Convention::Kind::TimeUnit, {}, unit == 1.0 ? kTimeFactors.back() : 1.0 / unit});
     }
-    for (std::size_t i = 0; i < unexplained.size(); ++i) {
-        for (std::size_t j = i + 1; j < unexplained.size(); ++j) {
-            if (data.find(unexplained[i]) && data.find(unexplained[j])) {
-                changes.push_back({Convention::Kind::SwappedColumns, {unexplained[i], unexplained[j]}, 1.0});
+    const std::vector<Channel> doubtful = findDoubtfulHeadings(result);
+    for (std::size_t i = 0; i < doubtful.size(); ++i) {
+        for (std::size_t j = i + 1; j < doubtful.size(); ++j) {
+            if (data.find(doubtful[i]) && data.find(doubtful[j])) {
+                changes.push_back({Convention::Kind::SwappedColumns, {doubtful[i], doubtful[j]}, 1.0});
             }
         }
     }

@@ -140,7 +140,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
 {
     int count = crankReadingCount(fit, model) + sliderLineReadingCount(observations, model);
     SignCount lengths, angles;
-    bool hasNegatedDisplacement = false;
+    bool hasNegatedDisplacement = false; // a displacement: a length with an origin other than O2
     for (const Index k : fit.columns) {
         const ObservedColumn &column = observations.columns[k];
         const ColumnReading &reading = model.readings[k];
@@ -149,7 +149,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
         if (column.channel == kSliderLine) {
             continue; // counted above
         }
-        if (hasOrigin && !column.containsAngles()) { // a displacement, which has a direction of its own
+        if (hasOrigin && !column.containsAngles()) {
             hasNegatedDisplacement = hasNegatedDisplacement || isNegated;
             continue;
         }
@@ -161,7 +161,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
         count += isHalfTurnOff ? 1 : 0;
     }
     count += lengths.readings() + angles.readings();
-    // The direction of a displacement costs nothing unless other readings are necessary besides it.
+    // A displacement has a direction of its own, which counts only if other readings are necessary besides it.
     return count + (hasNegatedDisplacement && count > 0 ? 1 : 0);
 }
 

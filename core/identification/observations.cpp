@@ -215,9 +215,9 @@ Observations withRows(const Observations &observations, const Indices &rows)
     Observations selected = observations;
     selected.rows.resize(rows.size());
     std::ranges::transform(rows, selected.rows.begin(), [&](Index row) { return observations.rows[row]; });
-    selected.time = observations.time.size() > 0 ? Values(observations.time(rows)) : Values();
+    selected.time = observations.hasTime() ? Values(observations.time(rows)) : Values();
     selected.printedTime = observations.printedTime.size() > 0 ? Values(observations.printedTime(rows)) : Values();
-    selected.angle = observations.angle.size() > 0 ? Values(observations.angle(rows)) : Values();
+    selected.angle = observations.hasAngle() ? Values(observations.angle(rows)) : Values();
     for (std::size_t k = 0; k < observations.columns.size(); ++k) {
         selected.columns[k].values = observations.columns[k].values(rows);
         selected.columns[k].halfSteps = observations.columns[k].halfSteps(rows);

@@ -52,7 +52,9 @@ struct Observations {
     std::stop_token stop;                ///< requests the end of every computation with these observations
 
     Index size() const { return std::ssize(rows); }
-    const Values &abscissa() const { return time.size() > 0 ? time : angle; }
+    bool hasTime() const { return time.size() > 0; }
+    bool hasAngle() const { return angle.size() > 0; } ///< θ2
+    const Values &abscissa() const { return hasTime() ? time : angle; }
 
     /// The distance of the first and the last row: s, or rad in a table over the crank angle.
     double span() const { return std::abs(abscissa()[size() - 1] - abscissa()[0]); }
