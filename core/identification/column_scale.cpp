@@ -20,6 +20,16 @@ double bestFactor(const Values &motion, const Values &values)
     return (counted * gapsAsZeros(values)).sum() / counted.square().sum();
 }
 
+/// The same for values with any origin.
+double bestSlope(const Values &motion, const Values &values)
+{
+    const Values counted = values.isFinite().select(motion, kNone);
+    const double count = static_cast<double>(counted.isFinite().count());
+    const double meanMotion = gapsAsZeros(counted).sum() / count;
+    const double meanValue = gapsAsZeros(counted.isFinite().select(values, kNone)).sum() / count;
+    return bestFactor(motion - meanMotion, values - meanValue);
+}
+
 } // namespace
 
 double largestFurtherResidual(bool othersAreExact)
@@ -47,7 +57,8 @@ double signOfCoordinate(const Observations &observations, const Fit &fit, Coordi
 ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index k, bool othersAreExact)
 {
     const ObservedColumn &column = observations.columns[k];
-    const double factor = bestFactor(computeMotion(model, observations, {k}).col(0), column.values);
+    const Values motion = computeMotion(model, observations, {k}).col(0);
+    const double factor = column.isDerivative() ? bestFactor(motion, column.values) : bestSlope(motion, column.values);
     Model scaled = model;
     scaled.readings[k] = {factor, 0.0};
     const Fit ofColumn = evaluateModel(observations, scaled, {k});

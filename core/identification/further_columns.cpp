@@ -93,10 +93,15 @@ std::optional<Fit> withSimplestReading(const Observations &observations, const F
     if (!mayHaveOrigin(observations.columns[k])) {
         return std::nullopt;
     }
-    model.readings[k] = {factor, bestOrigin(observations, fit, k, factor)};
     Fit withOrigin = fit;
     withOrigin.unknowns.push_back({Unknown::Kind::Origin, k});
-    return withColumn(observations, withOrigin, model, k, othersAreExact);
+    for (const double signedFactor : {factor, -factor}) {
+        model.readings[k] = {signedFactor, bestOrigin(observations, fit, k, signedFactor)};
+        if (std::optional<Fit> together = withColumn(observations, withOrigin, model, k, othersAreExact)) {
+            return together;
+        }
+    }
+    return std::nullopt;
 }
 
 /// Whether a slider-crank with proportions other than those of the fit explains the column at the same speed. A coupler

@@ -103,13 +103,21 @@ bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
     });
 }
 
-/// The columns of lengths, or those of angles.
+/// How many columns of one kind (lengths or angles) have the opposite sign. Displacements are not among the columns.
 struct SignCount {
     int columns = 0;
-    int negated = 0; ///< those with the opposite sign
+    int negated = 0;
+    bool hasNegatedDisplacement = false;
 
-    /// The readings that the signs are: one if all columns are negated, because then the axis has the other direction.
-    int readings() const { return negated == columns ? std::min(negated, 1) : negated; }
+    /// The number of readings. If all columns have the opposite sign, they are counted along the opposite axis, which
+    /// is one reading. A displacement has a direction of its own, which its derivatives share: that is no reading.
+    int readings() const
+    {
+        if (negated < columns) {
+            return negated;
+        }
+        return columns == 0 || hasNegatedDisplacement ? 0 : 1;
+    }
 };
 
 /// The number of unusual readings of the angle in the file, if the model follows it: clockwise, and half a turn off.
@@ -123,24 +131,24 @@ int crankReadingCount(const Fit &fit, const Model &model)
     return clockwise + (hasUsualOrigin && isOddHalfTurn(model.mechanism.theta20) ? 1 : 0);
 }
 
-/// 1 if the file has a column R4_y that is not the c of the model; otherwise 0.
-int sliderLineReadingCount(const Observations &observations, const Model &model)
+/// Whether the file has a column R4_y that is not c.
+bool isSliderLineShifted(const Observations &observations, const Model &model)
 {
     constexpr double kTolerance = 0.02; // of a: rounding and noise
     const auto isOtherLine = [&](const ObservedColumn &column) {
         return column.channel == kSliderLine &&
                std::abs(column.values[0] - model.mechanism.c) > kTolerance * model.mechanism.a;
     };
-    return std::ranges::any_of(observations.columns, isOtherLine) ? 1 : 0;
+    return std::ranges::any_of(observations.columns, isOtherLine);
 }
 
 } // namespace
 
 int readingCount(const Observations &observations, const Fit &fit, const Model &model)
 {
-    int count = crankReadingCount(fit, model) + sliderLineReadingCount(observations, model);
+    const bool isLineShifted = isSliderLineShifted(observations, model);
+    int count = crankReadingCount(fit, model) + (isLineShifted ? 1 : 0);
     SignCount lengths, angles;
-    bool hasNegatedDisplacement = false; // a displacement: a length with an origin other than O2
     for (const Index k : fit.columns) {
         const ObservedColumn &column = observations.columns[k];
         const ColumnReading &reading = model.readings[k];
@@ -149,8 +157,10 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
         if (column.channel == kSliderLine) {
             continue; // counted above
         }
-        if (hasOrigin && !column.containsAngles()) {
-            hasNegatedDisplacement = hasNegatedDisplacement || isNegated;
+        // R4_x with an origin of its own is a displacement, unless the whole frame of the file is shifted, R4_y as
+        // well.
+        if (hasOrigin && !column.containsAngles() && !isLineShifted) {
+            lengths.hasNegatedDisplacement = lengths.hasNegatedDisplacement || isNegated;
             continue;
         }
         SignCount &signs = column.containsAngles() ? angles : lengths;
@@ -160,9 +170,7 @@ int readingCount(const Observations &observations, const Fit &fit, const Model &
             column.containsAngles() && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor);
         count += isHalfTurnOff ? 1 : 0;
     }
-    count += lengths.readings() + angles.readings();
-    // A displacement has a direction of its own, which counts only if other readings are necessary besides it.
-    return count + (hasNegatedDisplacement && count > 0 ? 1 : 0);
+    return count + lengths.readings() + angles.readings();
 }
 
 std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given)

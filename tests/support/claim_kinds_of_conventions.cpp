@@ -26,6 +26,18 @@ ClaimTable tableByAngle(ClaimRandom &random, const Parameters &mechanism)
     return ClaimTable(random, mechanism).overCrankAngle(random.oneOf({1.0, 2.0, 5.0, 10.0, 15.0, 30.0}));
 }
 
+Parameters withOpenAssembly(Parameters p)
+{
+    p.branch = Branch::Open;
+    return p;
+}
+
+/// R4_x (mm) at the outer dead centre of the open assembly.
+double outerDeadCentre(const Parameters &p)
+{
+    return std::sqrt((p.a + p.b) * (p.a + p.b) - p.c * p.c);
+}
+
 double someOrigin(ClaimRandom &random)
 {
     return random.eitherSign(5.0, 500.0);
@@ -115,6 +127,27 @@ std::vector<ClaimKind> tablesByAngle()
              table.multiplied({kSlider}, sign);
              const double least = table.find("R4_x")->values.minCoeff();
              return table.shifted({kSlider}, -least).conventions(1, sign < 0.0 ? 2 : 1);
+         }},
+        {"by angle, distance from the outer dead centre",
+         [](Random &random) {
+             const Parameters p = withOpenAssembly(random.mechanism());
+             return tableByAngle(random, p)
+                 .with(kSliderColumns)
+                 .decimals(4)
+                 .multiplied(kSliderColumns, -1.0)
+                 .shifted({kSlider}, outerDeadCentre(p))
+                 .conventions(2);
+         }},
+        {"distance from the outer dead centre beside theta3 at B",
+         [](Random &random) {
+             const Parameters p = withOpenAssembly(random.mechanism());
+             return ClaimTable(random, p)
+                 .with({kTheta2, kTheta3})
+                 .shifted({kTheta3}, 180.0)
+                 .with(kSliderColumns)
+                 .multiplied(kSliderColumns, -1.0)
+                 .shifted({kSlider}, outerDeadCentre(p))
+                 .conventions(3);
          }},
         {"by angle, theta3 measured at B, 0 to 360",
          [](Random &random) {
