@@ -92,21 +92,23 @@ struct ObservedFit {
     Fit fit;
 };
 
-/// Replaces evenly spaced time stamps by those that were printed if the fit is better with them: a program may have
-/// computed its values at rounded times.
-ObservedFit withBestTimeStamps(ObservedFit current)
+/// Uses the time stamps, or the angles of a table, as they were printed if these explain the columns better than evenly
+/// spaced ones: a program may have computed its values at rounded times.
+ObservedFit withBestAbscissa(ObservedFit current)
 {
     const Fit &fit = current.fit;
-    if (current.searched.printedTime.size() == 0 || fit.model.followsAngle) {
+    const auto abscissa = fit.model.followsAngle ? &Observations::angle : &Observations::time;
+    const auto printedAbscissa = fit.model.followsAngle ? &Observations::printedAngle : &Observations::printedTime;
+    Observations printed = current.searched;
+    printed.*abscissa = printed.*printedAbscissa;
+    if ((printed.*abscissa).size() == 0) {
         return current;
     }
-    Observations printed = current.searched;
-    printed.time = printed.printedTime;
     Fit other = fitModel(printed, fit.model, fit.columns, fit.unknowns);
     if (other.misfit < fit.misfit) {
         current.fit = std::move(other);
         current.searched = std::move(printed);
-        current.wholeFile.time = current.wholeFile.printedTime;
+        current.wholeFile.*abscissa = current.wholeFile.*printedAbscissa;
     }
     return current;
 }
@@ -259,7 +261,7 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     if (!constrained.fit.isFinite()) {
         return judge(data, findings, given);
     }
-    ObservedFit current = withBestTimeStamps({std::move(wholeFile), std::move(searched), std::move(constrained.fit)});
+    ObservedFit current = withBestAbscissa({std::move(wholeFile), std::move(searched), std::move(constrained.fit)});
     current.fit = fitSimplestImage(current.searched, std::move(current.fit), given);
     findings.drive = findDrive(current.wholeFile, current.fit.model);
     current = withDrive(std::move(current), findings.drive);

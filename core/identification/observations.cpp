@@ -109,9 +109,9 @@ Indices rowsWithValues(const ReferenceData &data)
     return rows;
 }
 
-/// The time stamps before they were rounded: a grid of one spacing, some of whose times may be missing. Rounding
-/// explains a grid if each of its times is within half a rounding step of the printed time stamp. Returns the grid that
-/// is farthest within these limits, or the least beyond them.
+/// The time stamps (or angles of a table) before they were rounded: a grid of one spacing, some of whose times may be
+/// missing. Rounding explains a grid if each of its times is within half a rounding step of the printed time stamp.
+/// Returns the grid that is farthest within these limits, or the least beyond them.
 Values evenlySpaced(const Values &printed, const Values &halfSteps)
 {
     constexpr int kBits = 26; // of the result; more are lost in rounding errors
@@ -184,13 +184,20 @@ void countTurnsInGaps(Values &angle, const Values &time)
     }
 }
 
-/// Reads the abscissa of a table over the crank angle.
+/// Reads the abscissa of a table over the crank angle. Evenly spaced angles are exact, as evenly spaced time stamps are
+/// (clock.h).
 void observeTableAngle(Observations &observations, const CrankAngles &crank)
 {
-    const Values degrees = Eigen::Map<const Values>(crank.degrees.data(), std::ssize(crank.degrees));
+    const Clock clock = clockOf(crank.degrees, crank.rounding);
+    const Values printed = Eigen::Map<const Values>(crank.degrees.data(), std::ssize(crank.degrees));
+    Values degrees = printed;
+    if (clock.rounded) {
+        const auto halfStep = [&](double angle) { return 0.5 * crank.rounding.stepAt(angle); };
+        degrees = evenlySpaced(printed, printed.unaryExpr(halfStep));
+        observations.printedAngle = printed(observations.rows) / kDegreesPerRadian;
+    }
     observations.angle = degrees(observations.rows) / kDegreesPerRadian;
-    // Evenly spaced angles are exact, as evenly spaced time stamps are (clock.h).
-    observations.angleHalfStep = 0.5 * clockOf(crank.degrees, crank.rounding).step() / kDegreesPerRadian;
+    observations.angleHalfStep = 0.5 * clock.step() / kDegreesPerRadian;
 }
 
 /// Reads θ2 of a file over the time. It is not used if a row lacks it, or if the rows do not show how many turns the
@@ -218,6 +225,7 @@ Observations withRows(const Observations &observations, const Indices &rows)
     selected.time = observations.hasTime() ? Values(observations.time(rows)) : Values();
     selected.printedTime = observations.printedTime.size() > 0 ? Values(observations.printedTime(rows)) : Values();
     selected.angle = observations.hasAngle() ? Values(observations.angle(rows)) : Values();
+    selected.printedAngle = observations.printedAngle.size() > 0 ? Values(observations.printedAngle(rows)) : Values();
     for (std::size_t k = 0; k < observations.columns.size(); ++k) {
         selected.columns[k].values = observations.columns[k].values(rows);
         selected.columns[k].halfSteps = observations.columns[k].halfSteps(rows);

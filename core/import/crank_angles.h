@@ -30,6 +30,10 @@ bool removeJumps(std::vector<double> &angles, double turn, double largestChange 
 /// one direction throughout are returned unchanged. The `turn` of a clock is half a day.
 std::vector<double> unwrapped(std::vector<double> angles, double turn = 360.0);
 
+/// Returns the angles of a table (°) before they were rounded, if these are whole or half degrees: a table in radians
+/// usually has the angles 0°, 15°, 30° … Returns other angles unchanged, and angles with too few digits to tell.
+std::vector<double> wholeDegreesBeforeRounding(std::vector<double> degrees, const Rounding &rounding);
+
 /// Returns whether the values are points of a straight line over the time, apart from a tolerance.
 bool isStraight(std::span<const double> values, std::span<const double> time, double tolerance);
 

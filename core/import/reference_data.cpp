@@ -197,7 +197,7 @@ void countByAngle(ReferenceData &data, RawTable &table)
     if (const std::optional<std::size_t> row = findAnotherMotion(data)) {
         throw ReadError{.line = data.lineOfRow(*row), .fault = {Fault::AngleStartsAgain}};
     }
-    data.crank = CrankAngles{unwrapped(data.time), data.timeRounding};
+    data.crank = CrankAngles{wholeDegreesBeforeRounding(unwrapped(data.time), data.timeRounding), data.timeRounding};
     if (const std::optional<std::size_t> row = findReversal(data.crank->degrees)) {
         throw ReadError{.line = data.lineOfRow(*row),
                         .fault = {startsAgain(data.time, *row) ? Fault::AngleStartsAgain : Fault::AngleTurnsBack}};
