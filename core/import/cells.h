@@ -15,9 +15,10 @@
 namespace slidercrank
 {
 
+/// Returns whether the character is white space. Line ends are only in quoted headings.
 inline bool isBlank(char c)
 {
-    return c == ' ' || c == '\t';
+    return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
 inline bool isDigit(char c)

@@ -280,10 +280,10 @@ std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
 
 Heading parseHeading(std::string_view cell)
 {
-    static const Spellings kDoubledQuotes("\"\"=\"");
+    static const Spellings kQuotedCharacters("\"\"=\"|\r\n= |\n= ");
     static const Spellings kLatexMarkup("$=|\\mathrm=|\\text=|\\rm=|\\si=|\\unit=|\\left=|\\right=");
     static const Spellings kPandasSeparators("', '=/");
-    Heading heading{.use = {.heading = kDoubledQuotes.replacedIn(cell)}};
+    Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
     std::string text = kLatexMarkup.replacedIn(heading.use.heading);
     const auto isBetween = [&text](char first, char last) {
         return text.size() > 2 && text.front() == first && text.back() == last;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace slidercrank
 {
@@ -66,6 +67,22 @@ std::string_view withoutBorders(std::string_view line)
     return text.size() < trimmed(line).size() ? trimmed(text) : line;
 }
 
+/// Returns where the first line ends. Line ends in a quoted heading, as spreadsheets write them, belong to the line.
+std::size_t findLineEnd(std::string_view text)
+{
+    constexpr std::size_t kLongestRest = 200; // bytes of a heading behind a line end
+    const std::size_t first = std::min(text.find('\n'), text.size());
+    std::size_t end = first;
+    while (std::ranges::count(text.substr(0, end), '"') % 2 == 1) {
+        const std::size_t closing = text.find('"', end);
+        if (closing == text.npos || closing > end + kLongestRest) {
+            return first;
+        }
+        end = std::min(text.find('\n', closing), text.size());
+    }
+    return end;
+}
+
 } // namespace
 
 std::vector<Line> splitLines(std::string_view text)
@@ -73,10 +90,15 @@ std::vector<Line> splitLines(std::string_view text)
     std::vector<Line> lines;
     std::size_t number = 0;
     while (!text.empty()) {
-        std::string_view rest = takeUntil('\n', text);
+        const bool mayBeHeadings = lines.size() < kExaminedLines;
+        const std::size_t end = mayBeHeadings ? findLineEnd(text) : std::min(text.find('\n'), text.size());
+        std::string_view rest = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const auto lineEnds = mayBeHeadings ? std::ranges::count(rest, '\n') : 0;
         do {
             ++number;
-            const std::string_view line = withoutBorders(takeUntil('\r', rest));
+            const std::string_view line =
+                withoutBorders(lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest));
             if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
             }
@@ -86,6 +108,7 @@ std::vector<Line> splitLines(std::string_view text)
                 lines.push_back({number, isData(line) ? withoutRemark(line) : line});
             }
         } while (!rest.empty());
+        number += static_cast<std::size_t>(lineEnds);
     }
     return lines;
 }

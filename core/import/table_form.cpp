@@ -5,7 +5,6 @@
 #include "core/import/vocabulary.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -229,20 +228,20 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
     return best;
 }
 
-/// Returns whether R wrote the names of the rows, which have no heading, before the cells: quoted, words, or 1, 2, ….
+/// Returns whether R or pandas wrote the names of the rows, which have no heading, before the cells: quoted, words, or
+/// numbers from 0 or 1.
 bool haveRowNames(Lines rows, char delimiter, std::size_t headings)
 {
-    constexpr std::array<std::string_view, 2> kFirstNumbers{"1", "2"};
-    for (std::size_t i = 0; i < kFirstNumbers.size(); ++i) {
-        const Cells cells = i < rows.size() ? splitCells(rows[i].text, delimiter) : Cells();
+    constexpr std::size_t kExaminedRows = 2;
+    std::string numbers; // of the rows
+    for (const Line &row : rows.first(std::min(rows.size(), kExaminedRows))) {
+        const Cells cells = splitCells(row.text, delimiter);
         if (cells.size() != headings + 1 || !std::all_of(cells.begin() + 1, cells.end(), isNumber)) {
             return false;
         }
-        if (!rows[i].text.starts_with('"') && looksNumeric(cells[0]) && cells[0] != kFirstNumbers[i]) {
-            return false;
-        }
+        numbers += !row.text.starts_with('"') && looksNumeric(cells[0]) ? ' ' + std::string(cells[0]) : std::string();
     }
-    return true;
+    return rows.size() >= kExaminedRows && (numbers.empty() || numbers == " 0 1" || numbers == " 1 2");
 }
 
 /// Sets the unit of a column that is found in cell `i` of a line, unless it is empty. Throws if the heading states

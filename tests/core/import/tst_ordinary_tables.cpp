@@ -65,7 +65,10 @@ const std::vector<Layout> kLayouts{
     {"t,x,v\n1,0,85,1\n2,1,84,2\n3,2,80,3\n", "- time R4_x R4_x_diff"}, // row names of R
     {"t,x,v\nrun1,0,85,1\nrun2,1,84,2\nrun3,2,80,3\n", "- time R4_x R4_x_diff"},
     {"  t  x v\n1 0 85 1\n2 1 84 2\n3 2 80 3\n", "- time R4_x R4_x_diff"},
+    {"  t  x v\n0 0 85 1\n1 1 84 2\n2 2 80 3\n", "- time R4_x R4_x_diff"}, // printed by pandas
     {"case,angle,x\nopen,0,85\nopen,90,84\nopen,180,80\n", "- angle R4_x"},
+    {"\"t\n(s)\",\"x\r\n(mm)\"\r\n0,85\r\n1,84\r\n2,80\r\n", "time R4_x"}, // a spreadsheet's lines in cells
+    {"t;x;v\n0;85;1’000\n1;84;2’000\n2;80;3’000\n", "time R4_x R4_x_diff"},
     {"sep=;\nt;x\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"t,x,a\n(s),(mm),(V)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x -"},
     // Several columns of one quantity.
