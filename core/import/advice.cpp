@@ -84,6 +84,17 @@ std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel
     return role == ColumnRole::Time ? "s" : std::string(fileUnit(role == ColumnRole::Channel ? channel : kCrankAngle));
 }
 
+/// Returns the unit to state for a time without a known one. Large whole numbers are in µs or ns.
+std::string likelyTimeUnit(const RawColumn &column)
+{
+    constexpr double kLongestStep = 1e5; // µs between two rows
+    const ValueRange range = rangeOf(column.values);
+    if (!column.use.unit.empty()) {
+        return "s";
+    }
+    return range.width() > kLongestStep * static_cast<double>(range.count) ? "ns" : "us";
+}
+
 bool isChannel(const RawColumn &column)
 {
     return column.use.role == ColumnRole::Channel;
@@ -167,8 +178,11 @@ std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table)
     case Fault::UnknownTimeUnit: {
         const bool isTime = error.fault.kind == Fault::UnknownTimeUnit;
         const ColumnRole role = isTime ? ColumnRole::Time : ColumnRole::Channel;
-        const std::string unit(isTime ? "s" : fileUnit(error.fault.channel));
-        return place ? std::vector{choiceFor(table, *place, role, error.fault.channel, unit)} : advice;
+        if (place) {
+            const std::string unit = isTime ? likelyTimeUnit(*place) : std::string(fileUnit(error.fault.channel));
+            advice.push_back(choiceFor(table, *place, role, error.fault.channel, unit));
+        }
+        return advice;
     }
     case Fault::ChannelTwice:
     case Fault::TimeTwice: return place ? std::vector{choiceFor(table, *place, ColumnRole::Ignored)} : advice;

@@ -43,7 +43,18 @@ bool areSameTimes(const Values &x, const Values &y)
     });
 }
 
-/// Time stamps of a clock, or in ms, µs or ns since 1970, count from the first row.
+constexpr double kEarliestSecond = 1e8; // since 1970: no motion begins three years after its clock was started
+
+/// Returns whether time stamps without a unit are no seconds: whole numbers that begin near zero and become so large.
+bool areOfSmallUnit(const RawColumn &column)
+{
+    const ValueRange range = rangeOf(column.values);
+    const auto isWhole = [](double value) { return !std::isfinite(value) || value == std::rint(value); };
+    return column.use.unit.empty() && range.low < kEarliestSecond && range.high >= kEarliestSecond &&
+           std::ranges::all_of(column.values, isWhole);
+}
+
+/// Time stamps of a clock, or in s, ms, µs or ns since 1970, count from the first row.
 void countFromFirstRow(RawColumn &column)
 {
     constexpr double kHalfDay = 43'200.0;  // s: a clock may have twelve hours
@@ -57,10 +68,15 @@ void countFromFirstRow(RawColumn &column)
     while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * scale) {
         scale *= 1000.0;
     }
-    if (scale > 1.0 || (column.cells.isClock && (column.cells.hasDate || first >= kHour))) {
+    const bool isSince1970 = first >= kEarliestSecond && first < kInfinity;
+    if (isSince1970 || (column.cells.isClock && (column.cells.hasDate || first >= kHour))) {
         column.origin = first / scale;
         column.factor /= scale;
-        std::ranges::for_each(column.values, [&](double &value) { value = (value - first) / scale; });
+        const double step = column.rounding.infer(column.factor, true).finestStep();
+        std::ranges::for_each(column.values, [&](double &value) {
+            value = (value - first) / scale;
+            value = step > 0.0 ? step * std::rint(value / step) : value; // a double near 1.7e9 is off by 1e-7
+        });
     }
 }
 
@@ -70,7 +86,7 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
 {
     const bool isTime = role == ColumnRole::Time;
     const std::optional<Unit> unit = column.unitAs(role);
-    if (!unit) {
+    if (!unit || (isTime && areOfSmallUnit(column))) {
         throw faultIn(table, column,
                       isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
     }

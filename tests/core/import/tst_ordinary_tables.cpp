@@ -173,6 +173,7 @@ private slots:
         QCOMPARE(adviceIn("time,foo\n0,80\n0.1,70\n0.2,60\n"), std::string("foo=R4_x ;"));
         QCOMPARE(adviceIn("time,theta3 [ell]\n0,80\n1,70\n"), std::string("theta3 [ell]=theta3 °;"));
         QCOMPARE(adviceIn("time [days],R4_x\n0,80\n1,70\n"), std::string("time [days]=time s;"));
+        QCOMPARE(adviceIn("time,R4_x\n0,80\n500000000,70\n"), std::string("time=time ns;"));
         QCOMPARE(adviceIn("time,R4_x,r4x [mm]\n0,80,1\n1,70,1\n"), std::string("r4x [mm]=ignored ;"));
         QCOMPARE(adviceIn("stage,R4_x\n0,80\n90,70\n180,60\n270,50\n"), std::string("stage=angle ;"));
         QCOMPARE(adviceIn("p [gon],foo\n0,80\n90,70\n170,60\n"), std::string("foo=R4_x ;"));

@@ -61,6 +61,7 @@ const std::vector<ReadRow> kRead{
     {"dates and a time zone", "Time,R4_x\n2024-03-01T23:59:59Z,1\n2024-03-02T00:00:01Z,2\n2024-03-02T00:00:02Z,3\n",
      "time 0 2 3; R4_x 1 2 3"},
     {"a date, after midnight", "Time,R4_x\n2024-03-01 00:33:10.5,1\n2024-03-01 00:33:11,2\n", "time 0 0.5; R4_x 1 2"},
+    {"s since 1970", "time,R4_x\n1709634123.0250,1\n1709634123.0500,2\n", "time 0 0.025; R4_x 1 2"},
     {"ms since 1970", "time,R4_x\n1709290000000,1\n1709290000005,2\n", "time 0 0.005; R4_x 1 2"},
     // Names.
     {"columns in any order and case", "THETA3_Diff2,r4_X,Time\n3,2,1\n", "time 1; theta3_diff2 3; R4_x 2"},
@@ -165,6 +166,7 @@ const std::vector<Refusal> kRefused{
     {"half a unit", "time,R4_x_diff [m/]\n0,1\n", "1:2 R4_x_diff [m/]", {Kind::UnknownUnit, kV}},
     {"contradicting units", "time,theta3 [rad]\ns,deg\n0,1\n", "2:2 deg", {Kind::UnitsContradict, {}, "theta3 [rad]"}},
     {"an unknown unit of time", "time [days],R4_x\n0,1\n", "1:1 time [days]", {Kind::UnknownTimeUnit}},
+    {"ns or µs without a unit", "time,R4_x\n0,1\n500000000,2\n", "1:1 time", {Kind::UnknownTimeUnit}},
     {"a channel twice", "time,R4_x,r4x [m]\n0,1,2\n", "1:3 r4x [m]", {Kind::ChannelTwice, kX}},
     {"two different times", "time,R4_x,Tiempo\n0,1,2\n", "1:3 Tiempo", {Kind::TimeTwice}},
     {"only headings", "time,R4_x\n", "1:0 ", {Kind::NoNumbers}},
