@@ -53,12 +53,13 @@ std::string_view unitBeforeRemark(std::string_view text)
 /// Returns the unit in the brackets from `begin` to `end`, which may be empty or unknown; nullopt if what they contain
 /// is a part of the name or a remark. A remark may follow a unit that suits a known name: "Crank angle (deg,
 /// unwrapped)". What is no unit is a part of the name if the name has a meaning with it, as "x(B)", or if it is an
-/// index, "P[3.1]".
+/// index, "P[3.1]"; but "(%)" and "(×π rad)" are units that suit no quantity.
 std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_t begin, std::size_t end)
 {
     constexpr std::size_t kShortestRemark = 6; // bytes: "(filtered)", but "(bar)" is a unit
     const std::string_view content = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)));
-    if (parseUnit(content) || content.empty() || content == "px") {
+    const bool isUnitOfNone = wordsOf(content).empty() || content.starts_with("×") || content == "px";
+    if (parseUnit(content) || isUnitOfNone) {
         return content;
     }
     const std::string unit(unitBeforeRemark(content));

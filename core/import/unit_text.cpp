@@ -2,6 +2,7 @@
 #include "core/import/unit_text.h"
 
 #include "core/import/cells.h"
+#include "core/import/read_double.h"
 #include "core/import/spellings.h"
 #include "core/mechanism/channel.h"
 
@@ -25,28 +26,32 @@ struct NamedUnit {
 /// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points,
 /// one is the Greek letter.
 const Spellings kUnitSpellings(
-    "2π=rev|2pi=rev|2 pi=rev|2*pi=rev|1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| per "
+    "×π rad=pirad|π rad=pirad|pi rad=pirad|2π=rev|2pi=rev|2 pi=rev|2*pi=rev|1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| "
+    "per "
     "=/|_per_=/|.per.=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| "
     "par =/|"
     " al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
     "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
     "|^\\circ=deg|\\circ=deg|\\=|"
-    "°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
+    "\"=in|″=in|°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
     " cw=| ccw=| CW=| CCW=| atdc=| ATDC=| atc=| ATC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=");
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
     using enum Dimension;
-    static constexpr std::array<NamedUnit, 23> kUnits{{
+    static constexpr std::array<NamedUnit, 27> kUnits{{
         {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros "
          "millimetro millimetri",
          {Length, 0, 1.0}},
         {"cm см centimeter centimetre centimeters centimetres centimetro centimetros centimetri", {Length, 0, 10.0}},
         {"m м meter metre meters metres metern metro metros metri", {Length, 0, 1e3}},
         {"um micron microns", {Length, 0, 1e-3}},
+        {"dm", {Length, 0, 100.0}},
         {"km", {Length, 0, 1e6}},
         {"in inch inches pulgada pulgadas zoll", {Length, 0, 25.4}},
+        {"thou mil mils", {Length, 0, 0.0254}},
         {"ft foot feet", {Length, 0, 304.8}},
+        {"yd yard yards", {Length, 0, 914.4}},
         {"g", {Length, 2, 9806.65}},
         {"deg град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
          "gradi grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw "
@@ -57,6 +62,7 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"fps", {Length, 1, 304.8}},
         {"rad рад radian radians radianes radianos radianti radianen", {Angle, 0, kDegreesPerRadian}},
         {"mrad", {Angle, 0, 1e-3 * kDegreesPerRadian}},
+        {"pirad", {Angle, 0, 180.0}},
         {"gon gons gradian gradians grads", {Angle, 0, 0.9}},
         {"rev revs revolution revolutions turn turns r u об tr giri obr omw varv omdr", {Angle, 0, 360.0}},
         {"rpm", {Angle, 1, 6.0}},
@@ -120,6 +126,27 @@ std::optional<Unit> numeratorNamed(const UnitFactor &factor)
     return unit && unit->dimension != Dimension::Time ? unit : std::nullopt;
 }
 
+struct ScaledUnit {
+    double power = 1.0; ///< of ten
+    std::string unit{};
+};
+
+/// Splits a unit from the power of ten before it: "10^-3 m", "×10³ mm/s", "1e-3 m".
+ScaledUnit splitPower(std::string_view text)
+{
+    static const Spellings kPowers("10^=1e|10**=1e|10⁻=1e-|10⁴=1e4|10³=1e3|10²=1e2|10 =1e1 |⁶=6|⁴=4|³=3|²=2");
+    std::string_view rest = text;
+    for (const std::string_view sign : {"×", "x", "*"}) {
+        rest.remove_prefix(rest.starts_with(sign) ? sign.size() : 0);
+    }
+    const std::string plain = kPowers.replacedIn(trimmed(rest));
+    const std::size_t end = std::min(plain.find(' '), plain.size());
+    double power = 1.0;
+    const bool isPower =
+        plain.starts_with("1e") && readDouble(plain.data(), plain.data() + end, power).ec == std::errc();
+    return isPower ? ScaledUnit{power, plain.substr(end)} : ScaledUnit{1.0, std::string(text)};
+}
+
 } // namespace
 
 std::string_view takeUntil(char separator, std::string_view &rest)
@@ -153,7 +180,8 @@ std::optional<Unit> parseUnit(std::string_view text)
     if (text == "kW") { // a power, and no angle of the crankshaft as "°KW"
         return std::nullopt;
     }
-    const std::string plain = lowered(kUnitSpellings.replacedIn(text));
+    const ScaledUnit scaled = splitPower(text);
+    const std::string plain = lowered(kUnitSpellings.replacedIn(scaled.unit));
     std::optional<Unit> unit;
     bool isDivided = false;
     for (std::string_view rest = trimmed(plain); !rest.empty(); rest = trimmed(rest)) {
@@ -186,7 +214,11 @@ std::optional<Unit> parseUnit(std::string_view text)
             ++unit->order;
         }
     }
-    return unit && unit->order <= kLargestOrder ? unit : std::nullopt;
+    if (!unit || unit->order > kLargestOrder) {
+        return std::nullopt;
+    }
+    unit->factor *= unit->dimension == Dimension::Time ? 1.0 / scaled.power : scaled.power; // units in a second
+    return unit;
 }
 
 } // namespace slidercrank
