@@ -48,6 +48,7 @@ enum class ColumnReason {
     NoName,         ///< the heading is empty
     NoNumber,       ///< no cell contains a number
     UnknownUnit,    ///< the unit is unknown, or does not suit the quantity
+    OverAngle,      ///< a derivative with respect to the crank angle, such as dx/dθ, which is no channel
     LikeOther,      ///< another column could be the same channel: a person has to choose
     AngleOrLength,  ///< it is unknown whether it is an angle or a length
     Constant        ///< it does not change, as a parameter, which the quantity would

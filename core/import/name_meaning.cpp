@@ -259,6 +259,23 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     const bool isMagnitude = name.size() > 2 && name.front() == '|' && name.back() == '|';
     if (name.size() > kLongestName || isMagnitude) {
         return {};
+/// Returns whether a name or its unit is that of a derivative with respect to the crank angle: "dx/dθ", "x' (mm/rad)".
+bool isOverAngle(std::string_view name, const std::string &unit)
+{
+    constexpr std::array<std::string_view, 8> kDivisors{"/dθ", "/dφ", "/dϕ", "/dα", "/Δθ", "/Δφ", "/dth", "/dphi"};
+    const std::string plain = lowered(name);
+    if (std::ranges::any_of(kDivisors, [&](std::string_view divisor) { return plain.find(divisor) != plain.npos; })) {
+        return true;
+    }
+    const std::size_t slash = unit.rfind('/');
+    const std::size_t end = unit.find_last_not_of("^2\xC2\xB2") + 1; // without a power of two
+    if (slash == unit.npos || end <= slash) {
+        return false;
+    }
+    const std::optional<Unit> angle = parseUnit(unit.substr(slash + 1, end - slash - 1));
+    return angle && angle->dimension == Dimension::Angle && angle->order == 0 && parseUnit(unit.substr(0, slash));
+}
+
     }
     if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
         return *meaning;
@@ -275,6 +292,12 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     Words words = path.isOfModelica ? Words{'.' + std::string(lastPart)} : wordsOf(lastPart);
     if (const std::optional<NameMeaning> meaning = meaningOfCount(words, lastPart, unit)) {
         return *meaning;
+    }
+    if (isOverAngle(name, unit)) {
+        return {.reason = ColumnReason::OverAngle};
+    }
+    if (const std::size_t equals = name.find(" = "); equals != name.npos && name.find("/d", equals) != name.npos) {
+        return meaningOf(name.substr(0, equals), unit); // "v = dx/dt"
     }
     derivatives += takeDerivatives(words);
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {

@@ -507,6 +507,10 @@
         <translation>otra columna podría ser la misma magnitud</translation>
     </message>
     <message>
+        <source>a derivative with respect to the crank angle, not the time: multiply it by ω₂, or by ω₂² if it is the second one</source>
+        <translation>derivada respecto al ángulo de la manivela, no al tiempo: multiplíquela por ω₂, o por ω₂² si es la segunda</translation>
+    </message>
+    <message>
         <source>neither unit nor values tell whether it is an angle or a length</source>
         <translation>ni la unidad ni los valores dicen si es un ángulo o una longitud</translation>
     </message>

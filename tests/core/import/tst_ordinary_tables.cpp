@@ -288,6 +288,16 @@ private slots:
         }
     }
 
+    void saysThatADerivativeIsOverTheAngle()
+    {
+        const Outcome outcome = read("θ2,x,dx/dθ,x'' (mm/rad²),Δx/Δφ\n0,80,1,2,3\n90,70,2,2,1\n180,60,1,2,3\n");
+        const FileLayout &layout = std::get<ReferenceData>(outcome).layout;
+        QCOMPARE(rolesOf(layout), std::string("angle R4_x - - -"));
+        for (std::size_t i = 2; i < layout.columns.size(); ++i) {
+            QVERIFY(layout.columns[i].reason == ColumnReason::OverAngle);
+        }
+    }
+
     void readsTablesOfMarkdownAndLatex()
     {
         const QByteArrayList tables{
