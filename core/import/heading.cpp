@@ -325,7 +325,8 @@ Heading parseHeading(std::string_view cell)
 
 bool beginsWithSymbol(const Heading &heading)
 {
-    const Words words = wordsOf(heading.name);
+    Words words = wordsOf(heading.name);
+    takeDerivatives(words);
     return !words.empty() && (findWord(words[0], WordUse::Symbol) || words[0] == "t");
 }
 

@@ -25,6 +25,9 @@ constexpr std::array<std::string_view, 19> kRemarkBeginnings{
     " vom ",         " nach ", " desde ", " respecto a",   " depuis ",          " par rapport ", " à partir ",
     " rispetto al ", " dal ",  " vanaf ", " od ",          " a partir "};
 
+/// Greek letters that denote other angles than the coupler's, such as the transmission angle.
+constexpr std::string_view kOtherAngles = "gamma delta lambda";
+
 /// Returns the channel whose name has the same letters and digits, regardless of punctuation.
 std::optional<Channel> channelSpelled(const Words &words, int derivatives)
 {
@@ -133,6 +136,9 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
         return meaningOfReading(unknown, path, unitText);
     }
     const bool isAngle = isOfAngle(name, unit, path);
+    if (isAngle && isAmong(name.unknown.text, kOtherAngles)) {
+        return {};
+    }
     const std::optional<Order> knownOrder =
         saysQuantity(name, unit, path.parts.size() > 2) ? orderOf(name, unit) : std::nullopt;
     const bool isOfTurningBody = (name.body == Body::Crank || name.body == Body::Coupler) && !isAngle;
@@ -147,7 +153,7 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
         name.isUnknownBody || (isSymbolAlone && (name.order || name.hasSymbol || name.axis != ' ' || isAngle));
     const bool isCoordinateOfAnyKind = name.symbol == "q" && !unit && !name.isBodyNamed; // an angle or a length
     const bool namesBody = (name.body || name.isFrame) && name.isBodyNamed &&
-                           (name.order || name.hasSymbol || name.axis != ' ' || (isAngle && (name.dimension || unit)));
+                           (name.order || name.hasSymbol || name.axis != ' ' || unit || (isAngle && name.dimension));
     NameMeaning meaning{.kind = namesBody && !hasIndex ? Kind::Words : Kind::Quantity,
                         .channel = {coordinateOf(name, isAngle), order},
                         .reason = namesBody ? ColumnReason::KnownName : ColumnReason::QuantityInName,
@@ -188,11 +194,26 @@ std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::s
                        std::string(name.substr(2, end - 2))};
 }
 
-/// Removes the variable of "x(t)" or "v[φ]" and the calls of functions that differentiate, and returns the number of
-/// derivatives: "der(x)" of Modelica, "diff(x(t), t, t)" and "Derivative(x(t), (t, 2))" of computer algebra.
+/// Returns the name without the variable behind it: "x(t)", "v[φ]", "x[n]".
+std::string_view withoutVariable(std::string_view name)
+{
+    const std::size_t bracket = name.find_last_of("([");
+    if (bracket == name.npos || bracket == 0 || name.find_first_of(")]", bracket) + 1 != name.size()) {
+        return name;
+    }
+    const Words variable = wordsOf(name.substr(bracket));
+    const WordMeaning *const symbol = variable.empty() ? nullptr : findWord(variable[0], WordUse::Symbol);
+    const bool isAngle = symbol && symbol->dimension == Dimension::Angle && !symbol->order;
+    const bool isNumberOfSample = variable == Words{"n"} || variable == Words{"i"};
+    return isTime(variable) || isAngle || isNumberOfSample ? name.substr(0, bracket) : name;
+}
+
+/// Removes the variable of a name and the calls of functions that differentiate, and returns the number of derivatives:
+/// "der(x)" of Modelica, "diff(x(t), t, t)", "D(x)(t)" and "Derivative(x(t), (t, 2))" of computer algebra.
 /// A quantity in mm or degrees is no derivative: "d(θ)" in mm is a distance.
 int takeCalls(std::string_view &name, const std::optional<Unit> &unit)
 {
+    name = withoutVariable(name);
     int count = 0;
     const bool mayBeDerivative = !unit || unit->order > 0;
     for (const std::string_view function : {"der(", "diff(", "derivative(", "d("}) {
@@ -205,13 +226,7 @@ int takeCalls(std::string_view &name, const std::optional<Unit> &unit)
             name = name.substr(0, comma);
         }
     }
-    const std::size_t bracket = name.find_last_of("([");
-    if (bracket != name.npos && bracket > 0 && name.find_first_of(")]", bracket) + 1 == name.size()) {
-        const Words variable = wordsOf(name.substr(bracket));
-        const WordMeaning *const symbol = variable.empty() ? nullptr : findWord(variable[0], WordUse::Symbol);
-        const bool isAngle = symbol && symbol->dimension == Dimension::Angle && !symbol->order;
-        name = isTime(variable) || isAngle ? name.substr(0, bracket) : name;
-    }
+    name = withoutVariable(name);
     return count;
 }
 
@@ -244,21 +259,6 @@ std::optional<NameMeaning> meaningOfCount(const Words &words, std::string_view l
     return isTorque ? NameMeaning{.reason = ColumnReason::UnknownUnit} : NameMeaning{Kind::Time};
 }
 
-} // namespace
-
-std::string_view withoutOrigin(std::string_view name)
-{
-    for (const std::string_view beginning : kRemarkBeginnings) {
-        name = name.substr(0, name.find(beginning));
-    }
-    return name;
-}
-
-NameMeaning meaningOf(std::string_view name, const std::string &unit)
-{
-    const bool isMagnitude = name.size() > 2 && name.front() == '|' && name.back() == '|';
-    if (name.size() > kLongestName || isMagnitude) {
-        return {};
 /// Returns whether a name or its unit is that of a derivative with respect to the crank angle: "dx/dθ", "x' (mm/rad)".
 bool isOverAngle(std::string_view name, const std::string &unit)
 {
@@ -276,6 +276,28 @@ bool isOverAngle(std::string_view name, const std::string &unit)
     return angle && angle->dimension == Dimension::Angle && angle->order == 0 && parseUnit(unit.substr(0, slash));
 }
 
+} // namespace
+
+std::string_view withoutOrigin(std::string_view name)
+{
+    for (const std::string_view beginning : kRemarkBeginnings) {
+        name = name.substr(0, name.find(beginning));
+    }
+    return name;
+}
+
+NameMeaning meaningOf(std::string_view name, const std::string &unit)
+{
+    const bool isMagnitude =
+        (name.size() > 2 && name.front() == '|' && name.back() == '|') || name.find("abs(") != name.npos;
+    if (name.size() > kLongestName || isMagnitude) {
+        return {};
+    }
+    if (isOverAngle(name, unit)) {
+        return {.reason = ColumnReason::OverAngle};
+    }
+    if (const std::size_t equals = name.find(" = "); equals != name.npos && name.find("/d", equals) != name.npos) {
+        return meaningOf(name.substr(0, equals), unit); // "v = dx/dt"
     }
     if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
         return *meaning;
@@ -292,12 +314,6 @@ bool isOverAngle(std::string_view name, const std::string &unit)
     Words words = path.isOfModelica ? Words{'.' + std::string(lastPart)} : wordsOf(lastPart);
     if (const std::optional<NameMeaning> meaning = meaningOfCount(words, lastPart, unit)) {
         return *meaning;
-    }
-    if (isOverAngle(name, unit)) {
-        return {.reason = ColumnReason::OverAngle};
-    }
-    if (const std::size_t equals = name.find(" = "); equals != name.npos && name.find("/d", equals) != name.npos) {
-        return meaningOf(name.substr(0, equals), unit); // "v = dx/dt"
     }
     derivatives += takeDerivatives(words);
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {

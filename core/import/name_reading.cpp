@@ -156,6 +156,7 @@ bool includeEntry(NameReading &all, std::string_view word, Entries entries)
     }
     if (all.hasSymbol && findWord(word, WordUse::AmbiguousLetter)) {
         all.doubt = word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
+        all.joints = word == "p" ? word : std::string_view(all.joints);
         return true;
     }
     const WordMeaning *const symbol = entries == Entries::All ? findWord(word, WordUse::Symbol) : nullptr;

@@ -54,7 +54,7 @@ std::span<const WordMeaning> vocabulary()
     static constexpr std::array kRows{
         // Quantities.
         WordMeaning{Word,
-                    "position posicion posizione posicao posicio positie polozenie lage pos displacement disp "
+                    "position posicion posizione posicao posicio positie polozenie lage pos displacement disp posn "
                     "displ desloc degistirme despl depl spost versch lvdt encoder transducer "
                     "transductor potentiometer wegaufnehmer laser pot poti sonar ultrasonic dist location "
                     "ubicacion avance avanzamento avanco ascissa abscissa abscisa yol yolu reading lectura "
@@ -108,7 +108,7 @@ std::span<const WordMeaning> vocabulary()
                     kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw kurbelw atdc drehwinkel", Angle, Position, Crank},
         WordMeaning{Word,
-                    "coupler rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
+                    "coupler coup rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
                     "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
                     "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki шатун "
                     "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3",
@@ -138,6 +138,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Symbol, "py", Length, Position, kOpen, 'y'},
         WordMeaning{Word, "r_1 r_0", Length, Position}, // the vector of the frame in a vector loop, to the slider
         WordMeaning{Filler, "o_2 o_4"},                 // the crank pivot of "distance O2B"
+        WordMeaning{Word, "l_4", Length, Position, Slider},
         WordMeaning{Word, "bx b_x", Length, Position, Slider, 'x'},
         WordMeaning{Word, "b_y", Length, Position, Slider, 'y'},
         // Variables of Modelica and Simscape.
@@ -164,17 +165,18 @@ std::span<const WordMeaning> vocabulary()
         // Derivatives.
         WordMeaning{Derivative,
                     "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung "
-                    "first_derivative st_derivative dt",
+                    "first_derivative st_derivative st_deriv dt",
                     kOpen, Velocity},
         WordMeaning{Derivative,
                     "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
                     "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative "
-                    "nd_derivative segunda_derivada zweite_ableitung dd pp dtdt dt_2",
+                    "nd_derivative nd_deriv segunda_derivada zweite_ableitung dd pp dtdt dt_2",
                     kOpen, Acceleration},
         WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
         WordMeaning{Filler,
                     "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
-                    "component comp field out output instantaneous relative measured z open crossed o pin"},
+                    "component comp field out output instantaneous relative measured z open crossed o pin obrotu "
+                    "поворота повороту"},
         WordMeaning{
             OtherQuantity,
             "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "

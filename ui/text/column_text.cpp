@@ -41,6 +41,10 @@ public:
         {ColumnReason::NoName, QT_TR_NOOP("no heading")},
         {ColumnReason::NoNumber, QT_TR_NOOP("it contains no number")},
         {ColumnReason::UnknownUnit, QT_TR_NOOP("its unit is unknown, or does not suit the quantity")},
+        {ColumnReason::OverAngle,
+         QT_TR_NOOP(
+             "a derivative with respect to the crank angle, not the time: multiply it by ω₂, or by ω₂² if it is the "
+             "second one")},
         {ColumnReason::LikeOther, QT_TR_NOOP("another column could be the same quantity")},
         {ColumnReason::AngleOrLength, QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length")},
         {ColumnReason::Constant, QT_TR_NOOP("its values do not change, as those of a parameter")},
