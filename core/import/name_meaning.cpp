@@ -149,8 +149,10 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     }
     const Order order = *knownOrder;
     const bool isSymbolAlone = name.unknown.areIndices() && !name.body; // "x_G", but "λ (mm)" is no index
-    const bool hasIndex =
-        name.isUnknownBody || (isSymbolAlone && (name.order || name.hasSymbol || name.axis != ' ' || isAngle));
+    const bool isOfUnknownBody =                                        // "phase angle", but "angle of bar BC"
+        isAngle && name.dimension && name.unknown.hasWord && !name.body && name.joints.empty();
+    const bool hasIndex = name.isUnknownBody || isOfUnknownBody ||
+                          (isSymbolAlone && (name.order || name.hasSymbol || name.axis != ' ' || isAngle));
     const bool isCoordinateOfAnyKind = name.symbol == "q" && !unit && !name.isBodyNamed; // an angle or a length
     const bool namesBody = (name.body || name.isFrame) && name.isBodyNamed &&
                            (name.order || name.hasSymbol || name.axis != ' ' || unit || (isAngle && name.dimension));

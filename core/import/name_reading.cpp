@@ -54,9 +54,13 @@ bool includeNumber(NameReading &all, std::string_view digits, Entries entries)
     const bool isAngle = all.dimension == Dimension::Angle;
     all.isBodyNamed = true;
     if (digits == "4" && !isAngle) {
+        all.joints.clear(); // "x14", of link 4 to the frame 1
         return merge(all.body, std::optional(Body::Slider));
     }
     all.isUnknownBody = !isAngle;
+    if (all.axis != ' ' && !all.body && isAmong(digits, "1 2 3")) {
+        all.joints = digits; // "y3"
+    }
     all.isFrame = digits == "1";
     std::optional<Body> link;
     if (digits == "2") {

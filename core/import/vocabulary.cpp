@@ -187,7 +187,8 @@ std::span<const WordMeaning> vocabulary()
             "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
             "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
             "soupape follower stossel spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
-            "wear verschleiss drift backlash holgura level count limit tilt"},
+            "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
+            "drift backlash holgura level count limit tilt"},
         WordMeaning{Label, "body part joint pin gelenk point punkt punto node marker of de del von du di do"},
     };
     return kRows;

@@ -272,10 +272,16 @@ private slots:
     /// Other parts of a machine have lengths and speeds, too.
     void readsNoSliderIntoOtherParts()
     {
-        for (const char *const name : {"Spring length [mm]", "Cam lift [mm]", "Ventilhub [mm]", "belt speed [mm/s]",
-                                       "gap [mm]", "wear depth [mm]", "follower displacement [mm]", "encoder count"}) {
+        for (const char *const name :
+             {"Spring length [mm]", "Cam lift [mm]", "Ventilhub [mm]", "belt speed [mm/s]", "gap [mm]",
+              "wear depth [mm]", "follower displacement [mm]", "encoder count", "y3 [mm]"}) {
             const Outcome outcome = read(QByteArray("time,theta3,") + name + "\n0,8,1\n1,7,3\n2,6,2\n");
             QVERIFY2(rolesOf(std::get<ReferenceData>(outcome).layout) == "time theta3 -", name);
+        }
+        for (const char *const name : {"phase angle [deg]", "angle of camera [°]", "Gear angle (deg)", "sin θ",
+                                       "cos(θ)", "yaw [deg]", "friction angle [rad]", "normal acceleration [mm/s2]"}) {
+            const Outcome outcome = read(QByteArray("theta2,R4_x,") + name + "\n0,8,1\n90,7,3\n180,6,2\n");
+            QVERIFY2(rolesOf(std::get<ReferenceData>(outcome).layout) == "angle R4_x -", name);
         }
     }
 
