@@ -260,10 +260,6 @@ void correctMeanings(RawTable &table)
         if (meaning.doubt == Doubt::IsAngle && isTurningAngle(column) && makesHalfTurn(column)) {
             meaning.channel.order = Order::Position;
         }
-        if (meaning.doubt == Doubt::IsOfCrank && meaning.reason == ColumnReason::WideAngle &&
-            !(isTurningAngle(column) && makesHalfTurn(column))) {
-            meaning = {}; // an unknown name
-        }
         isCrankFirst = isCrankFirst || (meaning.kind >= Kind::Words && meaning.kind < Kind::Chosen &&
                                         meaning.channel == Channel{Theta1, Order::Position} && makesHalfTurn(column));
     }
