@@ -311,18 +311,34 @@ void removeWords(std::vector<RawColumn *> &candidates)
     }
 }
 
+/// Returns the rounding step of the largest value.
+double stepOf(const RawColumn &column)
+{
+    return column.rounding.infer(column.factor, false).stepAt(rangeOf(column.values).size());
+}
+
+bool areEqual(const Values &x, const Values &y, double tolerance)
+{
+    return std::ranges::equal(
+        x, y, [&](double a, double b) { return std::abs(a - b) <= tolerance || !std::isfinite(a - b); });
+}
+
 /// Returns whether the values are those of a finer column in a different unit, up to the rounding of both.
 bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
 {
-    const auto stepOf = [](const RawColumn &rounded) {
-        return rounded.rounding.infer(rounded.factor, false).stepAt(rangeOf(rounded.values).size());
-    };
     const double step = stepOf(column);
     const double finerStep = stepOf(other);
     const bool isCoarser = step > finerStep || (step == finerStep && column.index > other.index);
     return isCoarser && column.factor != other.factor && column.values.size() >= 2 &&
-           std::ranges::equal(column.values, other.values,
-                              [&](double a, double b) { return std::abs(a - b) <= step || !std::isfinite(a - b); });
+           areEqual(column.values, other.values, step);
+}
+
+/// Returns whether the column is the crank angle once more, in a different unit or of a second table beside the first.
+bool repeatsCrankAngle(RawTable &table, const RawColumn &column)
+{
+    const RawColumn *const abscissa = table.abscissa();
+    return abscissa && abscissa->use.role == ColumnRole::CrankAngle && column.meaning.channel == kCrankAngle &&
+           areEqual(column.values, abscissa->values, std::max(stepOf(column), stepOf(*abscissa)));
 }
 
 /// Returns whether the column may be a length by its name, but has no unit and counts the rows.
@@ -390,6 +406,10 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
             continue;
         }
         convert(column, *unit);
+        if (repeatsCrankAngle(table, column)) {
+            column.use.reason = ColumnReason::LikeOther;
+            continue;
+        }
         if (meaning.isAtB) {
             measureAtA(column);
         }

@@ -75,6 +75,7 @@ const std::vector<Layout> kLayouts{
     {"Pos,Crank deg,Slider mm\n1,0,85\n2,90,84\n3,180,80\n", "- angle R4_x"},
     {"t,x (mm),x (in)\n0,85,3.3\n1,84,3.3\n2,80,3.1\n", "time R4_x -"},
     {"t,x (in),x (mm)\n0,3.3,85\n1,3.3,84\n2,3.1,80\n", "time - R4_x"},
+    {"θ2 (deg),θ2 (rad),x\n0,0,85\n90,1.5708,84\n180,3.1416,80\n", "angle - R4_x"},
     // Headings that contain the delimiter.
     {"Time, s,Piston position, x (mm)\n0,85\n1,84\n2,80\n", "time R4_x"},
     {"Time, t (s), Position, x (mm), Velocity, v (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
