@@ -75,27 +75,34 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     return isUnknownUnit ? std::optional(content) : std::nullopt;
 }
 
-/// Sets name and unit of "Position (m) Run #1", and returns whether there is a unit in brackets.
+/// Sets name and unit of "Position (m) Run #1", and returns whether there is a unit in brackets. A known unit goes
+/// before an unknown one after it: "x [mm] (output)".
 bool splitAtBrackets(std::string_view text, Heading &heading)
 {
     constexpr std::string_view kOpening = "[({<";
     constexpr std::string_view kClosing = "])}>";
+    bool hasUnit = false;
     for (std::size_t end = text.size(); end-- > 0;) {
         const std::size_t kind = kClosing.find(text[end]);
         const std::size_t begin = kind == kClosing.npos ? text.npos : text.substr(0, end).rfind(kOpening[kind]);
         if (begin == text.npos) {
             continue;
         }
-        if (const std::optional<std::string_view> unit = unitInBrackets(text, begin, end)) {
+        const std::optional<std::string_view> unit = unitInBrackets(text, begin, end);
+        const bool isKnown = unit && parseUnit(*unit);
+        if (unit && (isKnown || !hasUnit)) {
+            hasUnit = true;
             heading.name = trimmed(text.substr(0, begin));
             heading.name.erase(heading.name.find_last_not_of("/ ") + 1); // "x/(mm)"
             heading.name += text.substr(end + 1);
             heading.use.unit = *unit;
-            return true;
+        }
+        if (isKnown) {
+            break;
         }
         end = begin;
     }
-    return false;
+    return hasUnit;
 }
 
 /// Sets name and unit of "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" if the unit suits the name. The
@@ -289,7 +296,8 @@ Heading parseHeading(std::string_view cell)
     const auto isBetween = [&text](char first, char last) {
         return text.size() > 2 && text.front() == first && text.back() == last;
     };
-    if (isBetween('\'', '\'') || isBetween('<', '>')) { // "<Slider Position (mm)>", a label of a signal in Simulink
+    const bool isInBrackets = isBetween('[', ']') && text.find('(') != text.npos; // "[Slider Position (mm)]"
+    if (isInBrackets || isBetween('\'', '\'') || isBetween('<', '>')) { // "<…>" is the label of a signal in Simulink
         text = text.substr(1, text.size() - 2);
     } else if (text.starts_with("('") && text.ends_with("')")) {
         text = kPandasSeparators.replacedIn(text.substr(2, text.size() - 4)); // "('slider', 'x')" of pandas
@@ -327,6 +335,9 @@ bool beginsWithSymbol(const Heading &heading)
 {
     Words words = wordsOf(heading.name);
     takeDerivatives(words);
+    if (!words.empty() && words[0].ends_with("dot")) { // "xdot", "xddot"
+        words[0].resize(words[0].find_last_not_of("dot") + 1);
+    }
     return !words.empty() && (findWord(words[0], WordUse::Symbol) || words[0] == "t");
 }
 

@@ -240,6 +240,15 @@ bool isElement(std::string_view name)
            name.substr(bracket + 1).find_first_not_of(" 0123456789)") == name.npos;
 }
 
+/// Returns whether a name is that of a motion relative to another point: "v_B/A", but not "slider/a".
+bool isRelative(std::string_view name)
+{
+    constexpr std::size_t kLongestSymbol = 5; // "{V_B"
+    const std::size_t slash = name.rfind('/');
+    return slash != name.npos && slash > 0 && slash <= kLongestSymbol &&
+           isAmong(name.substr(slash + 1), "A B C O A} B}") && lowerCase(name[slash - 1]) != name[slash - 1];
+}
+
 /// Returns whether a word names the z axis, as in "z", "vz" and "pz".
 bool namesZ(const std::string &word)
 {
@@ -292,7 +301,7 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
 {
     const bool isMagnitude =
         (name.size() > 2 && name.front() == '|' && name.back() == '|') || name.find("abs(") != name.npos;
-    if (name.size() > kLongestName || isMagnitude) {
+    if (name.size() > kLongestName || isMagnitude || isRelative(name)) {
         return {};
     }
     if (isOverAngle(name, unit)) {
