@@ -200,34 +200,37 @@ void guessAbscissa(RawTable &table, const TableFile &file)
     }
 }
 
+/// Removes the columns that do not meet a condition, unless none does, and sets the reason why they are ignored.
+template <typename Condition>
+void keepBetter(std::vector<RawColumn *> &columns, ColumnReason reason, const Condition &isBetter)
+{
+    if (std::ranges::any_of(columns, [&](const RawColumn *column) { return isBetter(*column); })) {
+        removeColumns(columns, reason, [&](const RawColumn &column) { return !isBetter(column); });
+    }
+}
+
 /// Finds the abscissa of each file that has none yet, by the names of the columns or else by their values.
 void assignAbscissas(RawTable &table)
 {
     const RawColumn *const chosen = table.abscissa();
     for (const TableFile &file : table.files) {
-        const auto isTime = [](const RawColumn &column) {
-            return column.meaning.kind == Kind::Time && column.isUndecided();
-        };
-        const auto isNumeric = [&](const RawColumn &column) {
-            return isTime(column) && !column.cells.isClock && rangeOf(column.values).count > 0;
-        };
-        const auto hasTimeUnit = [&](const RawColumn &column) {
-            return isTime(column) && column.unitAs(ColumnRole::Time);
-        };
-        const bool isAnyNumeric = std::ranges::any_of(table.columnsOf(file), isNumeric);
-        const bool isAnyInTime = std::ranges::any_of(table.columnsOf(file), hasTimeUnit);
+        std::vector<RawColumn *> times;
         for (RawColumn &column : table.columnsOf(file)) {
-            if (!isTime(column)) {
-                continue;
+            if (column.meaning.kind == Kind::Time && column.isUndecided()) {
+                times.push_back(&column);
             }
-            if (isAnyInTime && !hasTimeUnit(column)) {
-                column.use.reason = ColumnReason::UnknownUnit; // "T (Nm)", next to the time
-            } else if (isAnyNumeric && !isNumeric(column)) {
-                column.use.reason = ColumnReason::NoNumber; // "2024-03-01 12:00", next to the seconds
-            } else if (chosen && &table.fileOf(*chosen) == &file) {
-                column.use.reason = ColumnReason::LikeOther;
+        }
+        keepBetter(times, ColumnReason::UnknownUnit, [](const RawColumn &column) { // not "T (Nm)", next to the time
+            return column.unitAs(ColumnRole::Time).has_value();
+        });
+        keepBetter(times, ColumnReason::NoNumber, [](const RawColumn &column) { // not a clock, next to the seconds
+            return !column.cells.isClock && rangeOf(column.values).count > 0;
+        });
+        for (RawColumn *const column : times) {
+            if (chosen && &table.fileOf(*chosen) == &file) {
+                column->use.reason = ColumnReason::LikeOther;
             } else if (!table.abscissa() || table.abscissa()->use.role == ColumnRole::Time) {
-                setAbscissa(table, column, ColumnRole::Time, ColumnReason::KnownName);
+                setAbscissa(table, *column, ColumnRole::Time, ColumnReason::KnownName);
             }
         }
         if (!file.hasAbscissa) {
@@ -303,10 +306,8 @@ void removeWords(std::vector<RawColumn *> &candidates)
         return 2 * unreadable <= std::ssize(column->values);
     };
     if (std::ranges::any_of(candidates, areNumbers)) {
-        std::erase_if(candidates, [&](RawColumn *column) {
-            const bool isRemoved = column->meaning.kind < Kind::ChannelName && !areNumbers(column);
-            column->use.reason = isRemoved ? ColumnReason::NoNumber : column->use.reason;
-            return isRemoved;
+        removeColumns(candidates, ColumnReason::NoNumber, [&](const RawColumn &column) {
+            return column.meaning.kind < Kind::ChannelName && !areNumbers(&column);
         });
     }
 }
@@ -348,33 +349,22 @@ bool isNumberOfRow(const RawColumn &column)
     return isUncertainLength && column.use.unit.empty() && countsRows(column);
 }
 
-/// Returns why the column is not used beside the other candidates for its channel: "Position (in)" repeats "Position
-/// (mm)", and "Pos" counts the rows beside "Slider mm". nullopt if there is no such reason.
-std::optional<ColumnReason> whyNotBeside(std::span<RawColumn *const> candidates, const RawColumn &column)
-{
-    const auto isRival = [&column](const RawColumn *other) {
-        return other != &column && other->use.channel == column.use.channel;
-    };
-    const auto isRepeated = [&](const RawColumn *other) { return isRival(other) && isCoarserCopy(column, *other); };
-    if (std::ranges::any_of(candidates, isRepeated)) {
-        return ColumnReason::LikeOther;
-    }
-    const bool isCount = isNumberOfRow(column) && std::ranges::any_of(candidates, isRival);
-    return isCount ? std::optional(ColumnReason::RowNumber) : std::nullopt;
-}
-
-/// Removes the candidates that repeat another one or count the rows, and sets the reason in them.
+/// Removes the candidates that another one makes superfluous: "Position (in)" repeats "Position (mm)", and "Pos" counts
+/// the rows beside "Slider mm".
 void removeRepeated(std::vector<RawColumn *> &candidates)
 {
-    std::vector<RawColumn *> remaining;
-    for (RawColumn *const column : candidates) {
-        if (const std::optional<ColumnReason> reason = whyNotBeside(candidates, *column)) {
-            column->use.reason = *reason;
-        } else {
-            remaining.push_back(column);
-        }
-    }
-    candidates = std::move(remaining);
+    const std::vector<RawColumn *> all = candidates;
+    const auto hasRival = [&all](const RawColumn &column, const auto &condition) {
+        return std::ranges::any_of(all, [&](const RawColumn *other) {
+            return other != &column && other->use.channel == column.use.channel && condition(*other);
+        });
+    };
+    removeColumns(candidates, ColumnReason::LikeOther, [&](const RawColumn &column) {
+        return hasRival(column, [&](const RawColumn &other) { return isCoarserCopy(column, other); });
+    });
+    removeColumns(candidates, ColumnReason::RowNumber, [&](const RawColumn &column) {
+        return isNumberOfRow(column) && hasRival(column, [](const RawColumn &) { return true; });
+    });
 }
 
 /// Replaces the coupler's angle at B, which Norton calls θ3, by the one at A, which differs by half a turn.

@@ -72,6 +72,17 @@ struct RawTable {
     RawColumn *abscissa();
 };
 
+/// Removes the columns that meet the condition, and sets the reason why they are ignored.
+template <typename Condition>
+void removeColumns(std::vector<RawColumn *> &columns, ColumnReason reason, const Condition &condition)
+{
+    std::erase_if(columns, [&](RawColumn *column) {
+        const bool isRemoved = condition(*column);
+        column->use.reason = isRemoved ? reason : column->use.reason;
+        return isRemoved;
+    });
+}
+
 /// Returns an error at the heading of a column.
 ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault);
 

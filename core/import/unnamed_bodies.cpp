@@ -60,14 +60,11 @@ void removeConstants(std::vector<RawColumn *> &candidates)
             filesOfMotion.push_back(column->use.file);
         }
     }
-    std::erase_if(candidates, [&](RawColumn *column) {
-        const Channel channel = column->use.channel;
+    removeColumns(candidates, ColumnReason::Constant, [&](const RawColumn &column) {
+        const Channel channel = column.use.channel;
         const bool mayBeConstant = channel.coordinate == R4y || channel.order != Order::Position;
-        const bool isParameter = isOfUnnamedBody(column) && !mayBeConstant && isConstant(*column) &&
-                                 finiteValues(*column).front() != 0.0 &&
-                                 std::ranges::count(filesOfMotion, column->use.file) > 0;
-        column->use.reason = isParameter ? ColumnReason::Constant : column->use.reason;
-        return isParameter;
+        return isOfUnnamedBody(&column) && !mayBeConstant && isConstant(column) &&
+               finiteValues(column).front() != 0.0 && std::ranges::count(filesOfMotion, column.use.file) > 0;
     });
 }
 
@@ -219,19 +216,17 @@ void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
             (path == Path::Straight ? straight : curved).insert(owner);
         }
     }
-    std::erase_if(candidates, [&](RawColumn *column) {
-        if (!isOfPoint(column)) {
+    removeColumns(candidates, ColumnReason::UnknownBody, [&](RawColumn &column) {
+        if (!isOfPoint(&column)) {
             return false;
         }
-        NameMeaning &meaning = column->meaning;
+        NameMeaning &meaning = column.meaning;
         if (straight.size() == 1 && straight.contains(meaning.owner)) {
             meaning.reason = ColumnReason::StraightPath;
             return false;
         }
         const bool isDoubtful = meaning.doubt == Doubt::IsOfPoint || (meaning.doubt == Doubt::IsOfPart && part.empty());
-        const bool isOther = straight.size() == 1 || curved.contains(meaning.owner) || isDoubtful;
-        column->use.reason = isOther ? ColumnReason::UnknownBody : column->use.reason;
-        return isOther;
+        return straight.size() == 1 || curved.contains(meaning.owner) || isDoubtful;
     });
 }
 
@@ -283,10 +278,8 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
     removeConstants(candidates);
     findCrank(table, candidates);
     findBodyOfPosition(candidates);
-    std::erase_if(candidates, [](RawColumn *column) {
-        const bool isOfNoBody = column->meaning.doubt == Doubt::IsOfCrank && column->use.channel.coordinate != Theta2;
-        column->use.reason = isOfNoBody ? ColumnReason::UnknownBody : column->use.reason;
-        return isOfNoBody;
+    removeColumns(candidates, ColumnReason::UnknownBody, [](const RawColumn &column) {
+        return column.meaning.doubt == Doubt::IsOfCrank && column.use.channel.coordinate != Theta2;
     });
 }
 
