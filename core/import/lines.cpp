@@ -74,8 +74,8 @@ std::size_t findLineEnd(std::string_view text)
     const std::size_t first = std::min(text.find('\n'), text.size());
     std::size_t end = first;
     while (std::ranges::count(text.substr(0, end), '"') % 2 == 1) {
-        const std::size_t closing = text.find('"', end);
-        if (closing == text.npos || closing > end + kLongestRest) {
+        const std::size_t closing = text.substr(0, end + kLongestRest).find('"', end);
+        if (closing == text.npos) {
             return first;
         }
         end = std::min(text.find('\n', closing), text.size());
