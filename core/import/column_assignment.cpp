@@ -43,23 +43,23 @@ bool areSameTimes(const Values &x, const Values &y)
     });
 }
 
-constexpr double kEarliestSecond = 1e8; // since 1970: no motion begins three years after its clock was started
-
 /// Returns whether time stamps without a unit are no seconds: whole numbers that begin near zero and become so large.
 bool areOfSmallUnit(const RawColumn &column)
 {
+    constexpr double kLongestTime = 1e8; // s: three years
     const ValueRange range = rangeOf(column.values);
     const auto isWhole = [](double value) { return !std::isfinite(value) || value == std::rint(value); };
-    return column.use.unit.empty() && range.low < kEarliestSecond && range.high >= kEarliestSecond &&
+    return column.use.unit.empty() && range.low < kLongestTime && range.high >= kLongestTime &&
            std::ranges::all_of(column.values, isWhole);
 }
 
 /// Time stamps of a clock, or in s, ms, µs or ns since 1970, count from the first row.
 void countFromFirstRow(RawColumn &column)
 {
-    constexpr double kHalfDay = 43'200.0;  // s: a clock may have twelve hours
-    constexpr double kHour = 3'600.0;      // s: a clock without a date that starts below shows the time since the start
-    constexpr double kLatestSecond = 1e11; // since 1970: larger numbers are in a smaller unit
+    constexpr double kHalfDay = 43'200.0; // s: a clock may have twelve hours
+    constexpr double kHour = 3'600.0;     // s: a clock without a date that starts below shows the time since the start
+    constexpr double kEarliestSecond = 1.2e9; // since 1970: in 2008
+    constexpr double kLatestSecond = 1e11;    // since 1970: larger numbers are in a smaller unit
     if (column.cells.isClock) {
         column.values = unwrapped(std::move(column.values), kHalfDay);
     }
