@@ -477,7 +477,7 @@ void checkImpliedUnits(RawTable &table)
             return false;
         }
         const double width = rangeOf(column.values).width();
-        return isAngle(column.meaning.channel.coordinate) ? width > kMaxSwing && findReversal(column.values)
+        return isAngle(column.meaning.channel.coordinate) ? width > kMaxSwing && findReversal(column.finiteValues())
                                                           : width > kMaxTravel;
     };
     if (std::ranges::none_of(table.columns, isTooLarge)) {

@@ -50,6 +50,29 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
     return cells;
 }
 
+/// Returns the number of rows before those at the end that begin with a word, such as "Mean", below numbers.
+std::size_t findFooter(const RawColumn &first)
+{
+    const auto isWord = [](double value) { return std::isinf(value); };
+    const auto last = std::find_if_not(first.values.rbegin(), first.values.rend(), isWord);
+    return last == first.values.rend() ? first.values.size() : static_cast<std::size_t>(first.values.rend() - last);
+}
+
+/// Turns the numbers of the rows from `footer` on into gaps: they are no data, and their digits say nothing about the
+/// rounding of the columns.
+void removeFooter(RawTable &table, const TableFile &file, std::size_t footer)
+{
+    for (RawColumn &column : table.columnsOf(file)) {
+        column.rounding = {};
+        std::replace_if(
+            column.values.begin() + static_cast<std::ptrdiff_t>(footer), column.values.end(),
+            [](double value) { return std::isfinite(value); }, kNone);
+    }
+    for (std::size_t row = 0; row < footer; ++row) {
+        readRow(table, file, row);
+    }
+}
+
 /// Throws if there are more headings than cells in every row, because a heading contains the delimiter. Unknown
 /// headings behind known ones are remarks. Rows of one cell do not have the delimiter at all.
 void requireCells(std::span<const RawColumn> columns, const TableFile &file, std::size_t cells)
@@ -65,6 +88,13 @@ void requireCells(std::span<const RawColumn> columns, const TableFile &file, std
 }
 
 } // namespace
+
+std::vector<double> RawColumn::finiteValues() const
+{
+    std::vector<double> finite = values;
+    std::erase_if(finite, [](double value) { return !std::isfinite(value); });
+    return finite;
+}
 
 bool RawColumn::isUnreadable(std::size_t row) const
 {
@@ -110,6 +140,10 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
         }
     }
     requireCells(table.columnsOf(file), file, cells);
+    const std::size_t footer = file.width > 0 ? findFooter(table.columnsOf(file).front()) : file.rows.size();
+    if (footer < file.rows.size()) {
+        removeFooter(table, file, footer);
+    }
 }
 
 SkippedRow findRowFault(RawTable &table, std::size_t row)

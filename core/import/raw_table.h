@@ -43,6 +43,9 @@ struct RawColumn {
         return parseColumnUnit(choice && !choice->unit.empty() ? choice->unit : use.unit, role, channel);
     }
 
+    /// Returns the values without gaps and unreadable cells.
+    std::vector<double> finiteValues() const;
+
     /// Returns whether the row has to be skipped because of this column.
     bool isUnreadable(std::size_t row) const;
 };

@@ -22,14 +22,6 @@ using Values = std::vector<double>;
 constexpr double kHalfTurn = 180.0; // the coupler swings less in every mechanism that makes full turns
 constexpr std::size_t kFewestRows = 10;
 
-/// Returns the readable values.
-Values finiteValues(const RawColumn &column)
-{
-    Values values = column.values;
-    std::erase_if(values, [](double value) { return !std::isfinite(value); });
-    return values;
-}
-
 /// Returns the range of angles in degrees, without the jumps after one turn.
 double widthOf(Values degrees)
 {
@@ -40,7 +32,7 @@ double widthOf(Values degrees)
 Values degreesOf(const RawColumn &column)
 {
     const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
-    Values degrees = unit ? finiteValues(column) : Values();
+    Values degrees = unit ? column.finiteValues() : Values();
     std::ranges::for_each(degrees, [&](double &value) { value = unit->toDefault(value); });
     return degrees;
 }
@@ -64,7 +56,7 @@ void removeConstants(std::vector<RawColumn *> &candidates)
         const Channel channel = column.use.channel;
         const bool mayBeConstant = channel.coordinate == R4y || channel.order != Order::Position;
         return isOfUnnamedBody(&column) && !mayBeConstant && isConstant(column) &&
-               finiteValues(column).front() != 0.0 && std::ranges::count(filesOfMotion, column.use.file) > 0;
+               column.finiteValues().front() != 0.0 && std::ranges::count(filesOfMotion, column.use.file) > 0;
     });
 }
 
@@ -84,7 +76,7 @@ void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
         }
     }
     for (RawColumn *const column : angles) {
-        const double width = widthOf(finiteValues(*column));
+        const double width = widthOf(column->finiteValues());
         const bool isEven = abscissa && column->values.size() >= kFewestRows && width > kEvenRange * column->factor &&
                             isStraight(column->values, abscissa->values, kEvenness * width);
         if (width > kHalfTurn || isEven) {
@@ -243,7 +235,7 @@ bool isTurningAngle(const RawColumn &column)
 {
     constexpr double kTurn = 360.0;
     const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
-    return unit && !isConstant(column) && !findReversal(unwrapped(column.values, kTurn / unit->factor));
+    return unit && !isConstant(column) && !findReversal(unwrapped(column.finiteValues(), kTurn / unit->factor));
 }
 
 void correctMeanings(RawTable &table)

@@ -136,6 +136,25 @@ private slots:
     void cutsNoPartOfACell()
     {
         const Outcome outcome = read("t,load,x\n0,12 % ,85\n1,50%,84\n2,#N/A,80\n");
+    /// Rows of means and extremes below the numbers neither hide the crank angle nor change units or rounding.
+    void readsNoDataInAFooter()
+    {
+        const auto rolesIn = [](const QByteArray &bytes) {
+            const Outcome outcome = read(bytes);
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            return data && data->time.size() == 4 ? rolesOf(data->layout) : std::string("refused");
+        };
+        QCOMPARE(rolesIn("θ (deg),x (mm)\n0,85\n90,84\n180,80\n270,84\nMax,85\nMean,83.25\n"),
+                 std::string("angle? R4_x?"));
+        QCOMPARE(rolesIn("No.,t,θ (deg),x\n1,0,0,85\n2,1,90,84\n3,2,180,80\n4,3,270,84\nMean,1.5,135,83.25\n"),
+                 std::string("- time theta2? R4_x?"));
+        const Outcome outcome =
+            read("time,crank.phi,slider.s\n0,0,.1\n1,3,.2\n2,6,.1\n3,7,.2\nMean,1.123456,3.123456,.123456\n");
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QCOMPARE(data.layout.columns[2].unit, std::string("m"));
+        QCOMPARE(data.find(kX)->rounding.stepAt(100.0), 100.0);
+    }
+
         QCOMPARE(described(outcome), std::string("time 0 1 2; R4_x 85 84 80"));
     }
 
