@@ -32,12 +32,19 @@ Lines firstLines(Lines lines)
 struct SplitLine {
     Cells cells{}; ///< without empty ones at the end
     char delimiter = ',';
+    std::size_t size = 0;       ///< number of cells of a row of numbers, with empty ones at the end
     std::size_t line = 0;       ///< index among the first lines
     std::size_t times = 0;      ///< number of cells that name a time
     std::size_t quantities = 0; ///< number of cells that name a quantity
 
     std::size_t known() const { return times + quantities; }
     bool isComplete() const { return times > 0 && quantities > 0; }
+
+    /// Returns whether these are as many headings as a row of numbers has cells, with or without empty ones at the end.
+    bool fit(const std::optional<SplitLine> &row) const
+    {
+        return row && cells.size() >= row->cells.size() && cells.size() <= std::max(row->size, row->cells.size());
+    }
 };
 
 /// Returns whether the text is a number with or without a unit.
@@ -63,7 +70,8 @@ std::optional<SplitLine> findFirstRow(Lines lines)
         for (std::size_t i = 0; i < lines.size(); ++i) {
             for (const char delimiter : delimiters) {
                 if (Cells cells = splitCells(lines[i].text, delimiter); isRow(cells)) {
-                    return SplitLine{std::move(cells), delimiter, i};
+                    const auto size = static_cast<std::size_t>(std::ranges::count(lines[i].text, delimiter)) + 1;
+                    return SplitLine{std::move(cells), delimiter, delimiter == ' ' ? 0 : size, i};
                 }
             }
         }
@@ -96,10 +104,12 @@ SplitLine countNames(Cells cells, char delimiter)
     return names;
 }
 
-/// Returns the headings without the cells from one that begins with a comment mark.
+/// Returns the headings without the cells from one that begins with a comment mark, but "%time" of ROS is a heading.
 std::span<const std::string_view> withoutRemark(const Cells &headings)
 {
-    const auto isRemark = [](std::string_view cell) { return cell.starts_with('%') || cell.starts_with('#'); };
+    const auto isRemark = [](std::string_view cell) {
+        return (cell.starts_with('%') || cell.starts_with('#')) && parseHeading(cell).meaning.kind == Kind::Nothing;
+    };
     const auto remark = std::find_if(headings.begin() + (headings.empty() ? 0 : 1), headings.end(), isRemark);
     return {headings.begin(), remark};
 }
@@ -160,7 +170,7 @@ bool mayBeHeadings(const SplitLine &names, const std::optional<SplitLine> &row, 
         return !areSpaced;
     }
     const std::size_t numbers = row->cells.size();
-    if (names.cells.size() == numbers) {
+    if (names.fit(row)) {
         return !areSpaced || row->delimiter == ' ' || (names.isComplete() && names.known() + 1 >= numbers);
     }
     const bool hasRemark = names.isComplete() && (withoutRemark(names.cells).size() == numbers ||
@@ -175,13 +185,15 @@ bool mayBeHeadings(const SplitLine &names, const std::optional<SplitLine> &row, 
 SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
 {
     const auto rankOf = [&row](const SplitLine &names) {
-        const bool hasSize = row && names.cells.size() == row->cells.size();
+        const bool hasSize = names.fit(row);
         const bool isLikeRow =
             hasSize && names.delimiter == row->delimiter && names.delimiter != ' ' && names.times > 0;
         return std::tuple(isLikeRow, names.known(), hasSize, names.cells.size());
     };
     const bool isSpaced = row && row->delimiter == ' ';
-    const std::string_view unmarked = withoutMark(line);
+    const bool isNumberSign = row && !isSpaced && trimmed(line).starts_with(std::string("#") + row->delimiter) &&
+                              static_cast<std::size_t>(std::ranges::count(line, row->delimiter)) + 1 == row->size;
+    const std::string_view unmarked = isNumberSign ? line : withoutMark(line); // "#,t,x" numbers the rows
     if (isData(unmarked)) {
         return isSpaced ? SplitLine{splitCells(unmarked, ' '), ' '} : SplitLine();
     }
@@ -209,7 +221,7 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
     for (std::size_t i = 0; i < lines.size(); ++i) {
         SplitLine names = readNames(lines[i].text, row);
         names.line = i;
-        const bool hasSize = row && names.cells.size() == row->cells.size();
+        const bool hasSize = names.fit(row);
         if (names.isComplete() && (hasSize || !row)) {
             return names;
         }

@@ -71,6 +71,9 @@ const std::vector<Layout> kLayouts{
     {"t;x;v\n0;85;1’000\n1;84;2’000\n2;80;3’000\n", "time R4_x R4_x_diff"},
     {"sep=;\nt;x\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"t,x,a\n(s),(mm),(V)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x -"},
+    {"#\tt\tx\tv\tNotes\n1\t0\t85\t1\t\n2\t1\t84\t2\t\n3\t2\t80\t3\tlast\n", "- time R4_x R4_x_diff -"},
+    {"No.,%time,x\n1,0,85\n2,1,84\n3,2,80\n", "- time R4_x"}, // ROS
+    {"foo [s],bar [mm],notes\n0,85,\n1,84,\n2,80,last\n", "time R4_x -"},
     // Several columns of one quantity.
     {"Pos,Crank deg,Slider mm\n1,0,85\n2,90,84\n3,180,80\n", "- angle R4_x"},
     {"t,x (mm),x (in)\n0,85,3.3\n1,84,3.3\n2,80,3.1\n", "time R4_x -"},
@@ -133,9 +136,6 @@ private slots:
         }
     }
 
-    void cutsNoPartOfACell()
-    {
-        const Outcome outcome = read("t,load,x\n0,12 % ,85\n1,50%,84\n2,#N/A,80\n");
     /// Rows of means and extremes below the numbers neither hide the crank angle nor change units or rounding.
     void readsNoDataInAFooter()
     {
@@ -155,6 +155,9 @@ private slots:
         QCOMPARE(data.find(kX)->rounding.stepAt(100.0), 100.0);
     }
 
+    void cutsNoPartOfACell()
+    {
+        const Outcome outcome = read("t,load,x\n0,12 % ,85\n1,50%,84\n2,#N/A,80\n");
         QCOMPARE(described(outcome), std::string("time 0 1 2; R4_x 85 84 80"));
     }
 
