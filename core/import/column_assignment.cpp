@@ -121,8 +121,7 @@ bool namesAngle(const std::string &word)
 bool mayBeTime(const RawColumn &column)
 {
     constexpr double kHalfTurn = 180.0;
-    Values values = column.values;
-    std::erase_if(values, [](double value) { return std::isinf(value); });
+    const Values values = column.finiteValues();
     const NameMeaning &meaning = column.meaning;
     const bool isUnknown =
         meaning.kind == Kind::Nothing ||
@@ -141,10 +140,11 @@ bool mayBeTime(const RawColumn &column)
 /// Returns whether the values are 0, 1, 2, … or 1, 2, 3, …
 bool countsRows(const RawColumn &column)
 {
-    const double first = column.values.empty() ? kNone : column.values[0];
+    const Values values = column.finiteValues();
+    const double first = values.empty() ? kNone : values[0];
     bool counts = first == 0.0 || first == 1.0;
-    for (std::size_t row = 0; row < column.values.size(); ++row) {
-        counts = counts && column.values[row] == first + static_cast<double>(row);
+    for (std::size_t row = 0; row < values.size(); ++row) {
+        counts = counts && values[row] == first + static_cast<double>(row);
     }
     return counts;
 }

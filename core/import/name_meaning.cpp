@@ -260,7 +260,7 @@ std::optional<NameMeaning> meaningOfCount(const Words &words, std::string_view l
 {
     constexpr std::string_view kCountedUnits = "steps step frames frame samples sample rows points pasos muestras";
     if (!isTime(words)) {
-        const bool isNumber = isRowNumber(words) && !parseUnit(unit);
+        const bool isNumber = lastPart == "#" || (isRowNumber(words) && !parseUnit(unit));
         return isNumber ? std::optional(NameMeaning{.reason = ColumnReason::RowNumber}) : std::nullopt;
     }
     if (isAmong(unit, kCountedUnits)) {

@@ -72,6 +72,7 @@ const std::vector<Layout> kLayouts{
     {"sep=;\nt;x\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"t,x,a\n(s),(mm),(V)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x -"},
     {"#\tt\tx\tv\tNotes\n1\t0\t85\t1\t\n2\t1\t84\t2\t\n3\t2\t80\t3\tlast\n", "- time R4_x R4_x_diff -"},
+    {"#,tout,x\n1,0.5,85\n2,1.5,84\n3,2.5,80\n", "- time R4_x"},
     {"No.,%time,x\n1,0,85\n2,1,84\n3,2,80\n", "- time R4_x"}, // ROS
     {"foo [s],bar [mm],notes\n0,85,\n1,84,\n2,80,last\n", "time R4_x -"},
     // Several columns of one quantity.
@@ -148,6 +149,9 @@ private slots:
                  std::string("angle? R4_x?"));
         QCOMPARE(rolesIn("No.,t,θ (deg),x\n1,0,0,85\n2,1,90,84\n3,2,180,80\n4,3,270,84\nMean,1.5,135,83.25\n"),
                  std::string("- time theta2? R4_x?"));
+        QCOMPARE(rolesIn("#,,x\n1,0.5,85\n2,1.5,84\n3,2.5,80\n4,3.5,84\nMean,2,83.25\n"), std::string("- time? R4_x?"));
+        QCOMPARE(rolesIn("foo,θ (deg),x\n1,0,85\n2,90,84\n3,180,80\n4,270,84\nMean,135,83.25\n"),
+                 std::string("- angle? R4_x?"));
         const Outcome outcome =
             read("time,crank.phi,slider.s\n0,0,.1\n1,3,.2\n2,6,.1\n3,7,.2\nMean,1.123456,3.123456,.123456\n");
         const ReferenceData &data = std::get<ReferenceData>(outcome);
