@@ -71,14 +71,28 @@ Positions readRevolution(const OptionReader &options, const Mechanism &mechanism
     return {mechanism, revolution.timeStamps()};
 }
 
+/// Returns the message that no position has the wanted value. It says so if that is the angle θ3 at B.
+QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, const Units &units)
+{
+    const QString name = columnName(wanted.channel);
+    const bool isAngleAtB = wanted.channel == OutputChannel(Channel{Theta3, Order::Position}) &&
+                            !crankAnglesAt(mechanism, wanted.channel, wanted.value + 0.5 * kTurn)->empty();
+    if (isAngleAtB) {
+        const double atA = shownValue(Measure::Angle, wrapToPi(wanted.value + 0.5 * kTurn), units);
+        return CommandLine::tr("There is no position with %1 = %2, because %1 is measured at A. If %2 is the angle at "
+                               "B, as in Norton's book, write %1=%3.")
+            .arg(name, wanted.text, withUnit(numberText(atA, 10), unitText(Measure::Angle, units)));
+    }
+    return CommandLine::tr("There is no position with %1 = %2: \"slidercrank limits\" shows how far the motion goes.")
+        .arg(name, wanted.text);
+}
+
 /// Reads --when: all positions of the revolution that begins at --start.
 Positions readSolutions(const OptionReader &options, const Mechanism &mechanism, const Units &units)
 {
     const ChannelValue wanted = readChannelValue("when", options.text("when"), units);
-    if (orderOf(wanted.channel) == Order::Acceleration && readCrankAcceleration(options) != 0.0) {
-        throw UsageError{CommandLine::tr("--when finds second derivatives at a constant speed: set --alpha2 to 0.")};
-    }
-    const std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, wanted.channel, wanted.value);
+    const double alpha2 = readCrankAcceleration(options);
+    const std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, wanted.channel, wanted.value, alpha2);
     const QString name = columnName(wanted.channel);
     if (!angles) {
         throw UsageError{mechanism.omega2() == 0.0
@@ -86,10 +100,7 @@ Positions readSolutions(const OptionReader &options, const Mechanism &mechanism,
                              : CommandLine::tr("--when: %1 does not depend on the crank angle.").arg(name)};
     }
     if (angles->empty()) {
-        throw UsageError{
-            CommandLine::tr("There is no position with %1 = %2: \"slidercrank limits\" shows how far the motion goes.")
-                .arg(name, wanted.text),
-            ExitStatus::NotAssemblable};
+        throw UsageError{noPosition(mechanism, wanted, units), ExitStatus::NotAssemblable};
     }
     if (mechanism.omega2() == 0.0 && angles->size() > 1) {
         throw UsageError{CommandLine::tr("The crank stands still: --when needs an --omega2 that is not 0.")};

@@ -56,12 +56,12 @@ std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, Derived
     return std::nullopt;
 }
 
-/// Returns the critical points of the channel for ω2 = 1 rad/s, each of them once.
-CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction &scaled, Order order)
+/// Returns the critical points of the channel for ω2 = 1 rad/s and a crank acceleration, each of them once.
+CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction &scaled, Order order, double alpha2)
 {
     constexpr double kPlaceTolerance = 1e-10; // rad
     constexpr double kValueTolerance = 1e-12; // relative
-    const std::array curve{CrankCurve{scaled.function, order}};
+    const std::array curve{CrankCurve{scaled.function, order, order == Order::Acceleration ? alpha2 : 0.0}};
     CriticalPoints points;
     const std::vector<CriticalPoints> found = findCriticalPoints(mechanism, curve);
     for (CriticalPoint point : found.front()) {
@@ -76,16 +76,20 @@ CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction
     return points;
 }
 
-/// Solves channel(θ2) = value for ω2 = 1 rad/s.
+/// Solves channel(θ2) = value for ω2 = 1 rad/s and a crank acceleration.
 class Solver
 {
 public:
-    Solver(const Mechanism &mechanism, const OutputChannel &channel, double value)
+    Solver(const Mechanism &mechanism, const OutputChannel &channel, double value, double alpha2)
         : m_mechanism(mechanism)
         , m_channel(channel)
         , m_value(value)
+        , m_alpha2(alpha2)
         , m_naturalSize(isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters()))
     {
+        if (orderOf(channel) == Order::Acceleration) {
+            m_naturalSize *= std::max(1.0, std::abs(alpha2));
+        }
     }
 
     std::vector<double> solve(const CriticalPoints &points) const
@@ -125,7 +129,7 @@ private:
         const bool startsBelow = from.value < m_value;
         for (double middle = std::midpoint(low, high); low < middle && middle < high;
              middle = std::midpoint(low, high)) {
-            const double value = outputStateAt(withDrive(m_mechanism, 1.0, middle), 0.0).valueOf(m_channel);
+            const double value = outputStateAt(withDrive(m_mechanism, 1.0, middle), 0.0, m_alpha2).valueOf(m_channel);
             // Because of rounding, the mechanism may be impossible to assemble beside an end of the motion. Then the
             // nearer one of the two points decides.
             const bool isBeforeSolution =
@@ -138,18 +142,20 @@ private:
     const Mechanism &m_mechanism;
     const OutputChannel &m_channel;
     double m_value;
+    double m_alpha2;
     double m_naturalSize; ///< of the channel; rounding errors of smaller values are measured against it
 };
 
 std::vector<double> solutionsOf(const Mechanism &mechanism, const OutputChannel &channel, const ScaledFunction &scaled,
-                                double value)
+                                double value, double alpha2)
 {
-    return Solver(mechanism, channel, value).solve(criticalPointsOf(mechanism, scaled, orderOf(channel)));
+    return Solver(mechanism, channel, value, alpha2)
+        .solve(criticalPointsOf(mechanism, scaled, orderOf(channel), alpha2));
 }
 
 /// On either side of the position in which the coupler is parallel to the slider's line, the transmission angle is
 /// π/2 minus or plus the angle φ = asin(h/b), where φ is θ3 on the open branch and π - θ3 on the crossed one.
-std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order order, double value)
+std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order order, double value, double alpha2)
 {
     const bool isPosition = order == Order::Position;
     const bool isOpen = mechanism.branch() == Branch::Open;
@@ -160,7 +166,7 @@ std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order orde
         const double elevation = isPosition ? side * (kQuarterTurn - value) : -side * value;
         const double straightAngle = isPosition ? std::numbers::pi : 0.0;
         const double angle = isOpen ? elevation : straightAngle - elevation;
-        for (const double theta2 : solutionsOf(mechanism, theta3, {CrankFunction::CouplerAngle}, angle)) {
+        for (const double theta2 : solutionsOf(mechanism, theta3, {CrankFunction::CouplerAngle}, angle, alpha2)) {
             const double height = mechanism.c() - mechanism.a() * std::sin(theta2);
             const bool isOnThisSide = side * height > 0.0;
             const bool isBetweenSides = isPosition && elevation == 0.0;
@@ -179,28 +185,52 @@ bool canBeAssembled(const Mechanism &mechanism, double theta2)
     return !std::isnan(outputStateAt(withCrankAt(mechanism, theta2), 0.0).state.q[R4x]);
 }
 
-} // namespace
+/// Returns the angle of the same direction that is nearest to 0 on the open branch, and to 180° on the crossed one: θ3
+/// is within 90° of it.
+double asCouplerAngle(const Mechanism &mechanism, double angle)
+{
+    const double centre = mechanism.branch() == Branch::Open ? 0.0 : std::numbers::pi;
+    return angle - kTurn * std::round((angle - centre) / kTurn);
+}
 
-std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, const OutputChannel &channel, double value)
+/// Returns the solutions for ω2 = 1 rad/s and a crank acceleration (crankAnglesAt()).
+std::optional<std::vector<double>> solutionsAtUnitSpeed(const Mechanism &mechanism, const OutputChannel &channel,
+                                                        double value, double alpha2)
 {
     const Order order = orderOf(channel);
-    const double unit = std::pow(mechanism.omega2(), static_cast<int>(order));
-    if (unit == 0.0) {
-        return std::nullopt;
-    }
-    const double valueAtUnitSpeed = value / unit;
     if (const DerivedChannel *derived = std::get_if<DerivedChannel>(&channel)) {
         const std::optional<ScaledFunction> scaled = scaledFunction(mechanism, derived->quantity);
-        return scaled ? solutionsOf(mechanism, channel, *scaled, valueAtUnitSpeed)
-                      : transmissionSolutions(mechanism, order, valueAtUnitSpeed);
+        return scaled ? solutionsOf(mechanism, channel, *scaled, value, alpha2)
+                      : transmissionSolutions(mechanism, order, value, alpha2);
     }
     const Coordinate coordinate = std::get<Channel>(channel).coordinate;
     if (coordinate == Theta2 && order == Order::Position) {
         const double theta2 = wrapToPi(value);
         return canBeAssembled(mechanism, theta2) ? std::vector{theta2} : std::vector<double>();
     }
+    if (coordinate == Theta3 && order == Order::Position) {
+        value = asCouplerAngle(mechanism, value);
+    }
     const std::optional<ScaledFunction> scaled = scaledFunction(mechanism, coordinate);
-    return scaled ? std::optional(solutionsOf(mechanism, channel, *scaled, valueAtUnitSpeed)) : std::nullopt;
+    return scaled ? std::optional(solutionsOf(mechanism, channel, *scaled, value, alpha2)) : std::nullopt;
+}
+
+} // namespace
+
+std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, const OutputChannel &channel, double value,
+                                                 double alpha2)
+{
+    const Order order = orderOf(channel);
+    const double omega2 = mechanism.omega2();
+    if (omega2 == 0.0 && order == Order::Acceleration && alpha2 != 0.0) { // f'' ω2² + f' α2 is a velocity for ω2 = α2
+        return solutionsAtUnitSpeed(mechanism, withOrder(channel, Order::Velocity), value / alpha2, 0.0);
+    }
+    const double unit = std::pow(omega2, static_cast<int>(order));
+    if (unit == 0.0) {
+        return std::nullopt;
+    }
+    return solutionsAtUnitSpeed(mechanism, channel, value / unit,
+                                order == Order::Acceleration ? alpha2 / (omega2 * omega2) : 0.0);
 }
 
 std::optional<double> crankSpeedFor(const Mechanism &mechanism, double theta2, const OutputChannel &channel,

@@ -15,11 +15,12 @@
 namespace slidercrank
 {
 
-/// Returns all crank angles within [-π, π), ascending, at which the channel of a crank with constant speed has the
-/// value (mm, rad, s). A value that equals an extremum except for rounding has the single solution there. Returns
-/// nullopt if the channel does not depend on the crank angle, such as R4_y, or a velocity for ω2 = 0.
-std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, const OutputChannel &channel,
-                                                 double value);
+/// Returns all crank angles within [-π, π), ascending, at which the channel has the value (mm, rad, s) if the crank has
+/// the acceleration alpha2 (rad/s²) there. An angle is compared modulo a turn, as a direction. A value that equals an
+/// extremum except for rounding has the single solution there. Returns nullopt if the channel does not depend on the
+/// crank angle, such as R4_y, or a velocity for ω2 = 0.
+std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, const OutputChannel &channel, double value,
+                                                 double alpha2 = 0.0);
 
 /// Returns the crank speed (rad/s) at which a first derivative has the value at the crank angle theta2 (rad), or
 /// nullopt if it is zero at any speed there, such as the slider's velocity at a dead centre, or does not exist.

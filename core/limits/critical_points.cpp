@@ -23,11 +23,16 @@ using Derivatives = std::array<double, 4>;
 struct Rates {
     std::array<Derivatives, kCrankFunctionCount> functions;
 
-    double value(const CrankCurve &curve) const { return of(curve)[static_cast<std::size_t>(curve.order)]; }
-    double slope(const CrankCurve &curve) const { return of(curve)[static_cast<std::size_t>(curve.order) + 1]; }
+    double value(const CrankCurve &curve) const { return valueAt(curve, static_cast<std::size_t>(curve.order)); }
+    double slope(const CrankCurve &curve) const { return valueAt(curve, static_cast<std::size_t>(curve.order) + 1); }
 
 private:
-    const Derivatives &of(const CrankCurve &curve) const { return functions[static_cast<std::size_t>(curve.function)]; }
+    /// Returns the derivative of that order of f, with the term of the crank acceleration.
+    double valueAt(const CrankCurve &curve, std::size_t order) const
+    {
+        const Derivatives &f = functions[static_cast<std::size_t>(curve.function)];
+        return curve.accelerationRatio == 0.0 ? f[order] : f[order] + curve.accelerationRatio * f[order - 1];
+    }
 };
 
 /// The motion near a crank angle of ±90°, at which the coupler is steepest, as a function of u. The gap is the excess

@@ -41,10 +41,14 @@ enum class CrankFunction {
 };
 inline constexpr std::size_t kCrankFunctionCount = 5;
 
-/// Such a function, or its first or second derivative by the crank angle.
+/// Such a function f, or its first or second derivative by the crank angle, f' or f''.
 struct CrankCurve {
     CrankFunction function = CrankFunction::CouplerAngle;
     Order order = Order::Position;
+
+    /// A crank that accelerates has the second time derivative f'' ω2² + f' α2: with the ratio α2/ω2², the curve is
+    /// f'' + ratio · f'. Must be 0 unless the order is Acceleration.
+    double accelerationRatio = 0.0;
 };
 
 /// Returns the critical points of each curve, with values for ω2 = 1 rad/s.

@@ -124,6 +124,12 @@ Order orderOf(const OutputChannel &channel)
     return std::visit([](const auto &each) { return each.order; }, channel);
 }
 
+OutputChannel withOrder(OutputChannel channel, Order order)
+{
+    std::visit([order](auto &each) { each.order = order; }, channel);
+    return channel;
+}
+
 Measure measureOf(const OutputChannel &channel)
 {
     if (const Channel *coordinate = std::get_if<Channel>(&channel)) {

@@ -51,11 +51,16 @@ std::vector<OutputChannel> allOutputChannels();
 /// Returns the name of the channel in files: "R4_x_diff", "transmission_angle", "displacement_diff2".
 std::string_view nameOf(const OutputChannel &channel);
 
-/// Returns the output channel with this name, or with this symbol of a textbook: x, v, a or x_B, v_B, a_B of the slider,
-/// omega3, alpha3, mu for the transmission angle, s for the displacement. Otherwise nullopt.
+/// Returns the output channel with this name, or with this symbol of a textbook: x, v, a or x_B, v_B, a_B of the
+/// slider, omega3, alpha3, mu for the transmission angle, s for the displacement. Greek letters and indices may be
+/// written as such: ω₃, ω3, omega_3. Otherwise nullopt.
 std::optional<OutputChannel> outputChannelNamed(std::string_view name);
 
 Order orderOf(const OutputChannel &channel);
+
+/// Returns the same quantity as its position, velocity or acceleration.
+OutputChannel withOrder(OutputChannel channel, Order order);
+
 Measure measureOf(const OutputChannel &channel);
 
 /// A quantity with its first and second time derivatives.

@@ -1112,8 +1112,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>No hay ninguna posición con %1 = %2: «slidercrank limits» muestra hasta dónde llega el movimiento.</translation>
     </message>
     <message>
-        <source>--when finds second derivatives at a constant speed: set --alpha2 to 0.</source>
-        <translation>--when busca segundas derivadas a velocidad constante: ponga --alpha2 en 0.</translation>
+        <source>There is no position with %1 = %2, because %1 is measured at A. If %2 is the angle at B, as in Norton&apos;s book, write %1=%3.</source>
+        <translation>No hay ninguna posición con %1 = %2, porque %1 se mide en A. Si %2 es el ángulo en B, como en el libro de Norton, escriba %1=%3.</translation>
     </message>
     <message>
         <source>The crank stands still: --when needs an --omega2 that is not 0.</source>
@@ -3082,10 +3082,6 @@ PA = %4, PB = %5</translation>
     <message>
         <source>The rows are in the clipboard, as CSV with headings.</source>
         <translation>Las filas están en el portapapeles, como CSV con encabezados.</translation>
-    </message>
-    <message>
-        <source>Accelerations are found for a constant crank speed only: set α₂ to 0.</source>
-        <translation>Las aceleraciones solo se buscan a velocidad constante de la manivela: ponga α₂ en 0.</translation>
     </message>
     <message>
         <source>There is no such position.</source>

@@ -146,7 +146,38 @@ private slots:
         QCOMPARE(run(link + "--at-angle 60 --alpha2 0").output, run(same + "--at-angle 60").output);
         QCOMPARE(run(link + "--steps 4").output, run(same + "--steps 4").output);
         QCOMPARE(run(link + "--when R4_x=130").output, run(same + "--when R4_x=130 --alpha2 -10").output);
-        QVERIFY(run(link + "--when R4_x_diff2=60").error.contains("set --alpha2 to 0"));
+        QCOMPARE(run(link + "--when R4_x_diff2=60").output, run(same + "--when R4_x_diff2=60 --alpha2 -10").output);
+    }
+
+    /// Norton's P7-2 row c: with α2, the slider has the acceleration -709.10 in/s² at θ2 = -30°.
+    void findsAnAccelerationOfACrankThatAccelerates()
+    {
+        const QString row = "solve --a 3in --b 8in --c 2in --omega2 -15 --alpha2 -10 --length-unit in ";
+        const Parameters p{3.0 * 25.4, 8.0 * 25.4, 2.0 * 25.4, -15.0, -30.0 / kDegreesPerRadian};
+        const double wanted = static_cast<double>(exactMotion(p, -10.0).at("R4_x_diff2")) / 25.4;
+        QVERIFY(std::abs(wanted + 709.10) < 0.005);
+        const CsvTable found(
+            run(row + QStringLiteral("--channels theta2,R4_x_diff2 --when a=%1").arg(wanted, 0, 'g', 17)).output);
+        bool isAmong = false;
+        for (std::size_t i = 0; i < found.rows.size(); ++i) {
+            QVERIFY(std::abs(found.at(i, "R4_x_diff2 [in/s^2]") - wanted) < 1e-9);
+            isAmong |= std::abs(std::remainder(found.at(i, "theta2") + 30.0, 360.0)) < 1e-9;
+        }
+        QVERIFY(isAmong);
+        const RunResult none = run(row + "--when a=1e9");
+        QVERIFY(none.status == 4 && none.error.contains("There is no position"));
+    }
+
+    /// θ3 = 190° at B is 10° at A, where `solve` measures it.
+    void anAngleAtBIsNamedAsSuch()
+    {
+        const RunResult atB = run("solve --a 40 --b 120 --c 20 --when theta3=190");
+        QCOMPARE(atB.status, 4);
+        QVERIFY2(atB.hasOneLineError() && atB.error.contains("write theta3=10°"), atB.error);
+        const RunResult atA = run("solve --a 40 --b 120 --c 20 --when theta3=10°");
+        QCOMPARE(CsvTable(atA.output).rows.size(), std::size_t(2));
+        QCOMPARE(CsvTable(run("solve --a 40 --b 120 --c 20 --when theta3=-350").output).rows.size(), std::size_t(2));
+        QVERIFY(run("solve --when theta3=80").error.contains("slidercrank limits"));
     }
 
     void findsThePositionsOfAValue()
@@ -219,27 +250,24 @@ private slots:
             const char *line;
             const char *message;
         };
-        for (const Row &row : {Row{"solve --alpha2 5", "add --at-angle"},
-                               Row{"solve --when R4_x", "such as R4_x=60"},
-                               Row{"solve --when R4_y=25", "does not depend"},
-                               Row{"solve --when nothing=25", "\"nothing\" is no quantity: choose x, v, a,"},
-                               Row{"solve --when R4_x=60s", "the unit must be one of"},
-                               Row{"solve --when R4_x=60 --steps 5", "remove --steps"},
-                               Row{"solve --when R4_x=60 --at-angle 5", "remove one"},
-                               Row{"solve --when R4_x_diff2=60 --alpha2 5", "set --alpha2 to 0"},
-                               Row{"solve --when R4_x_diff2=1e9 --alpha2 5", "set --alpha2 to 0"},
-                               Row{"solve --when R4_x_diff=60 --omega2 0", "stands still"},
-                               Row{"solve --omega2-for R4_x_diff=60", "add --at-angle"},
-                               Row{"solve --at-angle 60 --omega2-for R4_x=60", "first derivative"},
-                               Row{"solve --at-angle 60 --omega2-for R4_x_diff=60 --omega2 5", "remove --omega2"},
-                               Row{"solve --length-unit ft", "--length-unit must be mm, cm, m or in"},
-                               Row{"solve --start 1e12 --omega2 1e6 --step-angle 90", "too close in time"},
-                               Row{"solve --omega2 1e-300 --step-angle 90", "larger --omega2"},
-                               Row{"limits --tolerance d=5", "such as a=0.05"},
-                               Row{"limits --tolerance a=-5", "between 0 and"},
-                               Row{"limits --vary b=50..60 --tolerance a=1", "remove --tolerance"},
-                               Row{"limits --design time-ratio=1.2", "--a and --b"},
-                               Row{"limits --design time-ratio=1.2 --a 40 --b 120 --c 5", "remove --c"}}) {
+        for (const Row &row :
+             {Row{"solve --alpha2 5", "add --at-angle"}, Row{"solve --when R4_x", "such as R4_x=60"},
+              Row{"solve --when R4_y=25", "does not depend"},
+              Row{"solve --when nothing=25", "\"nothing\" is no quantity: choose x, v, a,"},
+              Row{"solve --when R4_x=60s", "the unit must be one of"},
+              Row{"solve --when R4_x=60 --steps 5", "remove --steps"},
+              Row{"solve --when R4_x=60 --at-angle 5", "remove one"},
+              Row{"solve --when R4_x_diff=60 --omega2 0", "stands still"},
+              Row{"solve --omega2-for R4_x_diff=60", "add --at-angle"},
+              Row{"solve --at-angle 60 --omega2-for R4_x=60", "first derivative"},
+              Row{"solve --at-angle 60 --omega2-for R4_x_diff=60 --omega2 5", "remove --omega2"},
+              Row{"solve --length-unit ft", "--length-unit must be mm, cm, m or in"},
+              Row{"solve --start 1e12 --omega2 1e6 --step-angle 90", "too close in time"},
+              Row{"solve --omega2 1e-300 --step-angle 90", "larger --omega2"},
+              Row{"limits --tolerance d=5", "such as a=0.05"}, Row{"limits --tolerance a=-5", "between 0 and"},
+              Row{"limits --vary b=50..60 --tolerance a=1", "remove --tolerance"},
+              Row{"limits --design time-ratio=1.2", "--a and --b"},
+              Row{"limits --design time-ratio=1.2 --a 40 --b 120 --c 5", "remove --c"}}) {
             const RunResult outcome = run(QString(row.line));
             QVERIFY2(outcome.status == 2 && outcome.error.contains(row.message) && outcome.hasOneLineError(),
                      row.line + outcome.error);

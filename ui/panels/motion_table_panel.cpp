@@ -3,6 +3,7 @@
 
 #include "core/check/check.h"
 #include "core/limits/crank_search.h"
+#include "core/mechanism/turn.h"
 #include "core/mechanism/two_part_angle.h"
 #include "core/sampling/crank_time.h"
 #include "ui/document/session.h"
@@ -38,6 +39,13 @@
 
 namespace slidercrank
 {
+
+/// Returns the angle (rad) that a crank at theta2 reaches first if it is turned counter-clockwise.
+static double nextAngle(const std::vector<double> &angles, double theta2)
+{
+    constexpr double kRounding = 1e-9; // rad: a crank that is nearer is there already
+    return std::ranges::min(angles, {}, [theta2](double angle) { return wrapToTwoPi(angle - theta2 - kRounding); });
+}
 
 MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     : QWidget(parent)
@@ -420,14 +428,12 @@ void MotionTablePanel::goToNext()
 {
     const OutputChannel channel = *wantedChannel();
     const Mechanism mechanism(m_session->parameters());
-    std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, channel, wantedValue());
+    std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, channel, wantedValue(), m_session->alpha2());
     QString answer;
-    if (orderOf(channel) == Order::Acceleration && m_session->alpha2() != 0.0) {
-        answer = tr("Accelerations are found for a constant crank speed only: set α₂ to 0.");
-    } else if (!angles || angles->empty()) {
+    if (!angles || angles->empty()) {
         answer = tr("There is no such position.");
     } else if (mechanism.omega2() == 0.0) {
-        m_session->setParameter(Parameter::Theta20, angles->front());
+        m_session->setParameter(Parameter::Theta20, nextAngle(*angles, m_session->parameters().theta20));
     } else if (const auto time = nextTime(*angles, mechanism, m_session->sampling(), m_session->time())) {
         emit timeRequested(*time);
     } else {

@@ -13,8 +13,13 @@ namespace tst_crank_search
 {
 
 /// Returns a channel for ω2 = 1 in extended precision by the formulas of the textbook; NaN if it does not exist.
-long double textbookValue(const Parameters &p, const OutputChannel &channel, long double theta2)
+/// `alpha2`: acceleration of the crank.
+long double textbookValue(const Parameters &p, const OutputChannel &channel, long double theta2, double alpha2 = 0.0)
 {
+    if (alpha2 != 0.0 && orderOf(channel) == Order::Acceleration) { // f'' + f' α2
+        return textbookValue(p, channel, theta2) +
+               alpha2 * textbookValue(p, withOrder(channel, Order::Velocity), theta2);
+    }
     using Real = long double;
     TextbookMotion<Real> motion;
     if (!motion.compute({p.a, p.b, p.c, 1.0}, theta2, p.branch == Branch::Open ? 1.0 : -1.0,
@@ -61,11 +66,12 @@ std::vector<OutputChannel> channelsThatVary()
 constexpr int kScan = 1500;
 
 /// Returns the channel over a revolution.
-std::vector<long double> scan(const Parameters &p, const OutputChannel &channel)
+std::vector<long double> scan(const Parameters &p, const OutputChannel &channel, double alpha2)
 {
     std::vector<long double> values;
     for (int i = 0; i <= kScan; ++i) {
-        values.push_back(textbookValue(p, channel, -kTurn / 2.0L + static_cast<long double>(kTurn) * i / kScan));
+        const long double theta2 = -kTurn / 2.0L + static_cast<long double>(kTurn) * i / kScan;
+        values.push_back(textbookValue(p, channel, theta2, alpha2));
     }
     return values;
 }
@@ -84,12 +90,13 @@ int passages(const std::vector<long double> &values, long double value, double l
 
 /// Returns whether the channel has the value at this crank angle, apart from rounding errors. `size` is its largest
 /// magnitude.
-bool hasValueAt(const Parameters &p, const OutputChannel &channel, double theta2, long double value, double size)
+bool hasValueAt(const Parameters &p, const OutputChannel &channel, double theta2, double alpha2, long double value,
+                double size)
 {
     constexpr long double kStep = 1e-6L;
-    const long double slope =
-        (textbookValue(p, channel, theta2 + kStep) - textbookValue(p, channel, theta2 - kStep)) / (2.0L * kStep);
-    const long double error = std::abs(textbookValue(p, channel, theta2) - value);
+    const auto at = [&](long double angle) { return textbookValue(p, channel, angle, alpha2); };
+    const long double slope = (at(theta2 + kStep) - at(theta2 - kStep)) / (2.0L * kStep);
+    const long double error = std::abs(at(theta2) - value);
     return error <= 1e-12L * std::max<long double>(size, std::abs(slope)) ||
            (std::isnan(slope) && error <= 1e-9L * size);
 }
@@ -106,10 +113,19 @@ class TestCrankSearch : public QObject
     Q_OBJECT
 
 private slots:
+    void findsAllSolutionsAndNoneElse_data()
+    {
+        QTest::addColumn<double>("accelerationRatio"); // |α2|/ω2²
+        QTest::newRow("constant speed") << 0.0;
+        QTest::newRow("slight acceleration") << 0.3;
+        QTest::newRow("strong acceleration") << 30.0;
+    }
+
     /// Every solution satisfies the equation, and there are as many as a scan of the revolution finds. The values are
     /// away from the extremes, where a scan cannot count.
     void findsAllSolutionsAndNoneElse()
     {
+        QFETCH(double, accelerationRatio);
         RandomMechanisms random(461);
         const std::vector<OutputChannel> channels = channelsThatVary();
         int solutions = 0;
@@ -117,7 +133,8 @@ private slots:
             Parameters p = random.next();
             p.b *= i % 4 == 0 ? random.uniform(0.3, 1.0) : 1.0; // some rockers
             const OutputChannel channel = channels[static_cast<std::size_t>(i) % channels.size()];
-            const std::vector<long double> values = scan(p, channel);
+            const double ratio = i % 2 == 0 ? accelerationRatio : -accelerationRatio;
+            const std::vector<long double> values = scan(p, channel, ratio);
             std::vector<long double> sorted;
             std::ranges::copy_if(values, std::back_inserter(sorted),
                                  [](long double value) { return std::isfinite(value); });
@@ -129,11 +146,12 @@ private slots:
             const long double value = sorted[sorted.size() / 10] + usual * random.uniform(-0.3, 1.3);
             const double size = static_cast<double>(std::max(std::abs(sorted.front()), std::abs(sorted.back())));
             const double unit = std::pow(p.omega2, static_cast<int>(orderOf(channel)));
-            const auto found = crankAnglesAt(Mechanism(p), channel, static_cast<double>(value) * unit);
+            const double alpha2 = ratio * p.omega2 * p.omega2;
+            const auto found = crankAnglesAt(Mechanism(p), channel, static_cast<double>(value) * unit, alpha2);
             QVERIFY(found);
             for (const double theta2 : *found) {
                 ++solutions;
-                QVERIFY2(hasValueAt(p, channel, theta2, value, size),
+                QVERIFY2(hasValueAt(p, channel, theta2, ratio, value, size),
                          (std::string(nameOf(channel)) + " of " + describe(p)).c_str());
             }
             const double largestStep = canJump(channel) ? 0.2 * static_cast<double>(usual) : kInfinity;
@@ -169,6 +187,37 @@ private slots:
         QCOMPARE(crankAnglesAt(Mechanism(), slider, outer * (1.0 - 1e-12))->size(), std::size_t(2));
         QCOMPARE(crankAnglesAt(Mechanism({.c = 0.0}), *outputChannelNamed("transmission_angle"), kQuarterTurn)->size(),
                  std::size_t(2));
+    }
+
+    /// θ3 is a direction: -170° and 190° are the same one, which only the crossed assembly has.
+    void anAngleIsADirection()
+    {
+        const Channel theta3{Theta3, Order::Position};
+        for (const double turns : {-2.0, -1.0, 1.0, 7.0}) {
+            for (const auto &[branch, angle] : {std::pair(Branch::Open, 0.3), {Branch::Crossed, 2.8}}) {
+                const Mechanism mechanism({.branch = branch});
+                const auto found = crankAnglesAt(mechanism, theta3, angle + turns * kTurn);
+                const auto same = crankAnglesAt(mechanism, theta3, angle);
+                QCOMPARE(found->size(), std::size_t(2));
+                QVERIFY(std::abs(found->front() - same->front()) < 1e-13 &&
+                        std::abs(found->back() - same->back()) < 1e-13);
+                QVERIFY(crankAnglesAt(mechanism, theta3, angle + 0.5 * kTurn)->empty());
+            }
+        }
+    }
+
+    /// At rest, the second derivative is f' α2.
+    void aCrankStartsFromRest()
+    {
+        const Mechanism resting({.omega2 = 0.0});
+        const auto found = crankAnglesAt(resting, *outputChannelNamed("R4_x_diff2"), -50.0, 4.0);
+        QCOMPARE(found->size(), std::size_t(2));
+        for (const double theta2 : *found) {
+            const double slope =
+                static_cast<double>(textbookValue(resting.parameters(), *outputChannelNamed("R4_x_diff"), theta2));
+            QVERIFY(std::abs(4.0 * slope + 50.0) < 1e-11);
+        }
+        QVERIFY(!crankAnglesAt(resting, *outputChannelNamed("R4_x_diff"), 1.0, 4.0));
     }
 
     void tellsConstantsApart()

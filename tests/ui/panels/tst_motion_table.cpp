@@ -318,20 +318,49 @@ private slots:
                                         2.0 * std::numbers::pi)) < 1e-9);
     }
 
-    /// The positions are found for a constant speed; there the table would show a different acceleration.
-    void findsNoAccelerationOfACrankThatAccelerates()
+    /// A former defect: accelerations were found for a constant speed only, and the table shows those with α₂.
+    void findsTheAccelerationsOfTheTable()
     {
         ShownTable shown;
         shown.choose("R4_x_diff2");
         shown.type("findValue", "100");
-        shown.session.setAlpha2(5.0);
-        const double before = shown.session.time();
-        shown.click("findNext");
-        QVERIFY(child<QLabel>(shown.panel, "findAnswer")->text().contains("set α₂ to 0"));
-        QCOMPARE(shown.session.time(), before);
-        shown.session.setAlpha2(0.0);
-        shown.click("findNext");
-        QVERIFY(std::abs(shown.session.pose().motion.R4xDDot - 100.0) < 1e-6);
+        for (const double alpha2 : {0.0, 5.0, -5.0}) {
+            shown.session.setAlpha2(alpha2);
+            shown.click("findNext");
+            const Motion motion = shown.session.pose().motion;
+            const double omega2 = shown.session.parameters().omega2;
+            QVERIFY(std::abs(motion.R4xDDot + motion.R4xDot / omega2 * alpha2 - 100.0) < 1e-6);
+        }
+    }
+
+    /// A former defect: a crank that stands still was turned to the first of the positions only.
+    void turnsARestingCrankToEveryPosition()
+    {
+        ShownTable shown;
+        shown.session.setParameter(Parameter::Omega2, 0.0);
+        shown.choose("R4_x");
+        shown.type("findValue", "60");
+        std::vector<double> angles;
+        for (int i = 0; i < 3; ++i) {
+            shown.click("findNext");
+            QVERIFY(std::abs(shown.session.pose().motion.R4x - 60.0) < 1e-9);
+            angles.push_back(shown.session.parameters().theta20);
+        }
+        QVERIFY(angles[1] != angles[0] && angles[2] == angles[0]);
+    }
+
+    /// A former defect: in the textbook's notation, -170° was no position, although 190° was one.
+    void findsADirectionByEveryNumberOfIt()
+    {
+        const NotationForTest textbook({.symbols = Symbols::Textbook});
+        ShownTable shown;
+        shown.choose("theta3");
+        for (const char *angle : {"190", "-170", "550"}) {
+            shown.session.setTime(0.0);
+            shown.type("findValue", angle);
+            shown.click("findNext");
+            QVERIFY2(std::abs(shown.session.pose().motion.theta3 * kDegreesPerRadian - 10.0) < 1e-9, angle);
+        }
     }
 
 private:
