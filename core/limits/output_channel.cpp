@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 // The displacement x of the slider from the outer dead centre, at which B has the distance a + b from O2, is a
 // difference of nearly equal numbers near that dead centre. The law of cosines gives it without a cancellation. B has
@@ -22,21 +23,51 @@ namespace slidercrank
 namespace
 {
 
-/// A symbol of textbooks for an output channel.
+/// A symbol of textbooks for an output channel, as inPlainLetters() returns it.
 struct Symbol {
     std::string_view symbol;
     std::string_view name;
 };
 constexpr std::array kSymbols{Symbol{"x", "R4_x"},
-                              Symbol{"x_B", "R4_x"},
+                              Symbol{"xB", "R4_x"},
+                              Symbol{"Rx4", "R4_x"},
                               Symbol{"v", "R4_x_diff"},
-                              Symbol{"v_B", "R4_x_diff"},
+                              Symbol{"vB", "R4_x_diff"},
+                              Symbol{"v4", "R4_x_diff"},
                               Symbol{"a", "R4_x_diff2"},
-                              Symbol{"a_B", "R4_x_diff2"},
+                              Symbol{"aB", "R4_x_diff2"},
+                              Symbol{"a4", "R4_x_diff2"},
+                              Symbol{"theta2", "theta2"},
+                              Symbol{"omega2", "theta2_diff"},
+                              Symbol{"alpha2", "theta2_diff2"},
+                              Symbol{"theta3", "theta3"},
                               Symbol{"omega3", "theta3_diff"},
                               Symbol{"alpha3", "theta3_diff2"},
                               Symbol{"s", "displacement"},
                               Symbol{"mu", "transmission_angle"}};
+
+/// How a letter or an index may also be written.
+struct Spelling {
+    std::string_view spelled;
+    std::string_view plain;
+};
+constexpr std::array kSpellings{
+    Spelling{"θ", "theta"}, Spelling{"ω", "omega"}, Spelling{"α", "alpha"}, Spelling{"μ", "mu"}, // Greek
+    Spelling{"µ", "mu"},                                                                         // the micro sign
+    Spelling{"₂", "2"},     Spelling{"²", "2"},     Spelling{"₃", "3"},     Spelling{"³", "3"},
+    Spelling{"⁴", "4"},     Spelling{"ₓ", "x"},     Spelling{"_", ""}};
+
+/// Returns a symbol without Greek letters, raised or lowered figures and underscores: "omega3" for "ω₃".
+std::string inPlainLetters(std::string_view symbol)
+{
+    std::string plain(symbol);
+    for (const Spelling &spelling : kSpellings) {
+        for (auto at = plain.find(spelling.spelled); at != plain.npos; at = plain.find(spelling.spelled)) {
+            plain.replace(at, spelling.spelled.size(), spelling.plain);
+        }
+    }
+    return plain;
+}
 
 /// Names by quantity and order.
 constexpr std::array<std::array<std::string_view, 3>, kDerivedQuantities.size()> kDerivedNames{
@@ -109,7 +140,8 @@ std::string_view nameOf(const OutputChannel &channel)
 
 std::optional<OutputChannel> outputChannelNamed(std::string_view name)
 {
-    const Symbol *symbol = findElement(kSymbols, [name](const Symbol &each) { return each.symbol == name; });
+    const std::string plain = inPlainLetters(name);
+    const Symbol *symbol = findElement(kSymbols, [&plain](const Symbol &each) { return each.symbol == plain; });
     const std::string_view wanted = symbol ? symbol->name : name;
     for (const OutputChannel &channel : allOutputChannels()) {
         if (nameOf(channel) == wanted) {

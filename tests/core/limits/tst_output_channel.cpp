@@ -90,6 +90,39 @@ private slots:
         }
     }
 
+    void understandsSymbolsAsTheyAreWritten()
+    {
+        struct Row {
+            const char *symbol;
+            const char *name;
+        };
+        for (const Row &row : {Row{"θ3", "theta3"},
+                               {"θ₃", "theta3"},
+                               {"θ³", "theta3"},
+                               {"theta_3", "theta3"},
+                               {"ω₃", "theta3_diff"},
+                               {"omega_3", "theta3_diff"},
+                               {"α₃", "theta3_diff2"},
+                               {"θ₂", "theta2"},
+                               {"ω2", "theta2_diff"},
+                               {"alpha2", "theta2_diff2"},
+                               {"x_B", "R4_x"},
+                               {"xB", "R4_x"},
+                               {"Rₓ⁴", "R4_x"},
+                               {"vB", "R4_x_diff"},
+                               {"v⁴", "R4_x_diff"},
+                               {"a_B", "R4_x_diff2"},
+                               {"\u03BC", "transmission_angle"},
+                               {"\u00B5", "transmission_angle"},
+                               {"R4_x_diff", "R4_x_diff"}}) {
+            const std::optional<OutputChannel> channel = outputChannelNamed(row.symbol);
+            QVERIFY2(channel && nameOf(*channel) == row.name, row.symbol);
+        }
+        for (const char *symbol : {"", "θ", "ω5", "V", "x_C", "_"}) {
+            QVERIFY2(!outputChannelNamed(symbol), symbol);
+        }
+    }
+
     void valuesThatDoNotExistAreNaN()
     {
         const OutputState impossible = outputStateAt(Mechanism({.b = 40.0, .theta20 = -1.5}), 0.0, 5.0);
