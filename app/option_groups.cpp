@@ -8,6 +8,7 @@
 #include "core/sampling/crank_time.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/channel_text.h"
+#include "ui/text/expression.h"
 #include "ui/text/parameter_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"
@@ -61,7 +62,7 @@ ColumnChoice parseMeaning(const QString &text)
 double parseParameter(const char *option, const QString &text, Parameter parameter)
 {
     const bool isLink = parameter == Parameter::A || parameter == Parameter::B;
-    const Quantity withoutUnit = readQuantity(text, {}, QLocale::c());
+    const Quantity withoutUnit = readExpression(text, {}, QLocale::c());
     if (parameter == Parameter::Theta20 && !withoutUnit.fault && withoutUnit.value != 0.0) { // degrees or radians?
         throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg(option, text)};
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_reader.h"
 
-#include "core/import/quantity.h"
+#include "ui/text/expression.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
@@ -35,7 +35,7 @@ static QString unitAfterNumber(const std::optional<Unit> &unit)
 double parseNumber(const char *option, const QString &text, const std::optional<Unit> &unit, double smallest,
                    double largest)
 {
-    const auto &[value, fault] = readQuantity(text, unit, QLocale::c());
+    const auto &[value, fault] = readExpression(text, unit, QLocale::c());
     if (fault) {
         throw UsageError{QString("--%1: %2").arg(option, quantityFaultText(text, *fault, unit))};
     }

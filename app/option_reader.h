@@ -24,8 +24,8 @@ namespace slidercrank
 /// Returns the position of the value of an option in the list of its possible values. Throws if it is not among them.
 qsizetype indexAmong(const QStringList &words, const QString &word, const char *option);
 
-/// Returns the value in `unit`. The text may contain a different unit of the same dimension, or no unit. With nullopt,
-/// it must be a number without a unit.
+/// Returns the value in `unit`. The text is a number or an expression such as 2*pi (readExpression()). It may contain a
+/// different unit of the same dimension, or no unit; with nullopt it must not have one.
 double parseNumber(const char *option, const QString &text, const std::optional<Unit> &unit,
                    double smallest = -kLargestParameter, double largest = kLargestParameter);
 

@@ -4,7 +4,7 @@
 #include "core/import/quantity.h"
 #include "core/limits/crank_search.h"
 #include "core/mechanism/turn.h"
-#include "ui/text/quantity_text.h"
+#include "ui/text/expression.h"
 #include "ui/text/written_number.h"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ ChannelValue readChannelValue(const char *option, const QString &text, const Uni
                         1.0};
     const double perFileUnit = fromFileUnit(measure, 1.0, units);
     const QString number = text.section('=', 1).trimmed();
-    const bool hasUnit = readQuantity(number, {}, QLocale::c()).fault.has_value();
+    const bool hasUnit = readExpression(number, {}, QLocale::c()).fault.has_value();
     const double inFileUnit = parseNumber(option, number, fileUnit) / (hasUnit ? 1.0 : perFileUnit);
     return {channel, isAngular(measure) ? inFileUnit / kDegreesPerRadian : inFileUnit,
             withUnit(numberText(inFileUnit * perFileUnit, 10), unitText(measure, units))};

@@ -240,6 +240,8 @@ private slots:
     {
         QCOMPARE(run("solve --when x_B=60").output, run("solve --when R4_x=60").output);
         QCOMPARE(run("solve --channels v,mu").output, run("solve --channels R4_x_diff,transmission_angle").output);
+        QCOMPARE(run("solve --channels θ₃,ω₃,v_B").output, run("solve --channels theta3,theta3_diff,R4_x_diff").output);
+        QCOMPARE(run("solve --omega2 2π --a 1/2in --steps 2").output, run("solve --a 12.7 --steps 2").output);
         QCOMPARE(run("solve --at-angle 60 --omega2-for v=8m/s").output,
                  run("solve --at-angle 60 --omega2-for R4_x_diff=8m/s").output);
     }

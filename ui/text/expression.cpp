@@ -86,7 +86,8 @@ private:
         static const QRegularExpression number(R"(^(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?)");
         const QRegularExpressionMatch match = number.match(m_rest);
         m_rest = m_rest.sliced(match.capturedLength());
-        return match.hasMatch() ? match.captured().toDouble() : kNone;
+        const double value = match.hasMatch() ? match.captured().toDouble() : kNone;
+        return m_rest.startsWith(u'p') ? value * factor() : value; // "2pi"
     }
 
     static constexpr int kMaxDepth = 50; // signs and parentheses
