@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 
+#include "app/commands.h"
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/output.h"
@@ -37,6 +38,9 @@ ExitStatus runCommand(const QStringList &arguments, const Streams &streams)
         return writeOutput(streams, {}, findHelp(arguments.mid(2)).toUtf8());
     }
     const CommandDescription *named = findCommand(name);
+    if (!named && !name.isEmpty() && !name.startsWith('-')) {
+        requireFile(name); // the window would refuse the options of a misspelt command first
+    }
     const CommandDescription &command = named ? *named : allCommands().front();
     OptionReader options(command, arguments.mid(named ? 2 : 1));
     if (options.has("help")) {

@@ -11,6 +11,9 @@ namespace slidercrank
 
 class OptionReader;
 
+/// Throws unless the argument is the name of a file that exists or a link with a scene, so that the window can open it.
+void requireFile(const QString &argument);
+
 ExitStatus windowCommand(const OptionReader &options, const Streams &streams); ///< opens the window
 ExitStatus solveCommand(const OptionReader &options, const Streams &streams);  ///< the motion as CSV or JSON
 ExitStatus limitsCommand(const OptionReader &options, const Streams &streams); ///< dead centres, stroke, peak values …

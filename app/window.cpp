@@ -50,8 +50,8 @@ void followLanguage(std::unique_ptr<MainWindow> &window)
     QObject::connect(window.get(), &MainWindow::languageChosen, qApp, remake, Qt::QueuedConnection); // after the menu
 }
 
-/// Throws unless the file exists, or the argument is a link with a scene. An argument without a dot may be a misspelt
-/// command.
+} // namespace
+
 void requireFile(const QString &argument)
 {
     const QString name = QDir::toNativeSeparators(argument);
@@ -63,7 +63,7 @@ void requireFile(const QString &argument)
     if (QFileInfo::exists(argument) || isSceneLink(argument)) {
         return;
     }
-    if (argument.contains('.')) {
+    if (argument.contains('.')) { // otherwise it may be a misspelt command
         throw UsageError{CommandLine::tr("There is no file %1.").arg(name), ExitStatus::FileError};
     }
     if (commandNames().contains(argument)) {
@@ -72,8 +72,6 @@ void requireFile(const QString &argument)
     throw UsageError{CommandLine::tr("\"%1\" is neither a command nor a file. The commands are %2.")
                          .arg(name, commandNames().join(", "))};
 }
-
-} // namespace
 
 ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
 {

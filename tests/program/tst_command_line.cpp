@@ -51,6 +51,7 @@ private slots:
             const char *message;
         };
         const Row rows[] = {
+            {"solv --at-angle 5", "is neither a command nor a file"},
             {"solv", "is neither a command nor a file. The commands are solve"},
             {"--reference x.csv solve", "must come first"},
             {"--reset-settings --reference x.csv", "remove the other arguments"},
