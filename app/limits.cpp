@@ -189,7 +189,8 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
         valueOf(parameters, *parameter) = value;
         const Mechanism varied(parameters);
         const std::vector<Limit> limits = findLimits(varied, motionLimits(varied));
-        Record row{{match.captured(1), value}};
+        const bool isLength = *parameter == Parameter::A || *parameter == Parameter::B || *parameter == Parameter::C;
+        Record row{{match.captured(1), isLength ? shownValue(Measure::Length, value, units) : value}};
         for (const auto &[kind, key, measure] : kLimitDescriptions) {
             if (!key.empty()) {
                 row.emplace_back(keyText(kind), jsonNumber(shownValue(measure, valueOf(limits, kind), units)));

@@ -337,6 +337,8 @@ private slots:
             }
         }
         QVERIFY(run("limits --length-unit in").output.contains(" in/s"));
+        const CsvTable varied(run("limits --vary b=3in..5in --count 3 --length-unit in").output);
+        QVERIFY(std::abs(varied.at(1, "b") - 4.0) < 1e-14); // in the unit of the limits beside it
         QVERIFY(run("limits --a 1e-3 --b 1e12 --c 0 --format csv").output.contains("\nstroke,0.002,mm"));
     }
 };
