@@ -57,9 +57,7 @@ std::vector<NamedValue> readValues(const OptionReader &options, const CrankPosit
     const Units units = readUnits(options);
     std::vector<NamedValue> values;
     for (const QString &argument : options.files()) {
-        NamedValue value = readValue(argument, units);
-        value.typed = inLikelyUnit(value.typed, position, units);
-        values.push_back(std::move(value));
+        values.push_back(readValue(argument, units));
         const auto channelOf = [](const NamedValue &other) { return other.typed.channel; };
         if (std::ranges::count(values, channelOf(values.back()), channelOf) > 1) {
             throw UsageError{CommandLine::tr("%1 is given more than once: keep one of them.").arg(values.back().name)};
@@ -67,6 +65,12 @@ std::vector<NamedValue> readValues(const OptionReader &options, const CrankPosit
     }
     if (values.empty()) {
         throw UsageError{CommandLine::tr("Give the values to be checked, such as x=9.74 v=45.1.")};
+    }
+    std::vector<TypedValue> typed(values.size());
+    std::ranges::transform(values, typed.begin(), &NamedValue::typed);
+    typed = inLikelyUnits(std::move(typed), position, units);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i].typed = typed[i];
     }
     return values;
 }

@@ -15,11 +15,12 @@ namespace
 {
 
 constexpr double kArithmetic = 1e-12; ///< allowance for rounding errors of the computation, relative to the value
+constexpr Channel kCouplerAngle{Theta3, Order::Position};
 
 /// Returns the angle after which two values of the channel mean the same, or 0 if there is none.
 double periodOf(const OutputChannel &channel)
 {
-    if (channel == OutputChannel(Channel{Theta3, Order::Position})) {
+    if (channel == OutputChannel(kCouplerAngle)) {
         return 0.5 * kTurn;
     }
     return channel == OutputChannel(Channel{Theta2, Order::Position}) ? kTurn : 0.0;
@@ -50,8 +51,14 @@ bool gives(const SlipOutcome &outcome, const GivenValue &given)
     return outcome.slip == Slip::ValueInRadians ? isWithinRounding(given, given.value - value) : roundsTo(given, value);
 }
 
-CheckedValue checkValue(const GivenValue &given, double exact)
+/// Compares a value with the exact one. In both of them, a rounding error of zero counts as zero.
+CheckedValue checkValue(const CrankPosition &position, const GivenValue &typed, double computed)
 {
+    const auto cleaned = [&](double value) {
+        return withoutNoise(value, typed.channel, position.mechanism, position.alpha2);
+    };
+    const GivenValue given{typed.channel, cleaned(typed.value), typed.halfStep};
+    const double exact = cleaned(computed);
     CheckedValue checked;
     checked.deviation = difference(given.channel, given.value, exact);
     checked.isRight = roundsTo(given, exact);
@@ -68,20 +75,57 @@ bool isOfSlider(const OutputChannel &channel)
     return std::get<DerivedChannel>(channel).quantity == DerivedQuantity::Displacement;
 }
 
-/// Returns whether a slip shows in these wrong values. In other values it only repeats a simpler slip: an approximation
-/// of the slider's motion that is measured towards the crank merely turns the sense of the coupler angle.
-bool showsIn(std::span<const OutputChannel> wrong, Slip slip)
+/// The given channels whose values are wrong, and those whose values are right.
+struct JudgedChannels {
+    std::vector<OutputChannel> wrong;
+    std::vector<OutputChannel> right;
+};
+
+JudgedChannels judgedChannels(std::span<const GivenValue> given, std::span<const CheckedValue> checked)
 {
+    JudgedChannels judged;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        (checked[i].isRight ? judged.right : judged.wrong).push_back(given[i].channel);
+    }
+    return judged;
+}
+
+/// Returns whether a slip shows in these values. In others it only repeats a simpler slip: an approximation of the
+/// slider's motion that is measured towards the crank merely turns the sense of the coupler angle, and a formula with
+/// the other end of the coupler gives the slider of the other assembly, unless θ3 is known to be right.
+bool showsIn(const JudgedChannels &judged, Slip slip)
+{
+    const auto &[wrong, right] = judged;
     const bool isSliderWrong = std::ranges::any_of(wrong, isOfSlider);
     const auto isRate = [](const OutputChannel &channel) { return orderOf(channel) != Order::Position; };
     const auto isVelocity = [](const OutputChannel &channel) { return orderOf(channel) == Order::Velocity; };
     switch (slip) {
     case Slip::HarmonicMotion:
     case Slip::FromOuterDeadCentre: return isSliderWrong;
+    case Slip::CouplerAngleEnd: return std::ranges::count(right, OutputChannel(kCouplerAngle)) > 0;
     case Slip::TwoHarmonics: return isSliderWrong || std::ranges::any_of(wrong, isRate);
     case Slip::SecondHarmonicDouble: return std::ranges::any_of(wrong, isVelocity);
     default: return true;
     }
+}
+
+/// Returns whether the slip cannot be the reason, because it would change a position that is right. The crank angle is
+/// given, not computed: it does not count.
+bool contradictsPositions(const SlipOutcome &outcome, std::span<const GivenValue> given,
+                          std::span<const CheckedValue> checked)
+{
+    if (!outcome.changesPositionsFirst) {
+        return false;
+    }
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const OutputChannel &channel = given[i].channel;
+        const bool isComputedPosition =
+            orderOf(channel) == Order::Position && channel != OutputChannel(Channel{Theta2, Order::Position});
+        if (checked[i].isRight && isComputedPosition && !gives(outcome, given[i])) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// How a slip compares with the given values. Slips that neither fit nor change every wrong value by more than its
@@ -96,15 +140,10 @@ struct Comparison {
 std::vector<Comparison> compareSlips(const CrankPosition &position, const OutputState &exact,
                                      std::span<const GivenValue> given, std::span<const CheckedValue> checked)
 {
-    std::vector<OutputChannel> wrong;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        if (!checked[i].isRight) {
-            wrong.push_back(given[i].channel);
-        }
-    }
+    const JudgedChannels judged = judgedChannels(given, checked);
     std::vector<Comparison> comparisons;
     for (const SlipOutcome &outcome : slipOutcomes(position, exact)) {
-        if (!showsIn(wrong, outcome.slip)) {
+        if (!showsIn(judged, outcome.slip) || contradictsPositions(outcome, given, checked)) {
             continue;
         }
         Comparison comparison{outcome.slip, true, true, 1.0};
@@ -197,7 +236,7 @@ CheckResult check(const CrankPosition &position, std::span<const GivenValue> giv
     CheckResult result{.status = exact.state.status};
     double coincidence = 1.0;
     for (const GivenValue &each : given) {
-        const CheckedValue checked = checkValue(each, exact.valueOf(each.channel));
+        const CheckedValue checked = checkValue(position, each, exact.valueOf(each.channel));
         if (!checked.isRight) {
             coincidence *= each.halfStep / std::abs(checked.deviation);
         }

@@ -4,11 +4,15 @@
 // Checks numbers of a calculation by hand, for one position of the mechanism, and finds the slip that gives exactly
 // these numbers.
 //
-// A value is right if the exact value rounds to it: if its deviation d is at most h, half a unit of its last digit.
+// A value is right if the exact value rounds to it: if its deviation d is at most h, half a unit of its last digit. A
+// rounding error of zero, such as 3·10⁻¹⁴ mm/s at a dead centre, counts as zero.
 //
 // Every slip of slips.h predicts all values. It fits if it gives every wrong value to its digits. It is named only if
 //
-//  - no other slip fits. A slip that also leaves the right values right is preferred to one that does not; and
+//  - it does not contradict the right values: a wrong input or a different way to measure that would change a right
+//    position is no explanation. A wrong formula may have been used for some values only; but a slip that leaves all
+//    right values right is preferred to it;
+//  - no other slip fits; and
 //  - chance is unlikely. Of all numbers that are at most as far off as the wrong one, the fraction h/d rounds to the
 //    digits that the slip predicts. So n slips fit k wrong values by chance with a probability of at most
 //

@@ -226,9 +226,10 @@ constexpr double kRadiansPerSecondPerRpm = std::numbers::pi / 30.0;
 
 /// Where a slip is made.
 enum class Stage {
-    Input,   ///< in the given values: everything follows from it
-    Formula, ///< in a formula, when θ3 is known: what follows from it may be wrong, too
-    Result   ///< in a result alone
+    Input,       ///< in the given values: everything follows from it
+    Measurement, ///< in the origin or the sense from which positions are measured, and so their derivatives
+    Formula,     ///< in a formula, when θ3 is known: what follows from it may be wrong, too
+    Result       ///< in a result alone
 };
 
 /// A way to make a slip.
@@ -260,12 +261,16 @@ std::span<const SlipRow> allSlips()
         {LinksExchanged, Input, [](Hand &hand) { std::swap(hand.parameters.a, hand.parameters.b); }},
         {DiameterForRadius, Input, [](Hand &hand) { hand.parameters.a *= 2.0; }},
         {DiameterForRadius, Input, [](Hand &hand) { hand.parameters.a /= 2.0; }},
-        {CouplerAngleSign, Result, [](Hand &hand) { hand.values.state.q[Theta3] *= -1.0; }},
-        {CouplerAngleSign, Result, [](Hand &hand) { scaleAngles<0>(hand, -1.0); }},
+        {CouplerAngleSign, Measurement, [](Hand &hand) { hand.values.state.q[Theta3] *= -1.0; }},
+        {CouplerAngleSign, Measurement, [](Hand &hand) { scaleAngles<0>(hand, -1.0); }},
         {CrankSineForCosine, Input,
          [](Hand &hand) { hand.parameters.theta20 = kQuarterTurn - hand.parameters.theta20; }},
         {CrankSineForCosine, Formula, [](Hand &hand) { std::swap(hand.crank.sin, hand.crank.cos); }},
         {CouplerSineForCosine, Formula, [](Hand &hand) { std::swap(hand.coupler.sin, hand.coupler.cos); }},
+        {CouplerAngleEnd, Formula,
+         [](Hand &hand) {
+             hand.coupler = {-hand.coupler.sin, -hand.coupler.cos};
+         }},
         {CrankSpeedNotSquared, Formula, [](Hand &hand) { hand.crankNormal = hand.parameters.omega2; }},
         {CrankSpeedNotSquared, Result, omitSquareOfSpeed},
         {CrankNormalOmitted, Formula, [](Hand &hand) { hand.crankNormal = 0.0; }},
@@ -295,9 +300,9 @@ std::span<const SlipRow> allSlips()
              const State &state = hand.values.state;
              setSlider(hand, {state.q[R3x], state.qDot[R3x], state.qDDot[R3x]});
          }},
-        {FromOuterDeadCentre, Result, [](Hand &hand) { setSlider(hand, hand.values.derived.displacement); }},
-        {FromOuterDeadCentre, Result, measureTowardsCrank},
-        {FromInnerDeadCentre, Result, measureFromInnerDeadCentre},
+        {FromOuterDeadCentre, Measurement, [](Hand &hand) { setSlider(hand, hand.values.derived.displacement); }},
+        {FromOuterDeadCentre, Measurement, measureTowardsCrank},
+        {FromInnerDeadCentre, Measurement, measureFromInnerDeadCentre},
         {Inches, Result, [](Hand &hand) { scaleLengths(hand, kInch); }},
         {Inches, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kInch); }},
         {Inches, Result, [](Hand &hand) { scaleLengths(hand, 0.1 * kInch); }},
@@ -350,6 +355,7 @@ constexpr SlipName kNames[] = {{Slip::OtherAssembly, "other-assembly"},
                                {Slip::CouplerNormalOmitted, "coupler-normal-omitted"},
                                {Slip::NormalsOmitted, "normals-omitted"},
                                {Slip::HarmonicMotion, "harmonic-motion"},
+                               {Slip::CouplerAngleEnd, "coupler-angle-end"},
                                {Slip::TwoHarmonics, "two-harmonics"},
                                {Slip::SecondHarmonicDouble, "second-harmonic-double"},
                                {Slip::CouplerCentre, "coupler-centre"},
@@ -391,11 +397,12 @@ std::vector<SlipOutcome> slipOutcomes(const CrankPosition &position, const Outpu
         }
         if (stage == Stage::Formula) {
             solveSlider(hand);
-            outcomes.push_back({slip, hand.values});
+            outcomes.push_back({slip, hand.values, false});
             solveCoupler(hand);
             solveSlider(hand);
         }
-        outcomes.push_back({slip, hand.values});
+        const bool changesPositionsFirst = stage == Stage::Input || stage == Stage::Measurement;
+        outcomes.push_back({slip, hand.values, changesPositionsFirst});
     }
     return outcomes;
 }

@@ -44,6 +44,7 @@ enum class Slip {
     CouplerNormalOmitted, ///< the centripetal term b ω3²
     NormalsOmitted,       ///< both of them
     HarmonicMotion,       ///< of the crank pin A, which is simple harmonic motion, instead of the wrist pin B
+    CouplerAngleEnd,      ///< θ3 at A in a formula for the angle at B, or the reverse
     TwoHarmonics,         ///< the approximation x ≈ a cos θ2 + b - a²/4b (1 - cos 2θ2)
     SecondHarmonicDouble, ///< sin 2θ2 / n for sin 2θ2 / 2n in the velocity of that approximation, n = b/a
     CouplerCentre,        ///< the midpoint of A-B instead of the wrist pin B
@@ -64,6 +65,10 @@ std::string_view nameOf(Slip slip);
 struct SlipOutcome {
     Slip slip;
     OutputState values;
+
+    /// The slip is a wrong input or a different way to measure: nobody makes it in the velocities or accelerations
+    /// alone. So it cannot be the reason if a position that it changes is right.
+    bool changesPositionsFirst;
 };
 
 /// Returns the outcome of every slip. A slip that can be made in several ways, such as in one formula or in all of

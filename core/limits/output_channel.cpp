@@ -212,6 +212,15 @@ double OutputState::valueOf(const OutputChannel &channel) const
     return derived.of(quantity).at(order);
 }
 
+double withoutNoise(double value, const OutputChannel &channel, const Mechanism &mechanism, double alpha2)
+{
+    constexpr double kRounding = 1e-12;
+    const double length = isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters());
+    const double rate = std::hypot(mechanism.omega2(), std::sqrt(std::abs(alpha2)));
+    const double size = length * std::pow(rate, static_cast<int>(orderOf(channel)));
+    return std::abs(value) < kRounding * size ? 0.0 : value;
+}
+
 OutputState outputStateAt(const Mechanism &mechanism, double t, double alpha2)
 {
     OutputState output;

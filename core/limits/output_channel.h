@@ -94,6 +94,10 @@ struct OutputState {
     double valueOf(const OutputChannel &channel) const; ///< mm, rad, s
 };
 
+/// Returns 0 instead of a value (mm, rad, s) that is only a rounding error: below 1e-12 of the channel's natural size.
+/// `mechanism`, `alpha2` (rad/s²): the motion that has the value.
+double withoutNoise(double value, const OutputChannel &channel, const Mechanism &mechanism, double alpha2 = 0.0);
+
 /// Returns the exact motion at time t (s), at which the crank has the speed ω2 and the acceleration alpha2 (rad/s²).
 OutputState outputStateAt(const Mechanism &mechanism, double t, double alpha2 = 0.0);
 

@@ -165,6 +165,10 @@
         <translation>El movimiento armónico simple (el del pasador A de la manivela en lugar del pasador B)</translation>
     </message>
     <message>
+        <source>θ₃ measured at A in a formula for θ₃ at B (or the reverse)</source>
+        <translation>θ₃ medido en A en una fórmula para θ₃ en B (o al revés)</translation>
+    </message>
+    <message>
         <source>The approximation x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂) with its derivatives</source>
         <translation>La aproximación x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂), con sus derivadas,</translation>
     </message>
@@ -219,6 +223,10 @@
     <message>
         <source>right to its %1 digits</source>
         <translation>correcto en sus %1 cifras</translation>
+    </message>
+    <message>
+        <source>right to its only digit</source>
+        <translation>correcto en su única cifra</translation>
     </message>
     <message>
         <source>right</source>

@@ -100,6 +100,39 @@ private slots:
         QCOMPARE(run(QString(kExample) + "omega3=5.42deg/s").status, 1);
     }
 
+    /// A wrong rate of an angle is in rad/s, too, if only that has an explanation, or if it is nearer in size.
+    void readsWrongRatesWithoutUnitInTheLikelyUnit()
+    {
+        const auto unitOf = [](const QString &values, const char *options = "") {
+            return checkJson(values + options)["values"].toArray().last().toObject()["unit"].toString();
+        };
+        QCOMPARE(slipName("x=9.79 v=41.46 omega3=-5.42"), QString("crank-speed-sign"));
+        QCOMPARE(unitOf("x=9.79 v=41.46 omega3=-5.42"), QString("rad/s"));
+        QCOMPARE(slipName("x=9.79 v=41.46 omega3=-310.4"), QString("crank-speed-sign"));
+        QCOMPARE(unitOf("x=9.79 v=41.46 omega3=-310.4"), QString("°/s"));
+        QCOMPARE(slipName("v=-395.9 omega3=51.73"), QString("crank-speed-in-rpm")); // by the size, it would be in °/s
+        QCOMPARE(unitOf("omega3=5.48"), QString("rad/s"));
+        QCOMPARE(unitOf("omega3=311.9"), QString("°/s"));
+        QCOMPARE(unitOf("omega3=311.9", " --angle-unit rad"), QString("°/s"));
+        QCOMPARE(unitOf("theta3=25.9 alpha3=-28.0"), QString("rad/s²"));
+    }
+
+    void writesRoundingErrorsAsZero()
+    {
+        const RunResult outcome = run("check --a 40 --b 120 --c 0 --omega2 10 --at-angle 180 v=0 theta3=0 x=8e1");
+        QCOMPARE(outcome.status, 0);
+        QVERIFY2(outcome.output.contains("exact: 0 mm/s  right\n"), outcome.output.constData());
+        QVERIFY2(outcome.output.contains("exact: 0°  right\n"), outcome.output.constData());
+        QVERIFY2(outcome.output.contains("right to its only digit\n"), outcome.output.constData());
+    }
+
+    void understandsSymbolsAsTheyAreWritten()
+    {
+        const RunResult outcome = run(QString(kExample) + "x_B=9.79 ω₃=5.42 \u03BC=64.1 θ3=25.9");
+        QCOMPARE(outcome.status, 0);
+        QVERIFY(outcome.output.startsWith("x_B"));
+    }
+
     /// A former defect: 154 instead of 205.9°, an error of the sign, was right as 154 rad, which stand for 154 ± 0.5
     /// rad and so for a third of all angles.
     void takesNoCommonAngleForRadians()

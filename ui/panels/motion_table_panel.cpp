@@ -345,8 +345,8 @@ TableRow MotionTablePanel::myValues()
                      "Type values of your calculation: they are compared with the exact ones, each to its last digit")};
     const CrankPosition position{withCrankAt(Mechanism(m_session->parameters()), presentPlace().theta2),
                                  m_session->alpha2()};
+    const Units &units = notation().units;
     std::vector<TypedValue> values;
-    std::vector<GivenValue> given;
     QStringList sentences;
     for (const OutputChannel &channel : m_settings.columns) {
         TableCell &cell = row.cells.emplace_back(TableCell{.text = m_myValues[columnName(channel)].trimmed()});
@@ -354,16 +354,17 @@ TableRow MotionTablePanel::myValues()
             continue;
         }
         const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
-        const Units &units = notation().units;
-        const TypedValue typed = inLikelyUnit(readTypedValue(number, channel, units), position, units);
+        const TypedValue typed = readTypedValue(number, channel, units);
         if (typed.written.fault) {
             cell.tone = Tone::Bad;
             sentences << quantityFaultText(cell.text, *typed.written.fault, typed.unit);
             continue;
         }
         values.push_back(typed);
-        given.push_back(typed.given());
     }
+    values = inLikelyUnits(std::move(values), position, units);
+    std::vector<GivenValue> given(values.size());
+    std::ranges::transform(values, given.begin(), &TypedValue::given);
     const CheckResult result = check(position, given);
     QStringList wrong;
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -45,6 +45,7 @@ public:
         {Slip::NormalsOmitted, QT_TR_NOOP("Omitting both centripetal terms (a ω₂² and b ω₃²)")},
         {Slip::HarmonicMotion,
          QT_TR_NOOP("Simple harmonic motion (that of the crank pin A instead of the wrist pin B)")},
+        {Slip::CouplerAngleEnd, QT_TR_NOOP("θ₃ measured at A in a formula for θ₃ at B (or the reverse)")},
         {Slip::TwoHarmonics,
          QT_TR_NOOP("The approximation x ≈ a cos θ₂ + b − a²/4b (1 − cos 2θ₂) with its derivatives")},
         {Slip::SecondHarmonicDouble, QT_TR_NOOP("sin 2θ₂/n instead of sin 2θ₂/2n in the velocity (n = b/a)")},
@@ -62,6 +63,15 @@ public:
 
 } // namespace
 
+/// `digits`: number of significant digits; 0 for zero.
+static QString rightText(int digits)
+{
+    if (digits == 0) {
+        return CheckText::tr("right");
+    }
+    return digits == 1 ? CheckText::tr("right to its only digit") : CheckText::tr("right to its %1 digits").arg(digits);
+}
+
 QString checkedValueText(const CheckedValue &checked, int digits, double deviation, const QString &unit)
 {
     if (std::isnan(deviation)) {
@@ -70,7 +80,7 @@ QString checkedValueText(const CheckedValue &checked, int digits, double deviati
     if (!checked.isRight) {
         return CheckText::tr("off by %1").arg(shortNumber(deviation, 3) + unit);
     }
-    const QString right = digits > 0 ? CheckText::tr("right to its %1 digits").arg(digits) : CheckText::tr("right");
+    const QString right = rightText(digits);
     const bool isOfTextbook = notation().symbols == Symbols::Textbook; // whose θ₃ is the one at B
     return checked.isMeasuredAtB && !isOfTextbook ? CheckText::tr("%1, measured at B (θ₃ = θ³ + 180°)").arg(right)
                                                   : right;

@@ -7,7 +7,6 @@
 #include <QCoreApplication>
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace slidercrank
@@ -123,15 +122,6 @@ std::optional<double> shownDifference(const OutputChannel &channel, std::optiona
 double shownChannel(const OutputChannel &channel, Branch branch, double value)
 {
     return shownScale(channel, branch).shown(toFileUnit(measureOf(channel), value));
-}
-
-double withoutNoise(double value, const OutputChannel &channel, const Mechanism &mechanism, double alpha2)
-{
-    constexpr double kRounding = 1e-12;
-    const double length = isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters());
-    const double rate = std::hypot(mechanism.omega2(), std::sqrt(std::abs(alpha2)));
-    const double size = length * std::pow(rate, static_cast<int>(orderOf(channel)));
-    return std::abs(value) < kRounding * size ? 0.0 : value;
 }
 
 QString shownUnit(Measure measure)

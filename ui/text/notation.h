@@ -54,10 +54,6 @@ std::optional<double> shownDifference(const OutputChannel &channel, std::optiona
 /// Returns the value of a channel as it is shown, from the core's unit (mm, rad, s).
 double shownChannel(const OutputChannel &channel, Branch branch, double value);
 
-/// Returns 0 instead of a value (mm, rad, s) that is only a rounding error: below 1e-12 of the channel's natural size.
-/// `alpha2`: acceleration of the crank, rad/s².
-double withoutNoise(double value, const OutputChannel &channel, const Mechanism &mechanism, double alpha2 = 0.0);
-
 /// Returns the unit in which quantities of this kind are shown.
 QString shownUnit(Measure measure);
 inline QString shownUnit(const OutputChannel &channel)

@@ -30,6 +30,29 @@ bool isCommonAngle(const TypedValue &typed)
            (std::abs(given.value) > kTurn || given.halfStep > kLargestChance * kQuarterTurn);
 }
 
+CheckResult checkAll(const std::vector<TypedValue> &values, const CrankPosition &position)
+{
+    std::vector<GivenValue> given(values.size());
+    std::ranges::transform(values, given.begin(), &TypedValue::given);
+    return check(position, given);
+}
+
+/// Returns the number in radians instead of the degrees of `units`, or the reverse.
+TypedValue inOtherAngleUnit(const TypedValue &typed, const Units &units)
+{
+    Units otherUnits = units;
+    const bool isInRadians = shownValue(measureOf(typed.channel), 1.0, units) == 1.0;
+    otherUnits.angle = isInRadians ? AngleUnit::Degree : AngleUnit::Radian;
+    return readTypedValue(typed.text, typed.channel, otherUnits);
+}
+
+/// Returns how far the size of a value is from that of the exact one (in the core's unit): 0 if they are equal, log 2
+/// if one is twice the other.
+double sizeDifference(const TypedValue &typed, double exact)
+{
+    return std::abs(std::log(std::abs(typed.given().value / exact)));
+}
+
 } // namespace
 
 GivenValue TypedValue::given() const
@@ -73,20 +96,37 @@ TypedValue readTypedValue(const QString &text, const OutputChannel &channel, con
     return typed;
 }
 
-TypedValue inLikelyUnit(const TypedValue &typed, const CrankPosition &position, const Units &units)
+std::vector<TypedValue> inLikelyUnits(std::vector<TypedValue> values, const CrankPosition &position, const Units &units)
 {
-    if (typed.hasUnit || typed.written.fault || !isAngular(measureOf(typed.channel))) {
-        return typed;
+    const std::vector<CheckedValue> checked = checkAll(values, position).values;
+    std::vector<TypedValue> inOtherUnit = values; // here the wrong ω and α are in the other unit
+    std::vector<double> exact(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        exact[i] = values[i].given().value - checked[i].deviation;
+        const bool mayBeInOtherUnit =
+            !values[i].hasUnit && isAngular(measureOf(values[i].channel)) && !checked[i].isRight;
+        if (!mayBeInOtherUnit) {
+            continue;
+        }
+        const TypedValue other = inOtherAngleUnit(values[i], units);
+        if (checkAll({other}, position).values.front().isRight && !isCommonAngle(other)) {
+            values[i] = inOtherUnit[i] = other;
+        } else if (orderOf(other.channel) != Order::Position) {
+            inOtherUnit[i] = other;
+        }
     }
-    Units otherUnits = units;
-    const bool isInRadians = shownValue(measureOf(typed.channel), 1.0, units) == 1.0;
-    otherUnits.angle = isInRadians ? AngleUnit::Degree : AngleUnit::Radian;
-    const TypedValue inOther = readTypedValue(typed.text, typed.channel, otherUnits);
-    const auto isRight = [&position](const TypedValue &value) {
-        const GivenValue given = value.given();
-        return check(position, {&given, 1}).values.front().isRight;
-    };
-    return !isRight(typed) && isRight(inOther) && !isCommonAngle(inOther) ? inOther : typed;
+    if (checkAll(values, position).explanation == CheckOutcome::Named) {
+        return values;
+    }
+    if (checkAll(inOtherUnit, position).explanation == CheckOutcome::Named) {
+        return inOtherUnit;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (sizeDifference(inOtherUnit[i], exact[i]) < sizeDifference(values[i], exact[i])) {
+            values[i] = inOtherUnit[i];
+        }
+    }
+    return values;
 }
 
 QString exactText(const TypedValue &typed, const CheckedValue &checked)

@@ -9,6 +9,8 @@
 
 #include <QString>
 
+#include <vector>
+
 namespace slidercrank
 {
 
@@ -34,10 +36,15 @@ struct TypedValue {
 /// Reads a value. `units`: those of a number without a unit. The decimal sign is a point.
 TypedValue readTypedValue(const QString &text, const OutputChannel &channel, const Units &units);
 
-/// Returns the value; or, if its text has no unit, the same number in the other unit of angles if it is right only in
-/// that one: textbooks give ω and α in rad/s beside angles in degrees. An angle must be within a turn, and have enough
-/// digits that chance is unlikely.
-TypedValue inLikelyUnit(const TypedValue &typed, const CrankPosition &position, const Units &units);
+/// Returns the values, of which angular ones without a unit may now be in the other unit of angles: textbooks give ω
+/// and α in rad/s beside angles in degrees. `units`: those of a number without a unit. A value changes its unit
+///
+///  - if it is right in the other one only. An angle must be within a turn, and have enough digits that chance is
+///    unlikely;
+///  - if it is a wrong ω or α, and a slip explains all wrong values in the other unit, but not in the expected one;
+///  - if it is a wrong ω or α that no slip explains, and is nearer in size to the exact value in the other unit.
+std::vector<TypedValue> inLikelyUnits(std::vector<TypedValue> values, const CrankPosition &position,
+                                      const Units &units);
 
 /// Returns the value and what is wrong with it: "exact: 9.792 mm" and "off by 0.00818 mm".
 QString exactText(const TypedValue &typed, const CheckedValue &checked);

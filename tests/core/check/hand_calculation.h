@@ -156,6 +156,16 @@ inline void exchangeCoupler(HandCalculation &hand, Formulas formulas)
     hand.solveSlider(exchanged);
 }
 
+/// Computes with the angle of the coupler at its other end.
+inline void turnCoupler(HandCalculation &hand, Formulas formulas)
+{
+    hand.solve();
+    if (formulas == Formulas::All) {
+        hand.solveCoupler(hand.theta3 + kPi);
+    }
+    hand.solveSlider(hand.theta3 + kPi);
+}
+
 inline double roundedTo3Digits(double degrees)
 {
     return QByteArray::number(degrees, 'e', 2).toDouble();
@@ -193,6 +203,9 @@ inline const std::vector<SlipCase> kSlipCases{
     {"sin θ3 for cos θ3", Slip::CouplerSineForCosine, [](auto &hand) { exchangeCoupler(hand, Formulas::All); }},
     {"sin θ3 for cos θ3 of the slider", Slip::CouplerSineForCosine,
      [](auto &hand) { exchangeCoupler(hand, Formulas::OfSlider); }},
+    {"θ3 at the other end", Slip::CouplerAngleEnd, [](auto &hand) { turnCoupler(hand, Formulas::All); }},
+    {"θ3 at the other end of the slider", Slip::CouplerAngleEnd,
+     [](auto &hand) { turnCoupler(hand, Formulas::OfSlider); }},
     {"ω2 not squared", Slip::CrankSpeedNotSquared,
      withTerm([](auto &hand) { hand.crankNormal = hand.omega2; }, Formulas::All)},
     {"ω2 not squared in ẍ", Slip::CrankSpeedNotSquared,

@@ -244,6 +244,62 @@ private slots:
         QVERIFY(beside.slips == std::vector{Slip::CrankSpeedSign});
     }
 
+    /// A former defect: a θ3 and a v of the wrong sign were "measured from the outer dead centre", although a right x
+    /// showed that they were not.
+    void aRightPositionExcludesWrongInputsAndOtherOrigins()
+    {
+        const HandCalculation hand = kExample.calculation().solve();
+        const GivenValue theta3 = written("theta3", -hand.theta3, 5);
+        const GivenValue v = written("v", -hand.v, 5);
+        QVERIFY(check(kExample.position(), std::vector{theta3, v}).slips == std::vector{Slip::FromOuterDeadCentre});
+        const CheckResult besideX = check(kExample.position(), std::vector{theta3, v, written("x", hand.x, 5)});
+        QVERIFY(besideX.explanation == CheckOutcome::None);
+
+        HandCalculation mirrored = kExample.calculation();
+        mirrored.c *= -1.0;
+        mirrored.solve();
+        const GivenValue mirroredV = written("v", mirrored.v, 5);
+        QVERIFY(check(kExample.position(), std::vector{mirroredV}).slips == std::vector{Slip::OffsetSign});
+        for (const char *name : {"x", "theta3"}) {
+            const std::vector beside{mirroredV, written(name, kExample.calculation().solve().valueOf(name), 5)};
+            QVERIFY2(check(kExample.position(), beside).explanation == CheckOutcome::None, name);
+        }
+        // A wrong formula may have been used for the velocity alone.
+        HandCalculation exchanged = kExample.calculation();
+        exchangeCoupler(exchanged, Formulas::OfSlider);
+        const std::vector beside{written("v", exchanged.v, 5), written("x", hand.x, 5)};
+        QVERIFY(check(kExample.position(), beside).slips == std::vector{Slip::CouplerSineForCosine});
+    }
+
+    /// x = a cos θ2 + b cos θ3 with the θ3 of a textbook that measures it at B gives the x of the other assembly.
+    void aRightTheta3ExcludesTheOtherAssembly()
+    {
+        const HandCalculation hand = kExample.calculation().solve();
+        HandCalculation turned = kExample.calculation();
+        turnCoupler(turned, Formulas::OfSlider);
+        const GivenValue x = written("x", turned.x, 5);
+        const GivenValue theta3 = written("theta3", hand.theta3 + kPi, 5);
+        QVERIFY(check(kExample.position(), std::vector{x}).slips == std::vector{Slip::OtherAssembly});
+        QVERIFY(check(kExample.position(), std::vector{x, theta3}).slips == std::vector{Slip::CouplerAngleEnd});
+    }
+
+    /// Spreadsheets write 4.9E-14 at a dead centre.
+    void aRoundingErrorIsZero()
+    {
+        Problem deadCentre = kExample;
+        deadCentre.parameters.c = 0.0;
+        deadCentre.parameters.theta20 = kPi;
+        const auto deviationOf = [&](const char *text) {
+            const WrittenValue read = readWrittenValue(text, kMillimetre);
+            const GivenValue given{*outputChannelNamed("v"), read.value, read.halfStep};
+            const CheckedValue checked = check(deadCentre.position(), {&given, 1}).values.front();
+            return checked.isRight ? checked.deviation : kNone;
+        };
+        QCOMPARE(deviationOf("0"), 0.0);
+        QCOMPARE(deviationOf("4.9e-14"), 0.0);
+        QVERIFY(std::isnan(deviationOf("4.9e-6")));
+    }
+
     void theDoubleHarmonicOfTheVelocityExplainsNoAcceleration()
     {
         const Problem engine{{.a = 300.0, .b = 1500.0, .c = 0.0, .omega2 = 5.0 * kPi, .theta20 = 40.0 * kPi / 180.0},
