@@ -98,16 +98,22 @@ public:
         }
     }
 
-    /// Makes the section with this drawing and the one after it fill a page.
+    /// Makes the section with this drawing fill a page: with all sections after it, if they leave enough space for the
+    /// drawing, otherwise with the next one.
     void fillPage(DrawingObject &drawing, int type, int largestHeight)
     {
-        constexpr int kToSpare = 24; // px, since the space between paragraphs depends on the page
+        constexpr int kToSpare = 24;        // px, since the space between paragraphs depends on the page
+        constexpr double kMinDrawing = 0.5; // of the page
         for (QTextBlock block = m_document.begin(); block.isValid(); block = block.next()) {
             if (hasObject(block, type)) {
                 const QTextBlock heading = headingOf(block);
                 beginPageWith(heading);
                 const QTextBlock next = headingAfter(block);
-                const double others = bottomOf(next.isValid() ? next : heading) - boxOf(heading).top();
+                const double top = boxOf(heading).top();
+                const double withNext = bottomOf(next.isValid() ? next : heading) - top;
+                const double withAll = boxOf(m_document.lastBlock()).bottom() - top;
+                const bool isSpaceForAll = m_page.height() - withAll - kToSpare >= kMinDrawing * m_page.height();
+                const double others = isSpaceForAll ? withAll : withNext;
                 drawing.setHeight(std::min(largestHeight, static_cast<int>(m_page.height() - others) - kToSpare));
                 layOut();
                 return;
