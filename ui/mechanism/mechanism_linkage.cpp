@@ -46,7 +46,8 @@ void MechanismSketch::addLinkage()
     if (settings.dimensions) {
         avoid(offsetDimension(), 24.0); // with its letter
     }
-    for (const auto &[name, box] : deadCentreCaptions()) {
+    for (const auto &[name, box] : deadCentreCaptions()) { // over the coupler, which may pass them
+        m_labels.push_back({name, box, m_muted, withAlpha(m_paper, 0.6), true});
         avoid(box);
     }
     addModel();

@@ -43,9 +43,6 @@ void MechanismSketch::addScenery()
         addPath();
         addPivot();
         addDimensionsAndScales();
-        for (const auto &[name, box] : deadCentreCaptions()) {
-            m_labels.push_back({name, box, m_muted, withAlpha(m_paper, 0.6), true});
-        }
     }
 }
 

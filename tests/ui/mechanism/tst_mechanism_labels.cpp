@@ -85,6 +85,22 @@ private slots:
         QCOMPARE(Drawn({.a = 3.0, .b = 90.0}, 0.0, settings).label("outer dead"), QRectF()); // too close together
     }
 
+    /// A former defect: where the coupler passed the name of a dead centre, it covered half of it.
+    void namesOfTheDeadCentresAreDrawnOverTheCoupler()
+    {
+        const Drawn drawn({.a = 40.0, .b = 120.0, .c = 20.0, .theta20 = -std::numbers::pi / 6.0}, 0.0, {.names = true},
+                          {321.0, 160.0});
+        const QRectF box = drawn.label("inner");
+        const auto passes = [&box](const DrawnShape &shape) {
+            return shape.part == DrawnPart::Coupler && shape.path.intersects(box);
+        };
+        QVERIFY(std::ranges::any_of(drawn.sketch->shapes(), passes));
+        MechanismSketch scenery(drawn.scene, *drawn.sketch, paletteFor(Theme::Light), QFont());
+        scenery.addScenery(); // is painted below the linkage
+        const auto isName = [](const Label &label) { return label.text == u"inner"; };
+        QVERIFY(std::ranges::none_of(scenery.labels(), isName));
+    }
+
     /// A former defect: the arc of an angle above 180° ran through the name O₂.
     void theArcOfTheCrankKeepsClearOfItsPivotsName()
     {
