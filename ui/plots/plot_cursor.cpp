@@ -5,6 +5,9 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
 
 namespace slidercrank
 {
@@ -12,32 +15,99 @@ namespace slidercrank
 namespace
 {
 
-/// Places the labels to the right of the line, or to its left where they do not fit; a label that fits on neither side
-/// begins at the left edge of the axes, beside their numbers. Headings are at the top, values at the height of their
-/// dots, moved only so far that they do not overlap.
-void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font)
+enum class Side { Right, Left };
+
+/// Returns the left end of a label on that side of the line, or on the other side where it does not fit. A label that
+/// fits on neither side begins at the left edge of the axes, beside their numbers.
+double labelLeft(double line, double width, const QRectF &axes, Side side)
 {
     constexpr double kGap = 6.0; // px, between the line and the text
-    const double height = QFontMetricsF(font).height();
-    std::ranges::stable_sort(cursor.labels, {},
-                             [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
+    const double right = line + kGap;
+    const double left = line - kGap - width;
+    const bool fitsRight = right + width <= axes.right();
+    const bool fitsLeft = left > axes.left();
+    if (fitsRight && (side == Side::Right || !fitsLeft)) {
+        return right;
+    }
+    return std::max(axes.left() + 1.0, left);
+}
+
+/// Returns the places of the labels, which are in the order of their heights. Headings are at the top, values `shift`
+/// (px) below the height of their dots, moved only so far that they do not overlap.
+std::vector<QRectF> labelPlaces(const PlotCursor &cursor, const QRectF &axes, double height, Side side, double shift)
+{
     const double total = static_cast<double>(cursor.labels.size()) * height;
     // The next label may begin between these two: below the labels before it, with space for those after it.
     double highest = std::max(0.0, std::min(axes.top(), axes.bottom() - total));
     double lowest = std::max(highest, axes.bottom() - total);
+    std::vector<QRectF> places;
+    for (const PlotCursor::Label &label : cursor.labels) {
+        const double width = label.text.size().width();
+        const double wanted = std::max(highest, label.dot ? label.dot->y() - 0.5 * height + shift : highest);
+        const QRectF place(labelLeft(cursor.x, width, axes, side), std::min(lowest, wanted), width, height);
+        places.push_back(place);
+        highest = place.bottom();
+        lowest += height;
+    }
+    return places;
+}
+
+/// Returns how many points of the curves are below values. Headings stand at the top in any case.
+std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const std::vector<QRectF> &places)
+{
+    std::ptrdiff_t covered = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (cursor.labels[i].dot) {
+            covered += std::ranges::count_if(cursor.curves,
+                                             [&place = places[i]](QPointF point) { return place.contains(point); });
+        }
+    }
+    return covered;
+}
+
+/// Places the labels where they cover the fewest points of the curves: if possible to the right of the line, at the
+/// height of their dots.
+void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font)
+{
+    constexpr std::array kShifts{0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5}; // heights of a label
+    const double height = QFontMetricsF(font).height();
+    std::ranges::stable_sort(cursor.labels, {},
+                             [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
     for (PlotCursor::Label &label : cursor.labels) {
         label.text.prepare({}, font);
-        const double width = label.text.size().width();
-        const bool fits = cursor.x + kGap + width <= axes.right();
-        const double x = fits ? cursor.x + kGap : std::max(axes.left() + 1.0, cursor.x - kGap - width);
-        const double wanted = std::max(highest, label.dot ? label.dot->y() - 0.5 * height : highest);
-        label.place = QRectF(x, std::min(lowest, wanted), width, height);
-        highest = label.place.bottom();
-        lowest += height;
+    }
+    std::ptrdiff_t fewest = std::numeric_limits<std::ptrdiff_t>::max();
+    for (const Side side : {Side::Right, Side::Left}) {
+        for (const double shift : kShifts) {
+            const std::vector<QRectF> places = labelPlaces(cursor, axes, height, side, shift * height);
+            const std::ptrdiff_t covered = coveredPoints(cursor, places);
+            if (covered >= fewest) {
+                continue;
+            }
+            fewest = covered;
+            for (std::size_t i = 0; i < places.size(); ++i) {
+                cursor.labels[i].place = places[i];
+            }
+            if (covered == 0) {
+                return;
+            }
+        }
     }
 }
 
 } // namespace
+
+double curveReach(const QFont &font)
+{
+    constexpr double kWidestValue = 5.0; // heights of its text, with the gap beside the line
+    return kWidestValue * QFontMetricsF(font).height();
+}
+
+double curveSpacing(const QFont &font)
+{
+    constexpr double kPointsPerLine = 7.0; // so that a curve cannot cross a label unnoticed
+    return QFontMetricsF(font).height() / kPointsPerLine;
+}
 
 double dotRadius(const QFont &font)
 {

@@ -33,13 +33,18 @@ struct PlotCursor {
     double x = 0.0;       ///< px
     bool isLight = false; ///< follows the pointer
     std::vector<Label> labels = {};
+    std::vector<QPointF> curves = {}; ///< points (px) of the curves beside the line, which the labels shall not cover
 };
+
+/// The distance from the line (px) up to which `curves` has points, and their spacing, for text of that font.
+double curveReach(const QFont &font);
+double curveSpacing(const QFont &font);
 
 /// The radius (px) of a dot beside text of that font.
 double dotRadius(const QFont &font);
 
-/// Places the labels of the cursors of one plot with these axes. Where a label of a later cursor covers one of the
-/// first cursor, only the dot of the covered one remains.
+/// Places the labels of the cursors of one plot with these axes, where they cover the curves least. Where a label of a
+/// later cursor covers one of the first cursor, only the dot of the covered one remains.
 void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font);
 
 /// Paints the cursors, whose labels have been placed.

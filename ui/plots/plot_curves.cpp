@@ -359,7 +359,28 @@ std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, c
                 {QStaticText(shortNumber(isZero ? 0.0 : reading.number)), m_colours.*reading.ink, place});
         }
     }
+    addCurvesBeside(cursor, plot);
     return cursor;
+}
+
+/// Adds the points of the plot's curves on both sides of the cursor.
+void PlotFigure::addCurvesBeside(PlotCursor &cursor, const Plot &plot) const
+{
+    const double reach = curveReach(m_fonts.tick);
+    const double spacing = curveSpacing(m_fonts.tick);
+    for (double x = cursor.x - reach; x <= cursor.x + reach; x += spacing) {
+        const double time = plot.timeAxis->pixelToCoord(x);
+        if (!timeRange().contains(time)) {
+            continue;
+        }
+        const ReadTime read = readTime(time);
+        for (const PlotCurve &curve : plot.curves) {
+            const double value = curve.read ? curve.read(read) : kNone;
+            if (std::isfinite(value)) {
+                cursor.curves.emplace_back(x, plot.valueAxis->coordToPixel(value));
+            }
+        }
+    }
 }
 
 std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &time) const

@@ -185,6 +185,7 @@ private:
     double referenceValue(std::size_t channel, const ReadTime &time) const; ///< of the file or the last pinned motion
     void computeMotions(Plot &plot, std::size_t channel);
     void computeErrors(Plot &plot, std::size_t row);
+    void addCurvesBeside(PlotCursor &cursor, const Plot &plot) const;
     PlotCurve errorCurve(std::size_t channel) const;
     PlotCurve roundingCurve(std::size_t channel) const;
     QString missingModel() const;

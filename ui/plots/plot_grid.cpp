@@ -180,6 +180,9 @@ std::vector<PlotCursor> PlotGrid::cursors(std::size_t plot)
             for (PlotCursor::Label &label : cursor->labels) {
                 label.dot = label.dot ? std::optional(*label.dot - corner) : std::nullopt;
             }
+            for (QPointF &point : cursor->curves) {
+                point -= corner;
+            }
             cursors.push_back(*std::move(cursor));
         }
     };

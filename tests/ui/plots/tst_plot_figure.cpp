@@ -5,6 +5,7 @@
 #include "tests/support/suite.h"
 #include "tests/support/text_recorder.h"
 #include "tests/ui/plots/plot_results.h"
+#include "ui/plots/plot_cursor.h"
 #include "ui/plots/plot_drawing.h"
 
 #include <QPainter>
@@ -344,6 +345,36 @@ private slots:
         QCOMPARE(axis.label(), "θ₂ [°]");
         const auto zero = axis.tickVectorLabels().indexOf(QStringLiteral("0")); // a quarter of a second after 90°
         QVERIFY(zero >= 0 && isNear(axis.tickVector()[zero], 0.25, 1e-9));
+    }
+
+    /// A former defect: in a figure of 85 mm, values at the cursor covered a part of their curve.
+    void valuesStandBesideTheirCurve()
+    {
+        constexpr std::array<std::size_t, 2> kPlots{0, 1}; // θ³ and Rₓ⁴
+        constexpr int kCorner = 6;                         // px: where no place is free, a corner is covered
+        QFont font;
+        font.setPixelSize(12);
+        int covering = 0;
+        for (const std::size_t plot : kPlots) {
+            PlotFigure &figure = figureOf({});
+            const int width = 321; // px, 85 mm
+            figure.compose({{0, 1}, font, paletteFor(Theme::Light)},
+                           {width, PlotFigure::heightFor({0, 1}, width, font)});
+            const Plot &shown = figure.shownPlot(plot);
+            for (int step = 0; step <= 50; ++step) {
+                std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 50.0, {})};
+                placeLabels(cursors, shown.axes->rect(), PlotFonts(font).tick);
+                const QRectF place = cursors.front().labels.front().place.adjusted(0.0, 2.0, 0.0, -2.0);
+                QVERIFY(QRectF(shown.axes->rect()).contains(place));
+                int columns = 0; // of pixels in which the curve is behind the value
+                for (double x = place.left(); x <= place.right(); x += 1.0) {
+                    const double value = positionsAt(shown.timeAxis->pixelToCoord(x), 60.0)[plot];
+                    columns += place.contains(x, shown.valueAxis->coordToPixel(value));
+                }
+                covering += columns > kCorner;
+            }
+        }
+        QVERIFY2(covering == 0, qPrintable(QString::number(covering)));
     }
 
     /// A former defect: six plots, which are drawn in three rows, had the height of two.
