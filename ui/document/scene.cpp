@@ -104,6 +104,7 @@ static void describe(Scene &scene, JsonNode &node)
             describe(scene.mechanism, mechanism);
             mechanism("frame", scene.mechanismFrame);
         });
+        view("table", scene.table);
     });
 }
 

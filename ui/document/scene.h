@@ -18,7 +18,9 @@
 //                     "abscissa": "time"|"crank-angle",
 //                     "zoom": {"time": null or [from, to], "plot_theta3": null or [from, to], …},
 //                     "mechanism": {"velocity", "acceleration", "path", "names", "dimensions": whether shown,
-//                                   "frame": null or [left, lower, right, upper]}} }                   mm
+//                                   "frame": null or [left, lower, right, upper]},                     mm
+//                     "table": null or {"step": "crank-angle"|"time", "angleStep", "timeStep",         °, s
+//                                       "columns": ["theta3", "R4_x_diff", "transmission_angle", …]}} }
 //
 // Columns count from 1. The path of the reference file is relative to the scene's folder if the file is in or below
 // that folder. For joined files "file" is a list, and their columns are numbered on from file to file. The reference,
@@ -52,7 +54,8 @@ struct Scene {
     PlotSettings plots;
     PlotZoom zoom;
     MechanismSettings mechanism;
-    std::optional<QRectF> mechanismFrame; ///< visible part of the drawing, mm; nullopt: the whole motion
+    std::optional<QRectF> mechanismFrame;     ///< visible part of the drawing, mm; nullopt: the whole motion
+    std::optional<MotionTableSettings> table; ///< nullopt if the scene does not say what the table shows
 
     friend bool operator==(const Scene &, const Scene &) = default;
 };

@@ -22,6 +22,12 @@ struct EnumWords<Abscissa> {
     static_assert(isCompleteTable(rows, Abscissa::CrankAngle));
 };
 
+template <>
+struct EnumWords<TableStep> {
+    static constexpr EnumWord<TableStep> rows[] = {{TableStep::CrankAngle, "crank-angle"}, {TableStep::Time, "time"}};
+    static_assert(isCompleteTable(rows, TableStep::Time));
+};
+
 namespace
 {
 
@@ -145,6 +151,20 @@ void describe(MechanismSettings &settings, JsonNode &node)
     node("dimensions", settings.dimensions);
     node("angles", settings.angles);
     node("instantCentre", settings.instantCentre);
+}
+
+void describe(OutputChannel &channel, JsonNode &node)
+{
+    const QString name = node.exchange(QString::fromUtf8(nameOf(channel))).toString();
+    channel = outputChannelNamed(name.toStdString()).value_or(channel);
+}
+
+void describe(MotionTableSettings &table, JsonNode &node)
+{
+    node("step", table.step);
+    node("angleStep", table.angleStep, kShortestTableStep, kLongestTableStep);
+    node("timeStep", table.timeStep, kShortestTableStep, kLongestTableStep);
+    node("columns", table.columns);
 }
 
 } // namespace slidercrank

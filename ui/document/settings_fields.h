@@ -21,6 +21,8 @@ void describe(ReferenceSource &source, JsonNode &node); ///< with its paths unch
 void describe(PlotSettings &plots, JsonNode &node);
 void describe(PlotZoom &zoom, JsonNode &node);
 void describe(MechanismSettings &settings, JsonNode &node);
+void describe(OutputChannel &channel, JsonNode &node);
+void describe(MotionTableSettings &table, JsonNode &node);
 
 /// The name of a column's meaning in files and options: "ignored", "time", "crank-angle", or that of the channel.
 QString meaningName(ColumnRole role, Channel channel);
@@ -29,6 +31,10 @@ QString meaningName(ColumnRole role, Channel channel);
 void setMeaning(ColumnChoice &choice, const QString &name);
 
 bool isValid(const ReferenceSource &source); ///< Whether it names a file.
+inline bool isValid(const MotionTableSettings &)
+{
+    return true;
+}
 
 /// Returns the settings as JSON.
 template <typename Settings>

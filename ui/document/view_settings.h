@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The settings of the plots and of the drawing, which are saved with a scene.
+// The settings of the plots, of the drawing and of the table of the motion, which are saved with a scene.
 
+#include "core/limits/output_channel.h"
 #include "core/mechanism/channel.h"
 #include "ui/text/interval.h"
 
@@ -11,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace slidercrank
 {
@@ -79,5 +81,21 @@ struct MechanismSettings {
 
     friend bool operator==(const MechanismSettings &, const MechanismSettings &) = default;
 };
+
+enum class TableStep { CrankAngle, Time };
+
+/// Settings of the table of the motion.
+struct MotionTableSettings {
+    TableStep step = TableStep::CrankAngle;
+    double angleStep = 15.0; ///< °
+    double timeStep = 0.05;  ///< s
+    std::vector<OutputChannel> columns;
+
+    friend bool operator==(const MotionTableSettings &, const MotionTableSettings &) = default;
+};
+
+/// Limits of both steps.
+inline constexpr double kShortestTableStep = 1e-3;
+inline constexpr double kLongestTableStep = 1e6;
 
 } // namespace slidercrank

@@ -5,6 +5,7 @@
 
 #include "core/limits/output_channel.h"
 #include "core/sampling/trajectory.h"
+#include "ui/document/view_settings.h"
 #include "ui/widgets/number_table.h"
 
 #include <optional>
@@ -12,17 +13,6 @@
 
 namespace slidercrank
 {
-
-enum class TableStep { CrankAngle, Time };
-
-struct MotionTableSettings {
-    TableStep step = TableStep::CrankAngle;
-    double angleStep = 15.0; ///< °
-    double timeStep = 0.05;  ///< s
-    std::vector<OutputChannel> columns;
-
-    friend bool operator==(const MotionTableSettings &, const MotionTableSettings &) = default;
-};
 
 /// The largest number of rows.
 inline constexpr int kMaxTableRows = 5000;

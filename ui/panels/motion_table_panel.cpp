@@ -94,7 +94,7 @@ QLayout *MotionTablePanel::makeControls()
     auto *row = new QHBoxLayout;
     row->addWidget(new QLabel(tr("Every")));
     named("tableStep", m_step, tr("Step of the table"));
-    m_step->setRange(1e-3, 1e6);
+    m_step->setRange(kShortestTableStep, kLongestTableStep);
     m_step->setValue(m_settings.angleStep);
     row->addWidget(m_step);
     named("tableStepKind", m_stepKind, tr("Unit of the step"));
@@ -172,10 +172,10 @@ void MotionTablePanel::fillColumnsMenu()
         action->setChecked(std::ranges::count(m_settings.columns, channel) > 0);
         connect(action, &QAction::triggered, this, [this, channel](bool isWanted) {
             MotionTableSettings settings = m_settings;
-            settings.columns = tableChannels(); // in their order
-            std::erase_if(settings.columns, [&](const OutputChannel &each) {
-                return each == channel ? !isWanted : !std::ranges::count(m_settings.columns, each);
-            });
+            std::erase(settings.columns, channel);
+            if (isWanted) {
+                settings.columns.push_back(channel);
+            }
             setSettings(settings);
         });
     }
@@ -202,8 +202,13 @@ void MotionTablePanel::fillExportMenu(QToolButton *button)
 
 void MotionTablePanel::setSettings(const MotionTableSettings &settings)
 {
-    const bool hasOtherColumns = settings.columns != m_settings.columns;
+    std::vector<OutputChannel> columns = tableChannels();
+    std::erase_if(columns, [&settings](const OutputChannel &channel) {
+        return std::ranges::count(settings.columns, channel) == 0;
+    });
+    const bool hasOtherColumns = columns != m_settings.columns;
     m_settings = settings;
+    m_settings.columns = columns;
     const bool isTime = settings.step == TableStep::Time;
     m_stepKind->setCurrentIndex(m_stepKind->findData(static_cast<int>(settings.step)));
     m_step->setValue(isTime ? settings.timeStep : settings.angleStep);

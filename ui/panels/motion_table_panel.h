@@ -34,7 +34,7 @@ public:
     explicit MotionTablePanel(Session *session, QWidget *parent = nullptr);
 
     const MotionTableSettings &settings() const { return m_settings; }
-    void setSettings(const MotionTableSettings &settings);
+    void setSettings(const MotionTableSettings &settings); ///< shows the columns in the order of tableChannels()
 
     const CsvStyle &csvStyle() const { return m_style; }
     void setCsvStyle(const CsvStyle &style);

@@ -326,7 +326,6 @@ std::unique_ptr<MainWindow> MainWindow::remade()
     setLanguage(chosenLanguage());
     auto window = std::make_unique<MainWindow>();
     window->m_scene->takeOver(*m_scene);
-    window->m_views.table->setSettings(m_views.table->settings());
     window->m_views.tabs->setCurrentIndex(m_views.tabs->currentIndex());
     window->m_views.tabs->setFolded(m_views.tabs->isFolded());
     return window;

@@ -4,6 +4,7 @@
 #include "ui/document/scene_link.h"
 #include "ui/document/whole_file.h"
 #include "ui/mechanism/mechanism_view.h"
+#include "ui/panels/motion_table_panel.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
@@ -66,7 +67,8 @@ Scene SceneFile::scene() const
             .plots = m_views.plots->settings(),
             .zoom = m_views.plots->zoom(),
             .mechanism = m_views.mechanism->settings(),
-            .mechanismFrame = m_views.mechanism->zoom()};
+            .mechanismFrame = m_views.mechanism->zoom(),
+            .table = m_views.table->settings()};
 }
 
 void SceneFile::askThen(const std::function<void()> &proceed)
@@ -147,6 +149,9 @@ void SceneFile::show(const Scene &scene, const QString &path, const std::shared_
     m_views.plots->setZoom(scene.zoom);
     m_views.mechanism->setSettings(scene.mechanism);
     m_views.mechanism->setZoom(scene.mechanismFrame);
+    if (scene.table) {
+        m_views.table->setSettings(*scene.table);
+    }
     emit changed();
 }
 

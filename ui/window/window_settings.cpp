@@ -66,9 +66,12 @@ void restoreTable(const QSettings &settings, MotionTablePanel &panel)
 {
     MotionTableSettings table = panel.settings();
     if (const QStringList columns = settings.value(kTable + "columns").toStringList(); !columns.isEmpty()) {
-        table.columns = tableChannels();
-        std::erase_if(table.columns,
-                      [&columns](const OutputChannel &channel) { return !columns.contains(columnName(channel)); });
+        table.columns.clear();
+        for (const QString &column : columns) {
+            if (const std::optional<OutputChannel> channel = outputChannelNamed(column.toStdString())) {
+                table.columns.push_back(*channel);
+            }
+        }
     }
     const double step = settings.value(kTable + "angleStep", table.angleStep).toDouble();
     table.angleStep = step > 0.0 ? step : table.angleStep;

@@ -55,6 +55,13 @@ Scene sceneNumber(int i, RandomMechanisms &random, const QString &folder)
         scene.zoom.values[static_cast<std::size_t>(i) % kPlotCount] = interval();
         scene.mechanismFrame = QRectF(-30.5, -20.25, 60.125, 40.5);
     }
+    if (flag(5)) {
+        const std::vector<OutputChannel> channels = allOutputChannels();
+        scene.table = {static_cast<TableStep>(flag(0)), random.uniform(0.1, 90.0), random.uniform(1e-3, 1.0), {}};
+        for (int column = 0; column < i % 7; ++column) {
+            scene.table->columns.push_back(channels[static_cast<std::size_t>(5 * column + i) % channels.size()]);
+        }
+    }
     if (flag(4)) {
         scene.reference.emplace();
         scene.reference->paths = {folder + "/a b/ñ \"2\".csv", "/elsewhere/results.csv", ":/data/inventor_sample.csv"};
@@ -131,6 +138,7 @@ private slots:
             scene.zoom = {};
             scene.mechanism = {};
             scene.mechanismFrame.reset();
+            scene.table.reset();
             const QString link = sceneLink(scene);
             QVERIFY2(isSceneLink(link) && isNamedAsScene(link), qPrintable(link));
             QVERIFY2(std::get<Scene>(readScene(link)) == scene, qPrintable(link));

@@ -9,6 +9,7 @@
 #include "ui/export/animation_form.h"
 #include "ui/export/figure_form.h"
 #include "ui/mechanism/mechanism_view.h"
+#include "ui/panels/motion_table_panel.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/exports.h"
@@ -66,6 +67,8 @@ private slots:
         view<PlotGrid>()->setZoom(zoom);
         view<MechanismView>()->setSettings(kDrawn);
         view<MechanismView>()->setZoom(QRectF(-15.0, -10.0, 60.0, 40.0)); // mm
+        const MotionTableSettings table{TableStep::Time, 30.0, 0.02, {Channel{R4x, Order::Velocity}}};
+        view<MotionTablePanel>()->setSettings(table);
         QVERIFY(m_window->isWindowModified());
         QVERIFY(m_window->scene().saveTo(rig));
         QVERIFY(!m_window->isWindowModified() && m_window->windowTitle().startsWith("rig.slidercrank[*]"));
@@ -77,8 +80,10 @@ private slots:
         const QImage shown = picture("plot_R4_x_diff");
 
         openWindow();
+        view<MotionTablePanel>()->setSettings({.columns = usualTableChannels()}); // as in a new installation
         drop({rig});
         AWAIT(session().reference());
+        QVERIFY(view<MotionTablePanel>()->settings() == table);
         QCOMPARE(shownTab(), ErrorsTab); // the errors against its reference
         QCOMPARE(sceneToJson(m_window->scene().scene(), rig), contentOf(rig));
         for (const Channel channel : kPlottedChannels) {
