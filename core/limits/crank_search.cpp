@@ -76,6 +76,16 @@ CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction
     return points;
 }
 
+/// Sorts the crank angles and removes repeated ones. At a toggle, the motion before it and the motion after it have the
+/// same solution, except for rounding.
+void sortOut(std::vector<double> &angles)
+{
+    constexpr double kSameAngle = 1e-14; // rad
+    std::ranges::sort(angles);
+    const auto areSame = [](double x, double y) { return y - x < kSameAngle; };
+    angles.erase(std::unique(angles.begin(), angles.end(), areSame), angles.end());
+}
+
 /// Solves channel(θ2) = value for ω2 = 1 rad/s and a crank acceleration.
 class Solver
 {
@@ -97,26 +107,41 @@ public:
         std::vector<double> solutions;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const CriticalPoint &point = points[i];
+            CriticalPoint previous = points[(i + points.size() - 1) % points.size()];
             CriticalPoint next = points[(i + 1) % points.size()];
+            previous.theta2 -= i > 0 ? 0.0 : kTurn;
             next.theta2 += i + 1 < points.size() ? 0.0 : kTurn;
-            const double difference = differenceAt(point);
+            const double difference = differenceAt(point.value);
             if (difference == 0.0) {
-                solutions.push_back(point.theta2);
-            } else if (point.kind != CriticalPoint::Kind::End && difference * differenceAt(next) < 0.0) {
+                if (!isKeptBetween(previous, point) || !isKeptBetween(point, next)) {
+                    solutions.push_back(point.theta2);
+                }
+            } else if (point.kind != CriticalPoint::Kind::End && difference * differenceAt(next.value) < 0.0) {
                 solutions.push_back(wrapToPi(bisect(point, next)));
             }
         }
-        std::ranges::sort(solutions);
-        solutions.erase(std::unique(solutions.begin(), solutions.end()), solutions.end());
+        sortOut(solutions);
         return solutions;
     }
 
 private:
-    /// Returns the value of a critical point minus the wanted one; 0 if that is only rounding.
-    double differenceAt(const CriticalPoint &point) const
+    double valueAt(double theta2) const
+    {
+        return outputStateAt(withDrive(m_mechanism, 1.0, theta2), 0.0, m_alpha2).valueOf(m_channel);
+    }
+
+    /// Returns whether the channel keeps the wanted value from one critical point to the next.
+    bool isKeptBetween(const CriticalPoint &from, const CriticalPoint &to) const
+    {
+        return differenceAt(from.value) == 0.0 && differenceAt(to.value) == 0.0 &&
+               differenceAt(valueAt(std::midpoint(from.theta2, to.theta2))) == 0.0;
+    }
+
+    /// Returns a value minus the wanted one; 0 if that is only rounding.
+    double differenceAt(double value) const
     {
         constexpr double kRounding = 8.0 * kEpsilon;
-        const double difference = point.value - m_value;
+        const double difference = value - m_value;
         const double size = std::max(std::abs(m_value), m_naturalSize);
         return std::abs(difference) <= kRounding * size ? 0.0 : difference;
     }
@@ -129,7 +154,7 @@ private:
         const bool startsBelow = from.value < m_value;
         for (double middle = std::midpoint(low, high); low < middle && middle < high;
              middle = std::midpoint(low, high)) {
-            const double value = outputStateAt(withDrive(m_mechanism, 1.0, middle), 0.0, m_alpha2).valueOf(m_channel);
+            const double value = valueAt(middle);
             // Because of rounding, the mechanism may be impossible to assemble beside an end of the motion. Then the
             // nearer one of the two points decides.
             const bool isBeforeSolution =
@@ -175,8 +200,7 @@ std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order orde
             }
         }
     }
-    std::ranges::sort(solutions);
-    solutions.erase(std::unique(solutions.begin(), solutions.end()), solutions.end());
+    sortOut(solutions);
     return solutions;
 }
 

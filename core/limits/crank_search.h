@@ -17,7 +17,8 @@ namespace slidercrank
 
 /// Returns all crank angles within [-π, π), ascending, at which the channel has the value (mm, rad, s) if the crank has
 /// the acceleration alpha2 (rad/s²) there. An angle is compared modulo a turn, as a direction. A value that equals an
-/// extremum except for rounding has the single solution there. Returns nullopt if the channel does not depend on the
+/// extremum except for rounding has the single solution there; a value that is kept over an arc, such as x = 0 for
+/// a = b and c = 0, has the two ends of the arc. Returns nullopt if the channel does not depend on the
 /// crank angle, such as R4_y, or a velocity for ω2 = 0.
 std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, const OutputChannel &channel, double value,
                                                  double alpha2 = 0.0);

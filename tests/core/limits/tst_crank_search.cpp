@@ -206,6 +206,23 @@ private slots:
         }
     }
 
+    /// The slider of a = b, c = 0 rests at O2 from 90° to 270°: not every rounding error there is a solution.
+    void aValueThatIsKeptHasTheEndsOfItsArc()
+    {
+        const Mechanism folding({.a = 10.0, .b = 10.0, .c = 0.0});
+        const auto position = crankAnglesAt(folding, *outputChannelNamed("R4_x"), 0.0);
+        QCOMPARE(position->size(), std::size_t(2));
+        QVERIFY(std::abs(position->front() + kQuarterTurn) < 1e-14);
+        QVERIFY(std::abs(position->back() - kQuarterTurn) < 1e-14);
+        const auto velocity = crankAnglesAt(folding, *outputChannelNamed("R4_x_diff"), 0.0);
+        for (const double theta2 : *velocity) {
+            const double fromEnds = std::min({std::abs(theta2), std::abs(std::abs(theta2) - kQuarterTurn)});
+            QVERIFY2(fromEnds < 1e-14, qPrintable(QString::number(theta2)));
+        }
+        QCOMPARE(velocity->size(), std::size_t(3)); // and the outer dead centre
+        QCOMPARE(crankAnglesAt(folding, *outputChannelNamed("R4_x"), 10.0)->size(), std::size_t(2));
+    }
+
     /// At rest, the second derivative is f' α2.
     void aCrankStartsFromRest()
     {
