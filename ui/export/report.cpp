@@ -102,8 +102,8 @@ public:
     /// drawing, otherwise with the next one.
     void fillPage(DrawingObject &drawing, int type, int largestHeight)
     {
-        constexpr int kToSpare = 24;        // px, since the space between paragraphs depends on the page
-        constexpr double kMinDrawing = 0.5; // of the page
+        constexpr int kToSpare = 24;         // px, since the space between paragraphs depends on the page
+        constexpr double kMinDrawing = 0.45; // of the page
         for (QTextBlock block = m_document.begin(); block.isValid(); block = block.next()) {
             if (hasObject(block, type)) {
                 const QTextBlock heading = headingOf(block);
