@@ -60,6 +60,8 @@ private slots:
                      "--angle-unit rad x=9.79 v=-41.46 a=-709 theta3=0.453 omega3=5.42 mu=64.1deg")
                      .status,
                  0);
+        const RunResult power = run(QString(kExample) + "a=-7.09e1cm/s²");
+        QVERIFY2(power.output.contains("exact: −70.91 cm/s²  right"), power.output.constData());
         const RunResult inches = run("check --a 3in --b 8in --c 2in --at-angle -30 --length-unit in x=9.80");
         QVERIFY2(inches.output.contains("exact: 9.792 in  off by 0.00818 in"), inches.output.constData());
         const QJsonObject atB = checkJson("theta3=-154deg")["values"].toArray().first().toObject();

@@ -30,6 +30,18 @@ bool isCommonAngle(const TypedValue &typed)
            (std::abs(given.value) > kTurn || given.halfStep > kLargestChance * kQuarterTurn);
 }
 
+/// Returns the unit behind the number of a text that is a quantity; empty if there is none.
+std::string_view unitBehindNumber(std::string_view text)
+{
+    for (std::size_t end = 1; end < text.size(); ++end) {
+        const std::string_view unit = trimmed(text.substr(end));
+        if (parseUnit(unit) && !readQuantity(text.substr(0, end), {}).fault) {
+            return unit;
+        }
+    }
+    return {};
+}
+
 CheckResult checkAll(const std::vector<TypedValue> &values, const CrankPosition &position)
 {
     std::vector<GivenValue> given(values.size());
@@ -86,7 +98,7 @@ TypedValue readTypedValue(const QString &text, const OutputChannel &channel, con
     typed.unitName = unitText(measure, units);
     const std::string number = typed.text.toStdString();
     typed.written = readWrittenValue(number, typed.unit);
-    const std::string_view unit = splitUnit(number).unit;
+    const std::string_view unit = unitBehindNumber(number);
     typed.hasUnit = !unit.empty();
     if (!typed.written.fault && typed.hasUnit) {
         typed.unit = parseUnit(unit).value_or(typed.unit);
