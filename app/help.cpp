@@ -37,7 +37,8 @@ QString exitStatusText()
 QString unitsText()
 {
     return CommandLine::tr(
-        "Numbers without a unit are in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms are accepted, too.");
+        "Numbers without a unit are in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms and expressions such as "
+        "2*pi are accepted, too.");
 }
 
 /// Breaks the text into lines, all but the first of which are indented.

@@ -46,11 +46,11 @@ public:
              "Checks numbers of a calculation by hand for one position of the crank (--at-angle), and names the slip "
              "that gives exactly the wrong ones. Names: x, v, a (position, velocity and acceleration of the slider), "
              "theta3, omega3, alpha3 (of the coupler), displacement (from the outer dead centre), mu (transmission "
-             "angle), and every channel of solve. A number alone is in mm, degrees and s; units are accepted: "
-             "omega3=5.42rad/s. A number is right if the exact one rounds to it; zeros at the end of a whole number "
-             "count up to the third digit. theta3 may also be measured at B, as in Norton's book. A slip is named "
-             "only if no other slip gives all wrong numbers, and if these have enough digits to exclude a "
-             "coincidence."),
+             "angle), and every channel of solve. A number alone is in mm, degrees and s, omega3 and alpha3 also in "
+             "rad/s if that is more likely; units are accepted: omega3=5.42rad/s. A number is right if the exact one "
+             "rounds to it; zeros at the end of a whole number count up to the third digit. theta3 may also be "
+             "measured at B, as in Norton's book. A slip is named only if it does not contradict the right numbers, "
+             "if no other slip gives all wrong numbers, and if these have enough digits to exclude a coincidence."),
          checkCommand},
         {"compare", "FILE… [options]", QT_TR_NOOP("how far simulation files are from the model"),
          QT_TR_NOOP(

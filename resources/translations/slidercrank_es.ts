@@ -562,8 +562,8 @@
         <translation>qué descuido da los números de un cálculo a mano</translation>
     </message>
     <message>
-        <source>Checks numbers of a calculation by hand for one position of the crank (--at-angle), and names the slip that gives exactly the wrong ones. Names: x, v, a (position, velocity and acceleration of the slider), theta3, omega3, alpha3 (of the coupler), displacement (from the outer dead centre), mu (transmission angle), and every channel of solve. A number alone is in mm, degrees and s; units are accepted: omega3=5.42rad/s. A number is right if the exact one rounds to it; zeros at the end of a whole number count up to the third digit. theta3 may also be measured at B, as in Norton&apos;s book. A slip is named only if no other slip gives all wrong numbers, and if these have enough digits to exclude a coincidence.</source>
-        <translation>Revisa los números de un cálculo a mano para una posición de la manivela (--at-angle) y nombra el descuido que da exactamente los erróneos. Nombres: x, v, a (posición, velocidad y aceleración de la corredera), theta3, omega3, alpha3 (de la biela), displacement (desde el punto muerto exterior), mu (ángulo de transmisión) y todo canal de solve. Un número sin unidad está en mm, grados y s; se aceptan unidades: omega3=5.42rad/s. Un número es correcto si el exacto se redondea a él; los ceros al final de un número entero cuentan hasta la tercera cifra. theta3 también puede medirse en B, como en el libro de Norton. Un descuido se nombra solo si ningún otro da todos los números erróneos y si estos tienen cifras suficientes para excluir una coincidencia.</translation>
+        <source>Checks numbers of a calculation by hand for one position of the crank (--at-angle), and names the slip that gives exactly the wrong ones. Names: x, v, a (position, velocity and acceleration of the slider), theta3, omega3, alpha3 (of the coupler), displacement (from the outer dead centre), mu (transmission angle), and every channel of solve. A number alone is in mm, degrees and s, omega3 and alpha3 also in rad/s if that is more likely; units are accepted: omega3=5.42rad/s. A number is right if the exact one rounds to it; zeros at the end of a whole number count up to the third digit. theta3 may also be measured at B, as in Norton&apos;s book. A slip is named only if it does not contradict the right numbers, if no other slip gives all wrong numbers, and if these have enough digits to exclude a coincidence.</source>
+        <translation>Revisa los números de un cálculo a mano para una posición de la manivela (--at-angle) y nombra el descuido que da exactamente los erróneos. Nombres: x, v, a (posición, velocidad y aceleración de la corredera), theta3, omega3, alpha3 (de la biela), displacement (desde el punto muerto exterior), mu (ángulo de transmisión) y todo canal de solve. Un número sin unidad está en mm, grados y s, omega3 y alpha3 también en rad/s si es más probable; se aceptan unidades: omega3=5.42rad/s. Un número es correcto si el exacto se redondea a él; los ceros al final de un número entero cuentan hasta la tercera cifra. theta3 también puede medirse en B, como en el libro de Norton. Un descuido se nombra solo si no contradice los números correctos, si ningún otro da todos los números erróneos y si estos tienen cifras suficientes para excluir una coincidencia.</translation>
     </message>
     <message>
         <source>crank angle at which the values are checked (--theta20)</source>
@@ -892,8 +892,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>%1: %2, %3 filas</translation>
     </message>
     <message>
-        <source>Numbers without a unit are in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms are accepted, too.</source>
-        <translation>Los números sin unidad están en la unidad indicada; también se aceptan 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms.</translation>
+        <source>Numbers without a unit are in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms and expressions such as 2*pi are accepted, too.</source>
+        <translation>Los números sin unidad están en la unidad indicada; también se aceptan 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms y expresiones como 2*pi.</translation>
     </message>
     <message>
         <source>how far simulation files are from the model</source>
