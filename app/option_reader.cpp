@@ -47,6 +47,24 @@ double parseNumber(const char *option, const QString &text, const std::optional<
     return value;
 }
 
+/// Returns the options with a similar name, such as --at-angle for "angle", and those that take the name as a value,
+/// such as "--branch crossed" for "crossed".
+static QStringList similarOptions(const std::vector<OptionDescription> &options, const QString &name)
+{
+    constexpr qsizetype kShortestName = 2; // "a" begins too many names
+    QStringList similar;
+    for (const OptionDescription &option : options) {
+        const QString known = option.name;
+        const bool continuesOption = known.size() >= kShortestName && name.startsWith(known);
+        if (known.startsWith(name) || continuesOption || known.split('-').contains(name)) {
+            similar += "--" + known;
+        } else if (QString(option.value).split('|').contains(name)) {
+            similar += QStringLiteral("--%1 %2").arg(known, name);
+        }
+    }
+    return similar;
+}
+
 OptionReader::OptionReader(const CommandDescription &command, const QStringList &arguments)
     : m_command(command)
     , m_options(optionsOf(command))
@@ -61,6 +79,12 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
     }
     m_parser.parse(QStringList("slidercrank") + arguments);
     if (!m_parser.errorText().isEmpty() && !has("help")) {
+        const QStringList unknown = m_parser.unknownOptionNames();
+        const QStringList similar = unknown.isEmpty() ? QStringList() : similarOptions(m_options, unknown.first());
+        if (!similar.isEmpty()) {
+            throw UsageError{CommandLine::tr("%1 Did you mean %2? --help describes the options.")
+                                 .arg(m_parser.errorText(), anyOf(similar))};
+        }
         throw UsageError{CommandLine::tr("%1 --help describes the options.").arg(m_parser.errorText())};
     }
     checkRepetitions();

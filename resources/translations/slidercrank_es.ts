@@ -944,6 +944,10 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--at ya fija el instante: quite %1.</translation>
     </message>
     <message>
+        <source>%1 Did you mean %2? --help describes the options.</source>
+        <translation>%1 ¿Quiso decir %2? --help describe las opciones.</translation>
+    </message>
+    <message>
         <source>%1 --help describes the options.</source>
         <translation>%1 --help describe las opciones.</translation>
     </message>
