@@ -3096,6 +3096,14 @@ PA = %4, PB = %5</translation>
         <translation>Las filas están en el portapapeles, como CSV con encabezados.</translation>
     </message>
     <message>
+        <source>There is no such position: this θ₃ is measured at B. View &gt; Notation and units has the angle at A.</source>
+        <translation>No existe tal posición: este θ₃ se mide en B. Ver &gt; Notación y unidades tiene el ángulo en A.</translation>
+    </message>
+    <message>
+        <source>There is no such position: this θ³ is measured at A. View &gt; Notation and units has the angle at B.</source>
+        <translation>No existe tal posición: este θ³ se mide en A. Ver &gt; Notación y unidades tiene el ángulo en B.</translation>
+    </message>
+    <message>
         <source>There is no such position.</source>
         <translation>No existe tal posición.</translation>
     </message>

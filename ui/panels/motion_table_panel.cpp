@@ -430,6 +430,21 @@ void MotionTablePanel::showWantedUnit()
     m_answer->hide();
 }
 
+QString MotionTablePanel::noPosition() const
+{
+    const OutputChannel channel = *wantedChannel();
+    const bool isCouplerAngle = channel == OutputChannel(Channel{Theta3, Order::Position});
+    const Mechanism mechanism(m_session->parameters());
+    if (isCouplerAngle && !crankAnglesAt(mechanism, channel, wantedValue() + 0.5 * kTurn)->empty()) {
+        return notation().symbols == Symbols::Textbook
+                   ? tr("There is no such position: this θ₃ is measured at B. View > Notation and units has the angle "
+                        "at A.")
+                   : tr("There is no such position: this θ³ is measured at A. View > Notation and units has the angle "
+                        "at B.");
+    }
+    return tr("There is no such position.");
+}
+
 void MotionTablePanel::goToNext()
 {
     const OutputChannel channel = *wantedChannel();
@@ -437,7 +452,7 @@ void MotionTablePanel::goToNext()
     std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, channel, wantedValue(), m_session->alpha2());
     QString answer;
     if (!angles || angles->empty()) {
-        answer = tr("There is no such position.");
+        answer = noPosition();
     } else if (mechanism.omega2() == 0.0) {
         m_session->setParameter(Parameter::Theta20, nextAngle(*angles, m_session->parameters().theta20));
     } else if (const auto time = nextTime(*angles, mechanism, m_session->sampling(), m_session->time())) {

@@ -76,6 +76,7 @@ private:
     double wantedValue() const; ///< mm, rad, s
     void showWantedUnit();
     void goToNext();
+    QString noPosition() const; ///< the answer if no position has the wanted value
     void useAsCrankSpeed();
     QByteArray csv() const; ///< the rows as a file
     void copy();

@@ -361,6 +361,12 @@ private slots:
             shown.click("findNext");
             QVERIFY2(std::abs(shown.session.pose().motion.theta3 * kDegreesPerRadian - 10.0) < 1e-9, angle);
         }
+        shown.type("findValue", "10"); // at A
+        shown.click("findNext");
+        QVERIFY(child<QLabel>(shown.panel, "findAnswer")->text().contains("measured at B"));
+        shown.type("findValue", "100");
+        shown.click("findNext");
+        QCOMPARE(child<QLabel>(shown.panel, "findAnswer")->text(), QString("There is no such position."));
     }
 
 private:
