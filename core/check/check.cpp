@@ -132,9 +132,9 @@ bool contradictsPositions(const SlipOutcome &outcome, std::span<const GivenValue
 /// rounding are left out.
 struct Comparison {
     Slip slip;
-    bool fits;             ///< gives every wrong value
-    bool keepsRightValues; ///< leaves every right value right
-    double change;         ///< product of the changes of the wrong values
+    bool fits = true;             ///< gives every wrong value
+    bool keepsRightValues = true; ///< leaves every right value right
+    double change = 1.0;          ///< product of the changes of the wrong values
 };
 
 std::vector<Comparison> compareSlips(const CrankPosition &position, const OutputState &exact,
@@ -146,7 +146,7 @@ std::vector<Comparison> compareSlips(const CrankPosition &position, const Output
         if (!showsIn(judged, outcome.slip) || contradictsPositions(outcome, given, checked)) {
             continue;
         }
-        Comparison comparison{outcome.slip, true, true, 1.0};
+        Comparison comparison{outcome.slip};
         bool changesAll = true;
         for (std::size_t i = 0; i < given.size(); ++i) {
             const double predicted = outcome.values.valueOf(given[i].channel);
@@ -179,8 +179,8 @@ std::vector<Slip> fittingSlips(const std::vector<Comparison> &comparisons)
     return slips;
 }
 
-/// Returns n of check.h: the number of different changes that are at most as large as that of a slip that fits.
-std::ptrdiff_t countTried(const std::vector<Comparison> &comparisons)
+/// Returns n of check.h: the number of different changes that are at most as large as the largest of a slip that fits.
+std::ptrdiff_t countPossibleSlips(const std::vector<Comparison> &comparisons)
 {
     constexpr double kRelativeTolerance = 1e-9; // two computations of the same change differ by less
     double largest = 0.0;
@@ -207,7 +207,7 @@ void explainBySlips(CheckResult &result, std::vector<Comparison> comparisons, do
     if (slips.empty()) {
         return;
     }
-    if (static_cast<double>(countTried(comparisons)) * coincidence >= kLargestChance) {
+    if (static_cast<double>(countPossibleSlips(comparisons)) * coincidence >= kLargestChance) {
         result.explanation = CheckOutcome::TooFewDigits;
     } else {
         result.slips = slips;

@@ -18,9 +18,9 @@
 //
 //        n · h₁/d₁ · … · h_k/d_k,
 //
-//    which must be below kLargestChance. n is the number of different changes that slips make of every wrong value and
-//    that are at most as large (product of the k changes) as the one that fits: only these had a chance to fit numbers
-//    that are no farther off.
+//    which must be below kLargestChance. The size of a slip is the product of the changes that it makes to the k wrong
+//    values. n counts the slips that change every wrong value and are no larger than the slip that fits: a larger slip
+//    cannot fit numbers that are no farther off. Slips of the same size count once.
 //
 // Pairs of slips are not tried. A textbook may measure θ3 at B, from B to A (Norton). That is half a turn more than the
 // angle at A of this program, no error: θ3 is compared modulo 180°.
@@ -55,7 +55,7 @@ enum class CheckOutcome {
     NotNeeded,      ///< all values are right
     Named,          ///< exactly one slip gives the wrong values
     Ambiguous,      ///< several slips give them
-    TooFewDigits,   ///< a slip gives them, but so may chance with so few digits
+    TooFewDigits,   ///< a slip gives them, but they have too few digits to exclude a coincidence
     RoundedEarlier, ///< no slip is named, but the deviations are within the error of intermediate results that are
                     ///< rounded to three digits
     None            ///< no slip gives them
@@ -63,7 +63,7 @@ enum class CheckOutcome {
 
 struct CheckResult {
     Status status = Status::Solved;        ///< if it is not Solved, values may not exist
-    std::vector<CheckedValue> values = {}; ///< of every given value
+    std::vector<CheckedValue> values = {}; ///< one for each given value
     CheckOutcome explanation = CheckOutcome::NotNeeded;
     std::vector<Slip> slips = {}; ///< one if Named, several if Ambiguous, otherwise none
 };

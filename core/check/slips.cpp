@@ -31,11 +31,11 @@ struct Calculation {
     double alpha2;
     OutputState values; ///< the results
 
-    // What enters the formulas above.
-    SinCos crank;                     ///< of θ2
-    SinCos coupler;                   ///< of θ3
-    double crankNormal;               ///< ω2² in the terms with a ω2²
-    double couplerNormalFactor = 1.0; ///< factor of the terms with b ω3²
+    // The quantities that the formulas above use.
+    SinCos crank;                     ///< sine and cosine of θ2
+    SinCos coupler;                   ///< sine and cosine of θ3
+    double crankNormal;               ///< replaces ω2² in the terms a ω2² sin θ2 and a ω2² cos θ2
+    double couplerNormalFactor = 1.0; ///< multiplies the terms b ω3² sin θ3 and b ω3² cos θ3
     double omega3Error = 0.0;         ///< is added to ω3
     double alpha3Error = 0.0;         ///< is added to α3
 
@@ -100,7 +100,7 @@ void setSlider(Calculation &hand, double x, double slope, double curvature)
                                         -side * acceleration};
 }
 
-/// Sets the slider to a cos θ2 beside `middle`.
+/// Sets the slider to the harmonic motion x = middle + a cos θ2.
 void moveHarmonically(Calculation &hand, double middle)
 {
     const double a = hand.parameters.a;
@@ -121,7 +121,7 @@ void approximateByTwoHarmonics(Calculation &hand)
     hand.values.state.qDDot[Theta3] = a * (omega2 * omega2 * sin - hand.alpha2 * cos) / b;
 }
 
-/// Forgets the factor 1/2 that the derivative of sin² θ2 leaves before sin 2θ2.
+/// Approximates by two harmonics, but omits the factor 1/2 of sin 2θ2 in the velocity.
 void doubleSecondHarmonicOfVelocity(Calculation &hand)
 {
     const double a = hand.parameters.a;
@@ -143,7 +143,7 @@ void measureFromInnerDeadCentre(Calculation &hand)
     setSlider(hand, hand.values.derived.displacement);
 }
 
-/// Takes ω2 for ω2² in the accelerations q'' ω2² + q' α2.
+/// Replaces ω2² by ω2 in all accelerations q'' ω2² + q' α2.
 void omitSquareOfSpeed(Calculation &hand)
 {
     State &state = hand.values.state;
@@ -213,12 +213,12 @@ double halfUnitOfThirdDigit(double value)
     return value == 0.0 ? 0.0 : 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(value))) - 2.0);
 }
 
-/// Rounds θ3 to three digits of its degrees. `atB`: the angle at B minus that at A (rad).
-void roundTheta3(Calculation &hand, double atB)
+/// Rounds the angle θ3 + shift, in degrees, to three digits. `shift` (rad): 0 for the angle at A, -π for that at B.
+void roundTheta3(Calculation &hand, double shift)
 {
-    const double degrees = (hand.values.state.q[Theta3] + atB) * kDegreesPerRadian;
+    const double degrees = (hand.values.state.q[Theta3] + shift) * kDegreesPerRadian;
     const double unit = 2.0 * halfUnitOfThirdDigit(degrees);
-    hand.coupler = sinCos({std::round(degrees / unit) * unit / kDegreesPerRadian - atB});
+    hand.coupler = sinCos({std::round(degrees / unit) * unit / kDegreesPerRadian - shift});
 }
 
 constexpr double kInch = 25.4; // mm
@@ -412,7 +412,7 @@ OutputState roundingErrors(const CrankPosition &position, const OutputState &exa
     Calculation theta3Rounded(position, exact);
     Calculation omega3Rounded(position, exact);
     Calculation alpha3Rounded(position, exact);
-    const double elevation = std::asin(theta3Rounded.coupler.sin) * kDegreesPerRadian; // the acute angle: at A and B
+    const double elevation = std::asin(theta3Rounded.coupler.sin) * kDegreesPerRadian; // acute, the same at A and at B
     const double theta3Error = halfUnitOfThirdDigit(elevation) / kDegreesPerRadian;
     theta3Rounded.coupler = sinCos({exact.state.q[Theta3] + theta3Error});
     omega3Rounded.omega3Error = halfUnitOfThirdDigit(exact.state.qDot[Theta3]);

@@ -34,8 +34,8 @@ enum class Slip {
     CrankAngleUnit,       ///< degrees taken as radians in sin θ2 and cos θ2, or the reverse
     CrankSpeedInRpm,      ///< rpm taken as rad/s, or the reverse
     CrankSpeedInDegrees,  ///< °/s taken as rad/s, or the reverse
-    LinksExchanged,       ///< a for b and b for a
-    DiameterForRadius,    ///< a twice or half as long
+    LinksExchanged,       ///< a and b exchanged
+    DiameterForRadius,    ///< a doubled or halved
     CouplerAngleSign,     ///< measured clockwise
     CrankSineForCosine,   ///< sin θ2 and cos θ2 exchanged
     CouplerSineForCosine, ///< sin θ3 and cos θ3 exchanged
@@ -46,7 +46,7 @@ enum class Slip {
     HarmonicMotion,       ///< of the crank pin A, which is simple harmonic motion, instead of the wrist pin B
     CouplerAngleEnd,      ///< θ3 at A in a formula for the angle at B, or the reverse
     TwoHarmonics,         ///< the approximation x ≈ a cos θ2 + b - a²/4b (1 - cos 2θ2)
-    SecondHarmonicDouble, ///< sin 2θ2 / n for sin 2θ2 / 2n in the velocity of that approximation, n = b/a
+    SecondHarmonicDouble, ///< sin 2θ2 / n instead of sin 2θ2 / 2n in the velocity of TwoHarmonics, n = b/a
     CouplerCentre,        ///< the midpoint of A-B instead of the wrist pin B
     FromOuterDeadCentre,  ///< x counted from the outer dead centre towards the crank
     FromInnerDeadCentre,  ///< x, or the displacement, counted from the inner dead centre outwards

@@ -13,7 +13,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::size_t kAssumedDigits = 3; // zeros up to this digit of a whole number count
+constexpr std::size_t kAssumedDigits = 3; // zeros at the end of a whole number are significant up to this digit
 
 struct Mantissa {
     std::vector<std::size_t> digits; ///< positions of the digits in the text, from the first one that is not zero
@@ -53,7 +53,7 @@ WrittenValue readWrittenValue(std::string_view text, const Unit &expected)
         return {.fault = quantity.fault};
     }
     const Mantissa mantissa = findMantissa(text);
-    std::string neighbour(text); // differs by one unit of the last digit
+    std::string neighbour(text); // becomes a number that differs by one unit of the last digit
     char &digit = neighbour[mantissa.last];
     digit = static_cast<char>(digit == '9' ? '8' : digit + 1);
     const double step = std::abs(readQuantity(neighbour, expected).value - quantity.value);

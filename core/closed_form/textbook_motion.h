@@ -23,9 +23,9 @@ struct TextbookMotion {
     std::array<T, 3> pinX, pinY, sliderX; ///< indexed by Order; the pin is the crank pin A
     T omega3, alpha3;
 
-    /// Computes the motion at the crank angle `crankAngle` (rad). `parameters`: a, b, c (mm), ω2 (rad/s); `branchSide`:
-    /// 1 for the open branch, -1 for the crossed one. Returns false if the mechanism cannot be assembled, or if it is
-    /// singular; the positions are valid in the second case.
+    /// Computes the motion at the crank angle `crankAngle` (rad). `parameters`: a, b, c (mm), ω2 (rad/s), and θ20,
+    /// which is not used; `branchSide`: 1 for the open branch, -1 for the crossed one. Returns false if the mechanism
+    /// cannot be assembled, or if it is singular; the positions are valid in the second case.
     bool compute(const std::array<T, 5> &parameters, const T &crankAngle, double branchSide,
                  const T &valueOfPi = T(std::numbers::pi))
     {
@@ -73,8 +73,16 @@ struct TextbookMotion {
     {
         const auto k = static_cast<std::size_t>(channel.order);
         switch (channel.coordinate) {
-        case Theta2: return k == 0 ? theta2 : k == 1 ? omega2 : T(0.0);
-        case Theta3: return k == 0 ? theta3() : k == 1 ? omega3 : alpha3;
+        case Theta2:
+            if (channel.order == Order::Position) {
+                return theta2;
+            }
+            return channel.order == Order::Velocity ? omega2 : T(0.0);
+        case Theta3:
+            if (channel.order == Order::Position) {
+                return theta3();
+            }
+            return channel.order == Order::Velocity ? omega3 : alpha3;
         case R4x: return sliderX[k];
         case R4y: return k == 0 ? c : T(0.0);
         case R3x: return T(0.5 * (pinX[k] + sliderX[k]));

@@ -89,7 +89,7 @@ std::optional<DesignRange> findDesignRange(double timeRatio)
     const double p = halfDeadCentreAngle(timeRatio);
     DesignRange range;
     range.largestRatio = 1.0 / (std::tan(p) * std::tan(p));
-    if (!(range.largestRatio > 1.0)) { // so near to 3 that rounding decides
+    if (!(range.largestRatio > 1.0)) { // the time ratio equals 3 except for rounding
         return std::nullopt;
     }
     range.bestRatio = std::min(findBestRatio(p), kLongestCoupler);

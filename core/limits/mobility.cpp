@@ -61,9 +61,12 @@ std::vector<CrankRange> findRanges(Mobility mobility, const MotionConstants &k)
     return ranges;
 }
 
+enum class DeadCentre { Outer, Inner };
+
 /// Returns a dead centre. `distance`: |R4x|, which is √(L γ) at the outer and √(ε β) at the inner dead centre.
-SliderPosition deadCentre(const Mechanism &mechanism, double distance, bool isOuter)
+SliderPosition positionAt(DeadCentre deadCentre, const Mechanism &mechanism, double distance)
 {
+    const bool isOuter = deadCentre == DeadCentre::Outer;
     // If b >= a, the inner dead centre is on the same side of O2 as the outer one, and the crank points away from B.
     const bool pointsAway = !isOuter && mechanism.b() >= mechanism.a();
     const bool isRight = (mechanism.branch() == Branch::Open) == (isOuter || pointsAway);
@@ -72,9 +75,9 @@ SliderPosition deadCentre(const Mechanism &mechanism, double distance, bool isOu
     return {wrapToPi(theta2), R4x};
 }
 
-/// Returns the ends of the ranges, once each. With x = sin θ2 (-sin θ2 for c < 0), they are at x = (C - b)/a, where B
-/// is beyond A, and in case of two arcs also at x = (C + b)/a. Which is which follows from the direction in which x
-/// grows, because for a very short coupler the angles are equal except for rounding.
+/// Returns the ends of the ranges, once each. With x = sin θ2 (-sin θ2 for c < 0), the ends are at x = (C - b)/a, where
+/// CrankEnd::isBeyondPin is true, and if there are two arcs also at x = (C + b)/a. The direction in which x grows tells
+/// them apart, because with a very short coupler the two angles are equal except for rounding.
 std::vector<CrankEnd> findCrankEnds(const MotionConstants &k, Mobility mobility, const std::vector<CrankRange> &ranges)
 {
     std::vector<CrankEnd> ends;
@@ -143,9 +146,9 @@ MotionLimits motionLimits(const Mechanism &mechanism)
     if (limits.mobility == Mobility::Impossible) {
         return limits;
     }
-    limits.outer = deadCentre(mechanism, std::sqrt(k.reach * k.gamma), true);
+    limits.outer = positionAt(DeadCentre::Outer, mechanism, std::sqrt(k.reach * k.gamma));
     if (k.epsilon * k.beta >= 0.0) {
-        limits.inner = deadCentre(mechanism, std::sqrt(k.epsilon * k.beta), false);
+        limits.inner = positionAt(DeadCentre::Inner, mechanism, std::sqrt(k.epsilon * k.beta));
     }
     const std::vector<CrankEnd> ends = findCrankEnds(k, limits.mobility, limits.ranges);
     limits.crankLimits = findCrankLimits(k, ends);

@@ -102,7 +102,7 @@ QuantityMotion transmissionAngle(const Mechanism &mechanism, const State &state,
 
 QuantityMotion displacement(const Mechanism &mechanism, const State &state)
 {
-    const double side = mechanism.branch() == Branch::Open ? 1.0 : -1.0; // of the outer dead centre
+    const double side = mechanism.branch() == Branch::Open ? 1.0 : -1.0; // sign of R4x at the outer dead centre
     const MotionConstants k(mechanism);
     const double outer = std::sqrt(k.reach * k.gamma);
     const double reached = side * state.q[R4x];

@@ -325,7 +325,8 @@ Status statusBeforeIterating(const Mechanism &mechanism, double t)
 
 } // namespace
 
-// Between this point and the root, sin θ3 - h/b is monotone and its curvature does not change sign.
+// Between this point and the root, sin θ3 - h/b with h = c - a sin θ2 is a monotone function of θ3 whose curvature does
+// not change sign, so that Newton-Raphson converges monotonically.
 Vector12 coldStart(const Mechanism &mechanism, double t)
 {
     const double theta2 = mechanism.omega2() * t + mechanism.theta20();

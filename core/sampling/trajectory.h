@@ -51,16 +51,16 @@ struct SamplingSummary {
     std::size_t timeSteps = 0;
     std::array<std::size_t, kStatusCount> statusCounts{}; ///< number of time steps, indexed by Status
 
-    std::array<double, kStatusCount> firstTimes{}; ///< of each status, s; 0 without such time steps
+    std::array<double, kStatusCount> firstTimes{}; ///< s, first time stamp with each Status; 0 if there is none
 
-    // Of Newton-Raphson, over the time steps whose position it found; 0 for the closed form.
-    long long iterations = 0;     ///< total
+    // The iterations and residuals of the time steps whose position Newton-Raphson found; 0 for the closed form.
+    long long iterations = 0;     ///< total number
     int maxIterationsOfStep = 0;  ///< largest number in one time step
-    double largestResidual = 0.0; ///< in the measure of the options
+    double largestResidual = 0.0; ///< as NewtonOptions::toleranceKind measures it
 
     std::size_t count(Status status) const { return statusCounts[static_cast<std::size_t>(status)]; }
 
-    /// Time stamps that have a position.
+    /// Returns the number of time steps that have a position.
     std::size_t found() const { return count(Status::Solved) + count(Status::Singular); }
 
     friend bool operator==(const SamplingSummary &, const SamplingSummary &) = default;
@@ -81,7 +81,7 @@ struct SampledChannels {
     }
     explicit SampledChannels(const std::vector<OutputChannel> &channels, double crankAcceleration = 0.0);
 
-    /// Whether the coordinates at constant speed are all that is asked for.
+    /// Whether only coordinates at constant speed are sampled.
     bool isPlain() const { return derived.none() && alpha2 == 0.0; }
 };
 
@@ -93,7 +93,8 @@ struct Trajectory {
     /// Singular.
     std::array<std::vector<double>, kChannelCount> values;
 
-    std::array<std::vector<double>, kDerivedChannelCount> derived; ///< by indexOf(DerivedChannel), likewise
+    std::array<std::vector<double>, kDerivedChannelCount>
+        derived; ///< by indexOf(DerivedChannel); units and missing values as in `values`
 
     std::vector<Status> status; ///< one for each time stamp
     SamplingSummary summary;
