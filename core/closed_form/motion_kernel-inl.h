@@ -319,8 +319,8 @@ HWY_INLINE Number turnNumerator(const MotionConstants &k, const Clearance<Number
     }
     const Number first = at.x * (at.p * at.m);
     const Number second = k.a * at.h * (at.cosine * at.cosine);
-    const auto cancel = both(at.h * at.x < 0.0, abs(second) < 2.0 * abs(first));
-    return select(cancel, rearranged, first + second);
+    const auto termsCancel = both(at.h * at.x < 0.0, abs(second) < 2.0 * abs(first));
+    return select(termsCancel, rearranged, first + second);
 }
 
 /// Returns the accelerations. `inverse`: 1/s, where s = b cos θ3.

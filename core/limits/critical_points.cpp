@@ -207,7 +207,7 @@ std::vector<CriticalPoints> findCriticalPoints(const Mechanism &mechanism, std::
     // The two searches meet half way and overlap a little, so that no extremum is missed, although some are found
     // twice.
     const double half = 0.5 * (0.5 * kTurn - placeBelow.nearest() - placeAbove.nearest());
-    if (half > 0.0) { // otherwise it cannot be assembled, or is locked
+    if (half > 0.0) { // otherwise the mechanism cannot be assembled, or is locked
         const double overlap = std::min(0.1, 0.1 * half);
         search.addPoints(placeBelow, placeBelow.nearest() + half + overlap);
         search.addPoints(placeAbove, placeAbove.nearest() + half + overlap);

@@ -10,12 +10,12 @@ std::optional<InstantCentre> instantCentre(const Mechanism &mechanism, double t)
 {
     const Motion motion = ClosedForm(mechanism).motionAt(t);
     InstantCentre centre;
-    const double along = motion.s / motion.crank.cos; // from A, in the crank's direction
-    centre.position = {motion.R4x, (mechanism.a() + along) * motion.crank.sin};
+    const double beyondA = motion.s / motion.crank.cos; // mm, signed distance from A in the direction O2-A
+    centre.position = {motion.R4x, (mechanism.a() + beyondA) * motion.crank.sin};
     centre.omega3 = motion.theta3Dot;
-    centre.toA = std::abs(along);
+    centre.toA = std::abs(beyondA);
     centre.toB = std::abs(centre.position.y - mechanism.c());
-    return std::isnan(along) ? std::nullopt : std::optional(centre);
+    return std::isnan(beyondA) ? std::nullopt : std::optional(centre);
 }
 
 } // namespace slidercrank

@@ -110,7 +110,7 @@ private:
         double low = grid[index > 0 ? index - 1 : 0];
         double high = grid[std::min(index + 1, grid.size() - 1)];
 
-        constexpr double kProbe = 0.01;     // of the interval: whether the value rises towards its inside,
+        constexpr double kProbe = 0.01; // fraction of the interval: tests whether the value rises towards its inside,
         constexpr double kRounding = 1e-13; // by more than rounding
         const double largest = valueAt(here) + kRounding * std::abs(valueAt(here));
         const bool risesDown = valueAt(here - kProbe * (here - low)) > largest;
@@ -119,7 +119,7 @@ private:
             return point; // a corner, as almost always
         }
         constexpr double kGolden = 0.6180339887498949;
-        constexpr double kResolution = 1e-6; // of the range of the length: the error of the value is its square
+        constexpr double kResolution = 1e-6; // fraction of the length's range: the error of the value is its square
         while (high - low > kResolution * (grid.back() - grid.front())) {
             const double left = high - kGolden * (high - low);
             const double right = low + kGolden * (high - low);

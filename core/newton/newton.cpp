@@ -271,10 +271,11 @@ private:
 
     bool isResolved() const { return m_thresholds.isResolved(m_timeStep.residual, m_system.cosTheta3()); }
 
-    // For kResolvedFraction, the terms of θ̈3
-    //     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
-    // are compared with θ̈3 itself (the two terms nearly cancel at an exact toggle), or with its ordinary magnitude.
-    // sin θ3 is uncertain by the residual or its rounding.
+    /// Computes velocity and acceleration, and decides whether they are accurate enough (kResolvedFraction). By
+    ///     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
+    /// the uncertainty of the two terms on the right must be small compared with θ̈3 itself (at an exact toggle they
+    /// nearly cancel) or, if that is larger, with its ordinary magnitude. The uncertainty of sin θ3 is the residual or,
+    /// if larger, its rounding error.
     void differentiate()
     {
         State &state = m_timeStep.state;
@@ -284,16 +285,16 @@ private:
         const double cosine = std::abs(m_system.cosTheta3());
         const double rounding = kEpsilon * std::max(b, a + std::abs(m_mechanism.c()));
         const double residual = m_timeStep.residual / m_thresholds.perLength;
-        const double uncertainty = std::max(residual, rounding) / b;
+        const double sineUncertainty = std::max(residual, rounding) / b;
         const double crankTerm = a * m_mechanism.omega2() * m_mechanism.omega2();
         const double couplerTerm = b * state.qDot[Theta3] * state.qDot[Theta3];
-        const double uncertain = uncertainty * (crankTerm + couplerTerm);
-        const double ordinary = crankTerm * relativeAcceleration(m_mechanism);
-        const double size = std::max(b * std::abs(state.qDDot[Theta3]), ordinary);
+        const double termUncertainty = sineUncertainty * (crankTerm + couplerTerm);
+        const double ordinaryMagnitude = crankTerm * relativeAcceleration(m_mechanism);
+        const double magnitude = std::max(b * std::abs(state.qDDot[Theta3]), ordinaryMagnitude);
         // If the coupler is much shorter than the crank, its accelerations hide those of the crank in rounding.
         const bool isCrankResolved = kEpsilon * couplerTerm <= kResolvedFraction * kResolvedFraction * crankTerm;
-        const bool exists =
-            isFinite && isCrankResolved && uncertain <= kResolvedFraction * (cosine * cosine) * cosine * size;
+        const bool exists = isFinite && isCrankResolved &&
+                            termUncertainty <= kResolvedFraction * (cosine * cosine) * cosine * magnitude;
         state.setStatus(exists ? Status::Solved : Status::Singular);
     }
 

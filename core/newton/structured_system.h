@@ -69,9 +69,10 @@ public:
     void moveNear(const Coordinates &q)
     {
         constexpr double kSmallTurn = 0x1p-11; // rad; δ⁵/120, the first neglected term, is then below 3e-19
-        constexpr double kSquare = 0.125; // |cos θ3| below which the derivatives, with its -3rd power, need every digit
+        // The derivatives contain 1/cos³ θ3: below this |cos θ3| they need every digit of the cosine.
+        constexpr double kMinCosine = 0.125;
         const double turn = q.theta3 - m_exactTheta3;
-        if (m_isRotated || !(std::abs(turn) <= kSmallTurn) || std::abs(m_coupler.cos) < kSquare) { // also for NaN
+        if (m_isRotated || !(std::abs(turn) <= kSmallTurn) || std::abs(m_coupler.cos) < kMinCosine) { // also for NaN
             moveTo(q);
             return;
         }
@@ -238,8 +239,8 @@ private:
     double m_c;
     double m_omega2;
     double m_drive;                ///< ω2 t + θ20
-    SinCos m_drivenCrank;          ///< of m_drive
-    SinCos m_coupler;              ///< of θ3
+    SinCos m_drivenCrank;          ///< sine and cosine of m_drive
+    SinCos m_coupler;              ///< sine and cosine of θ3
     double m_exactTheta3 = kNone;  ///< θ3 of the last moveTo()
     bool m_isRotated = false;      ///< the last move was a rotation in moveNear()
     double m_crankX, m_crankY;     ///< (a/2) u(θ2)

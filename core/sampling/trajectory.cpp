@@ -139,8 +139,8 @@ void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std
             }
         }
     };
-    constexpr std::size_t kWorthThreads = 1U << 15U; // time stamps: starting a thread takes as long as a few thousand
-    inParallel((times.size() + kStopInterval - 1) / kStopInterval, evaluate, times.size() > kWorthThreads);
+    constexpr std::size_t kMinTimeStampsForThreads = 1U << 15U; // starting a thread takes as long as a few thousand
+    inParallel((times.size() + kStopInterval - 1) / kStopInterval, evaluate, times.size() > kMinTimeStampsForThreads);
     trajectory.complete = !stop.stop_requested();
 }
 

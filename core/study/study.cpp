@@ -166,7 +166,7 @@ struct Study::State {
 Study::Study(const StudyRequest &request)
     : m_state(std::make_unique<State>(State{request}))
 {
-    constexpr double kMinClockSteps = 3.0; // in a round
+    constexpr double kMinClockSteps = 3.0; // shortest duration of a round, in steps of the clock
     State &state = *m_state;
     state.request.secondsPerRound = std::max(request.secondsPerRound, kMinClockSteps * clockStep());
     for (const Case &studied : state.request.cases) {
