@@ -85,7 +85,7 @@ public:
                 table.rows.push_back(
                     textRow({QString::fromUtf8(layout.files[layout.columns[i].file]), {}, {}, {}, {}, {}}));
             }
-            if (!repeatsInstants(layout, i)) {
+            if (!repeatsTimeStamps(layout, i)) {
                 table.rows.push_back(columnRow(data, i));
             }
         }

@@ -103,10 +103,10 @@ QString symbolText(Channel channel)
 QString absoluteSymbolText(Channel channel)
 {
     const bool isAngular = isAngle(channel.coordinate);
-    const bool isStroke = channel.coordinate == R4x && channel.order != Order::Position;
+    const bool omitsDirection = isAngular || (channel.coordinate == R4x && channel.order != Order::Position);
     const QString body = channel.coordinate == Theta2 ? "₂" : ChannelText::bodyOf(channel.coordinate).superscript;
     QString direction;
-    if (!isAngular && !isStroke) {
+    if (!omitsDirection) {
         direction = isAlongX(channel.coordinate) ? "ₓ" : "_y";
     }
     switch (channel.order) {

@@ -95,7 +95,7 @@ QString lineText(const FileLayout &layout, const SkippedRow &row)
     return row.line == 0 ? QString() : withFile(QString::number(row.line), layout, row.file);
 }
 
-bool repeatsInstants(const FileLayout &layout, std::size_t column)
+bool repeatsTimeStamps(const FileLayout &layout, std::size_t column)
 {
     return !layout.files.empty() && layout.columns[column].reason == ColumnReason::SameTimeStamps;
 }
@@ -104,7 +104,7 @@ QStringList ignoredHeadings(const FileLayout &layout)
 {
     QStringList headings;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
-        if (layout.columns[i].role == ColumnRole::Ignored && !repeatsInstants(layout, i)) {
+        if (layout.columns[i].role == ColumnRole::Ignored && !repeatsTimeStamps(layout, i)) {
             headings += headingText(layout, i);
         }
     }
@@ -128,7 +128,7 @@ QStringList doubtTexts(const ReferenceData &data)
     QStringList ignored, guesses;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
-        if (column.role == ColumnRole::Ignored && !repeatsInstants(layout, i)) {
+        if (column.role == ColumnRole::Ignored && !repeatsTimeStamps(layout, i)) {
             ignored << ColumnText::tr("%1 (%2)").arg(headingText(layout, i), reasonText(layout, i));
         } else if (isGuess(column.reason)) {
             const QString meaning =
@@ -203,8 +203,8 @@ QString reasonText(ColumnReason reason)
 QString reasonText(const FileLayout &layout, std::size_t column)
 {
     const FileColumn &read = layout.columns[column];
-    const QString reason = repeatsInstants(layout, column) ? ColumnText::tr("the time stamps, the same in all files")
-                                                           : reasonText(read.reason);
+    const QString reason = repeatsTimeStamps(layout, column) ? ColumnText::tr("the time stamps, the same in all files")
+                                                             : reasonText(read.reason);
     return read.difference ? ColumnText::tr("%1; %2, not a derivative").arg(reason, differenceText(*read.difference))
                            : reason;
 }

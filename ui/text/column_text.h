@@ -21,7 +21,7 @@ QString headingAlone(const FileLayout &layout, std::size_t column);
 QString headingText(const FileLayout &layout, std::size_t column);
 
 /// Returns true if the column only repeats the time stamps of another joined file.
-bool repeatsInstants(const FileLayout &layout, std::size_t column);
+bool repeatsTimeStamps(const FileLayout &layout, std::size_t column);
 
 /// Returns the line number of a skipped row: "12", or "12 (b.csv)" if several files are joined.
 QString lineText(const FileLayout &layout, const SkippedRow &row);

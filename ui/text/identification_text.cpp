@@ -28,7 +28,8 @@ using Symmetry = AlternativeMechanism::Symmetry;
 using Reason = LeftOutColumn::Reason;
 using Scale = Identification::LengthScale;
 
-constexpr int kUncertainDigits = 4; // of a parameter whose error is unknown
+// Significant digits.
+constexpr int kDigitsWithoutError = 4; // of a parameter without a standard error
 constexpr int kSpeedDigits = 4;
 constexpr int kGivenDigits = 6;
 
@@ -295,7 +296,7 @@ QString measuredText(Parameter parameter, const Identification &found, const Not
     const double value = factor * valueOf(found.parameters, parameter);
     const double standardError = found.standardError[indexOf(parameter)];
     if (found.hasSystematicResiduals || (found.drive && std::isnan(standardError))) {
-        return numberText(value, kUncertainDigits) + unit;
+        return numberText(value, kDigitsWithoutError) + unit;
     }
     double scale = characteristicLength(found.parameters);
     if (parameter == Parameter::Omega2) {

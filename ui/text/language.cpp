@@ -47,7 +47,7 @@ Language chosenLanguage()
     return static_cast<Language>(QSettings().value(kKey).toInt());
 }
 
-void rememberLanguage(Language language)
+void storeLanguage(Language language)
 {
     QSettings().setValue(kKey, static_cast<int>(language));
 }

@@ -6,15 +6,16 @@
 namespace slidercrank
 {
 
-enum class Language { System, English, Spanish };
+/// The settings store the number of the enumerator.
+enum class Language { System = 0, English = 1, Spanish = 2 };
 
 /// Installs the translations of the application, and those of Qt if the system has them, and sets the default locale.
 /// The system's locale is used if it has the chosen language. Widgets receive QEvent::LanguageChange.
 /// Language::System selects the first of the system's languages that is supported, or English if there is none.
 void setLanguage(Language language);
 
-/// Reads and writes the language in the settings.
+/// Reads and stores the language in the settings.
 Language chosenLanguage();
-void rememberLanguage(Language language);
+void storeLanguage(Language language);
 
 } // namespace slidercrank

@@ -83,14 +83,20 @@ public:
 };
 static_assert(MotionFacts::isInOrder());
 
-/// Returns two lengths with enough digits to distinguish them.
-QStringList distinctTexts(double x, double y)
+/// The coupler length and a bound of it, with enough digits to distinguish them.
+struct LengthAndBound {
+    QString length;
+    QString bound;
+};
+
+LengthAndBound distinctTexts(double length, double bound)
 {
-    const int digits = digitsToTellApart(x, y);
-    return {parameterText(Parameter::B, x, digits), parameterText(Parameter::B, y, digits)};
+    const int digits = digitsToTellApart(length, bound);
+    return {parameterText(Parameter::B, length, digits), parameterText(Parameter::B, bound, digits)};
 }
 
-/// Limit positions are known only up to a rounding error; there, the time is one at which the mechanism can be
+/// Returns the first time (s) in the time range at which the crank has the angle theta2 (rad). At a limit of the
+/// motion, which is known only up to a rounding error, it prefers a neighbouring time at which the mechanism can be
 /// assembled.
 std::optional<double> firstTimeAt(double theta2, const Mechanism &mechanism, const Sampling &sampling)
 {
@@ -143,7 +149,7 @@ QString peakRemark(const Limit &limit)
 
 QString atLeastText(double limit)
 {
-    constexpr double kSlack = 1e-6; // of the last digit: 0.1 + 0.2 equals 0.3 except for rounding
+    constexpr double kSlack = 1e-6; // fraction of the last digit: 0.1 + 0.2 equals 0.3 except for rounding
     const double shown = shownValue(Measure::Length, limit, notation().units);
     const double unit = shown == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(shown))));
     return withUnit(numberText(std::ceil(shown * unit - kSlack) / unit), shownUnit(Measure::Length));
@@ -151,11 +157,11 @@ QString atLeastText(double limit)
 
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 {
-    const QStringList turning = distinctTexts(mechanism.b(), shortestCouplerForFullTurn(mechanism));
+    const LengthAndBound fullTurn = distinctTexts(mechanism.b(), shortestCouplerForFullTurn(mechanism));
     switch (limits.mobility) {
     case Mobility::FullTurn: {
-        const QString text =
-            MotionFacts::tr("The crank can make full turns: b = %1 ≥ a + |c| = %2.").arg(turning[0], turning[1]);
+        const QString text = MotionFacts::tr("The crank can make full turns: b = %1 ≥ a + |c| = %2.")
+                                 .arg(fullTurn.length, fullTurn.bound);
         return limits.coupler.minimumTransmissionAngle.angle > 0.0
                    ? text
                    : text + u' ' +
@@ -163,29 +169,29 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
                              "Where the coupler is perpendicular to the slider's line, the velocities jump.");
     }
     case Mobility::Rocker:
-        if (turning[0] == turning[1]) {
+        if (fullTurn.length == fullTurn.bound) {
             return MotionFacts::tr("The crank oscillates and cannot make a full turn: b is less than a + |c| = %1, by "
                                    "less than the last digit.")
-                .arg(turning[1]);
+                .arg(fullTurn.bound);
         }
         return limits.ranges.size() > 1
                    ? MotionFacts::tr(
                          "The crank oscillates within one of two arcs and cannot make a full turn: b = %1 < "
                          "a + |c| = %2, and also less than a − |c| = %3.")
-                         .arg(turning[0], turning[1],
+                         .arg(fullTurn.length, fullTurn.bound,
                               parameterText(Parameter::B, mechanism.a() - std::abs(mechanism.c())))
                    : MotionFacts::tr("The crank oscillates and cannot make a full turn: b = %1 < a + |c| = %2.")
-                         .arg(turning[0], turning[1]);
+                         .arg(fullTurn.length, fullTurn.bound);
     case Mobility::Locked:
         return MotionFacts::tr("The crank is locked in a single position: b = |c| − a = %1. It makes full turns if "
                                "b ≥ a + |c| = %2.")
-            .arg(turning[0], turning[1]);
+            .arg(fullTurn.length, fullTurn.bound);
     case Mobility::Impossible: {
-        const QStringList reaching = distinctTexts(mechanism.b(), shortestCouplerForAnyPose(mechanism));
+        const LengthAndBound anyPose = distinctTexts(mechanism.b(), shortestCouplerForAnyPose(mechanism));
         return MotionFacts::tr(
                    "The mechanism cannot be assembled: b = %1 < |c| − a = %2. The crank makes full turns if "
                    "b ≥ a + |c| = %3.")
-            .arg(reaching[0], reaching[1], turning[1]);
+            .arg(anyPose.length, anyPose.bound, fullTurn.bound);
     }
     }
     return {};
@@ -251,12 +257,12 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
                      .arg(numberText(perTurn, 2), numberText(kMinSamplesPerTurn));
 }
 
-QString iterationsText(const SamplingSummary &run)
+QString iterationsText(const SamplingSummary &summary)
 {
-    return run.found() == 0 ? dash()
-                            : MotionFacts::tr("%1 in total, at most %2 at a time step")
-                                  .arg(run.iterations)
-                                  .arg(run.maxIterationsOfStep);
+    return summary.found() == 0 ? dash()
+                                : MotionFacts::tr("%1 in total, at most %2 at a time step")
+                                      .arg(summary.iterations)
+                                      .arg(summary.maxIterationsOfStep);
 }
 
 double shownCrankAngle(double theta2)

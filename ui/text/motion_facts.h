@@ -65,6 +65,6 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
 
 /// Returns "95 in total, at most 4 at a time step", over the time steps that Newton-Raphson solved, or a dash if it
 /// solved none.
-QString iterationsText(const SamplingSummary &run);
+QString iterationsText(const SamplingSummary &summary);
 
 } // namespace slidercrank

@@ -21,8 +21,10 @@ enum class Symbols {
 
 enum class CrankSpeedUnit { RadianPerSecond, DegreePerSecond, TurnPerMinute };
 
-/// Returns how many of the unit are a rad/s, and its text.
+/// Returns the factor from rad/s to the unit: 9.549 for rpm.
 double crankSpeedFactor(CrankSpeedUnit unit);
+
+/// Returns the unit as it is shown: "rpm".
 QString crankSpeedUnitText(CrankSpeedUnit unit);
 
 struct Notation {

@@ -30,7 +30,7 @@ struct SeriesColours {
     QColor error;      ///< angle errors
     QColor errorOther; ///< length errors, drawn in the same axes
     QColor cursor;     ///< the current time
-    QColor warning;    ///< crank angles at which it cannot be assembled, warnings
+    QColor warning;    ///< crank angles at which the mechanism cannot be assembled, and warnings
     QColor grid;
     QColor text;
     QColor background;

@@ -13,7 +13,7 @@ namespace
 
 struct UnitDescription {
     const char *text;
-    double perDefault; ///< how many of it are a mm or a degree
+    double perDefault; ///< factor from mm or degrees to the unit
 };
 
 struct LengthUnitRow {
@@ -56,7 +56,7 @@ QString baseUnit(Measure measure, const Units &units)
 
 LengthUnit lengthUnitOf(double millimetres)
 {
-    constexpr double kTolerance = 1e-9; // of a computed factor, relative
+    constexpr double kTolerance = 1e-9; // relative rounding error of a computed factor
     for (const auto &[unit, description] : kLengthUnits) {
         if (std::abs(millimetres * description.perDefault - 1.0) < kTolerance) {
             return unit;

@@ -27,7 +27,7 @@ namespace
 
 constexpr int kDecimals = 60; // so many that QDoubleSpinBox does not round the number
 constexpr std::chrono::seconds kNoteDuration{10};
-constexpr int kMinimumDigits = 2; // of a number that is shortened to fit into the box
+constexpr int kMinimumDigits = 2; // significant digits of a number that is shortened to fit into the box
 
 bool isUndo(const QKeyEvent &key)
 {
@@ -113,7 +113,7 @@ QSize NumberBox::sizeHint() const
     QStyleOptionSpinBox option;
     initStyleOption(&option);
     constexpr int kCursor = 4; // px
-    int width = 0;             // of an ordinary number, and of one with a power of ten, which some fonts draw wider
+    int width = 0;             // of the wider one: an ordinary number, or one with a power of ten
     for (const QString &number : {QStringLiteral("-000.000"), numberText(-8.8e-8, kMinimumDigits)}) {
         width = std::max(width, fontMetrics().horizontalAdvance(number + suffix()));
     }

@@ -184,7 +184,7 @@ void Menus::addViewMenu()
     addChoices<Theme>(menu, {tr("&System colours"), tr("&Light"), tr("&Dark")}, chosenTheme(),
                       [this](Theme theme) { m_window.setTheme(theme); });
     const auto setLanguage = [this](Language language) {
-        rememberLanguage(language);
+        storeLanguage(language);
         if (m_window.exports().isWriting() || m_window.session().isReading()) { // a new window would not finish it
             emit m_window.session().failed(tr("A file is still being read or written. Choose the language again when "
                                               "it is done; otherwise it changes when the program is next started."));

@@ -24,8 +24,9 @@ const QString kColumns = "columns";
 const QString kConfirmation = "confirmation";
 const QString kProblem = "problem";
 
-/// Offers to choose the columns if the files have any; otherwise another file.
-Message refusal(MainWindow *window, const QStringList &paths, const QString &sentence)
+/// Returns the message about reference files that cannot be read. It offers to choose their columns, or a different
+/// file if they have no columns.
+Message refusedReferenceMessage(MainWindow *window, const QStringList &paths, const QString &sentence)
 {
     Message message{kReference, Message::Kind::Problem, sentence};
     if (window->scene().lacksReference()) {
@@ -41,8 +42,8 @@ Message refusal(MainWindow *window, const QStringList &paths, const QString &sen
     return message;
 }
 
-/// Says that meanings of columns were guessed; the reference page says which.
-Message guess(MainWindow *window, const Reference &reference)
+/// Returns the message that meanings of columns were guessed; the reference page says which.
+Message guessedColumnsMessage(MainWindow *window, const Reference &reference)
 {
     return {kColumns, Message::Kind::Question,
             Messages::tr("The headings in %1 do not identify every column: some meanings were guessed.")
@@ -71,13 +72,13 @@ void showMessages(MainWindow *window, MessageBar *bar)
     QObject::connect(session, &Session::resultChanged, bar, [bar] { bar->removeMessage(kResult); });
     QObject::connect(session, &Session::referenceRefused, bar,
                      [window, bar](const QStringList &paths, const QString &sentence) {
-                         bar->showMessage(refusal(window, paths, sentence));
+                         bar->showMessage(refusedReferenceMessage(window, paths, sentence));
                      });
     QObject::connect(session, &Session::referenceLoaded, bar, [window, bar](const auto &reference) {
         bar->removeMessage(kReference);
         bar->removeMessage(kColumns);
         if (reference && !reference->asPrinted && reference->data.layout.isGuessed()) {
-            bar->showMessage(guess(window, *reference));
+            bar->showMessage(guessedColumnsMessage(window, *reference));
         }
     });
 }

@@ -78,7 +78,7 @@ private slots:
         session().pinMotion();
         session().setParameter(Parameter::A, 21.5);
         session().undoStack().undo();
-        rememberLanguage(Language::Spanish);
+        storeLanguage(Language::Spanish);
         m_window = m_window->remade();
         QUndoStack &steps = session().undoStack();
         QCOMPARE(steps.redoText(), QStringLiteral("cambio de a"));
@@ -106,7 +106,7 @@ private slots:
     void anUnchangedSceneStaysUnchanged()
     {
         view<FoldingTabs>()->setFolded(true);
-        rememberLanguage(Language::Spanish);
+        storeLanguage(Language::Spanish);
         m_window = m_window->remade();
         QVERIFY(!m_window->isWindowModified() && view<FoldingTabs>()->isFolded());
     }
