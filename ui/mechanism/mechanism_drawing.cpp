@@ -15,13 +15,13 @@ namespace slidercrank
 {
 
 MechanismDrawing::MechanismDrawing(const MechanismProjection &projection, const QPalette &palette, const QFont &font)
-    : MechanismProjection(projection)
-    , m_colours(seriesColours(palette))
+    : m_colours(seriesColours(palette))
     , m_ink(m_colours.text)
     , m_paper(m_colours.background)
     , m_muted(faded(m_ink, 0.6))
     , m_font(font)
     , m_smallFont(font)
+    , m_projection(projection)
 {
     const int pixels = QFontInfo(font).pixelSize();
     m_font.setPixelSize(pixels);
@@ -65,10 +65,10 @@ void MechanismDrawing::paintHighlight(QPainter &painter, DrawnPart part, const Q
 
 DrawnPart MechanismDrawing::partAt(QPointF pixel) const
 {
-    constexpr double kToSpare = 3.5;
+    constexpr double kReach = 3.5; // px around a shape
     const auto isUnderPointer = [pixel](const DrawnShape &shape) {
         QPainterPathStroker stroker;
-        stroker.setWidth(shape.pen.widthF() + 2.0 * kToSpare);
+        stroker.setWidth(shape.pen.widthF() + 2.0 * kReach);
         return shape.part != Background && (stroker.createStroke(shape.path).contains(pixel) ||
                                             (shape.brush != Qt::NoBrush && shape.path.contains(pixel)));
     };
@@ -129,7 +129,7 @@ void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double g
 {
     constexpr double kEighth = std::numbers::pi / 4.0;
     const double ahead = std::atan2(direction.y(), direction.x());
-    const QRectF inside(QPointF(), size);
+    const QRectF inside(QPointF(), projection().size);
     QRectF box(QPointF(), textSize(text, letters));
     box.adjust(0.0, 2.0, 0.0, -2.0); // a line of text is higher than its letters
     QRectF best;
@@ -157,7 +157,7 @@ void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double g
 void MechanismDrawing::addCornerLabel(int line, double indent, const QString &text)
 {
     const QRectF box(QPointF(3.0 + indent, cornerLineTop(line)), textSize(text, TextSize::Small));
-    m_labels.push_back({text, box, m_ink, m_paper, true});
+    m_labels.push_back({.text = text, .box = box, .ink = m_ink, .paper = m_paper, .isSmall = true});
 }
 
 double MechanismDrawing::cornerLineTop(int line) const

@@ -55,12 +55,15 @@ struct Label {
 };
 
 /// Takes its colours from a palette and its fonts from a font.
-class MechanismDrawing : public MechanismProjection
+class MechanismDrawing
 {
 public:
     using enum DrawnPart;
 
     MechanismDrawing(const MechanismProjection &projection, const QPalette &palette, const QFont &font);
+
+    const MechanismProjection &projection() const { return m_projection; }
+    QPointF toPixels(QPointF model) const { return m_projection.toPixels(model); }
 
     void paint(QPainter &painter) const;
     void paintHighlight(QPainter &painter, DrawnPart part, const QColor &colour) const;
@@ -114,6 +117,7 @@ protected:
     std::vector<Label> m_labels;
 
 private:
+    MechanismProjection m_projection;
     std::vector<QRectF> m_occupied;
 };
 

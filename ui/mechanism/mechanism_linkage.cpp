@@ -10,8 +10,10 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 namespace slidercrank
 {
@@ -53,10 +55,12 @@ void MechanismSketch::addLinkage()
     addModel();
     if (m_exists) {
         if (settings.acceleration) {
-            addMotionArrows(m_scene->arrows(&PointMotion::acceleration), true);
+            addMotionArrows(m_scene->arrows(&PointMotion::acceleration), kLinkagePoints);
         }
-        if (settings.showsVelocity()) { // with the instant centre, those of A and B are shown
-            addMotionArrows(m_scene->arrows(&PointMotion::velocity), settings.velocity);
+        if (settings.showsVelocity()) { // the instant centre is shown with the velocities of A and B
+            static constexpr std::array kPins{LinkagePoint::A, LinkagePoint::B};
+            const std::span<const LinkagePoint> allPoints(kLinkagePoints);
+            addMotionArrows(m_scene->arrows(&PointMotion::velocity), settings.velocity ? allPoints : kPins);
         }
         if (settings.instantCentre) {
             addInstantCentre();
@@ -133,7 +137,7 @@ void MechanismSketch::addMissingCoupler()
     if (!std::isfinite(pin.x())) {
         return;
     }
-    addCircle(m_A, scale * mechanism().b(), QPen(m_colours.warning, 1.2, Qt::DashLine));
+    addCircle(m_A, projection().scale * mechanism().b(), QPen(m_colours.warning, 1.2, Qt::DashLine));
     const double nearest = pin.y() + std::copysign(mechanism().b(), mechanism().c() - pin.y());
     const QLineF gap(toPixels({pin.x(), nearest}), toPixels({pin.x(), mechanism().c()}));
     addDimension(gap.p1(), gap.p2(), m_colours.warning);
@@ -144,17 +148,21 @@ void MechanismSketch::addMissingCoupler()
 /// Adds the reason why the mechanism cannot be assembled and what would help.
 void MechanismSketch::addAssemblyProblem()
 {
-    constexpr double kApart = 17.0; // from the edges
+    constexpr double kMargin = 17.0; // px
     const QString text = assemblyProblem(*m_scene);
-    const QRectF available(0.0, 0.0, std::max(160.0, 0.45 * size.width()), 1e4);
+    const QRectF available(0.0, 0.0, std::max(160.0, 0.45 * projection().size.width()), 1e4);
     const QSizeF extent = QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, text).size();
     const double numbers = textSize({}).height(); // the numbers of the grid along the lower edge
-    const QRectF inside = QRectF(QPointF(), size).adjusted(kApart, kApart, -kApart, -kApart - numbers);
+    const QRectF inside = QRectF(QPointF(), projection().size).adjusted(kMargin, kMargin, -kMargin, -kMargin - numbers);
     const QRectF box = m_scene->inFreeCorner(inside, extent);
     QPainterPath frame;
     frame.addRoundedRect(box.adjusted(-9.0, -9.0, 9.0, 9.0), 4.0, 4.0);
     add(frame, QPen(m_colours.warning, 1.0), withAlpha(m_paper, 0.93));
-    m_labels.push_back({text, box.adjusted(0.0, 0.0, 1.0, 1.0), m_ink, Qt::transparent, false, Qt::TextWordWrap});
+    m_labels.push_back({.text = text,
+                        .box = box.adjusted(0.0, 0.0, 1.0, 1.0),
+                        .ink = m_ink,
+                        .paper = Qt::transparent,
+                        .alignment = Qt::TextWordWrap});
 }
 
 /// Adds thin lines along crank, coupler and slider. Returns the line of the coupler.

@@ -88,13 +88,14 @@ void MechanismSketch::addArrow(QPointF tail, QPointF tip, const ArrowScale &arro
     avoid({tail, tip}, 4.0);
 }
 
-void MechanismSketch::addMotionArrows(const ArrowScale &arrows, bool withCentreOfMass)
+/// Adds an arrow for the velocity or the acceleration of each of the points.
+void MechanismSketch::addMotionArrows(const ArrowScale &arrows, std::span<const LinkagePoint> points)
 {
-    for (const LinkagePoint point : kLinkagePoints) {
+    for (const LinkagePoint point : points) {
         const PointMotion motion = m_scene->motion(point);
         const PlaneVector &vector = motion.*arrows.vector;
         const double amount = vector.length();
-        if (amount > 0.0 && std::isfinite(amount) && (point != LinkagePoint::G3 || withCentreOfMass)) {
+        if (amount > 0.0 && std::isfinite(amount)) {
             const double shortened = std::min(1.0, arrows.largest / amount);
             const double mmPerUnit = shortened * arrows.length / arrows.amount;
             const QPointF tail(motion.position.x, motion.position.y);
@@ -111,7 +112,7 @@ void MechanismSketch::addArrowName(const QLineF &arrow, LinkagePoint point, cons
 {
     constexpr double kMinNamedLength = 12.0; // px
     constexpr double kGap = 3.0;
-    if (arrow.length() < kMinNamedLength || !QRectF(QPointF(), size).contains(arrow.p2())) {
+    if (arrow.length() < kMinNamedLength || !QRectF(QPointF(), projection().size).contains(arrow.p2())) {
         return;
     }
     const QString name = QLatin1String(arrows.isOfVelocity() ? "v_" : "a_") + pointName(point);
@@ -134,7 +135,7 @@ void MechanismSketch::addInstantCentre()
     const QPointF P = toPixels({centre->position.x, centre->position.y});
     addRay(LinkagePoint::A, P);
     addRay(LinkagePoint::B, P);
-    if (QRectF(QPointF(), size).contains(P)) {
+    if (QRectF(QPointF(), projection().size).contains(P)) {
         const QPen pen(m_colours.errorOther, 1.4); // the colour of velocities
         addCircle(P, 5.0, pen);
         addLine(P - QPointF(8.0, 0.0), P + QPointF(8.0, 0.0), pen);
@@ -176,7 +177,7 @@ void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
     const PlaneVector velocity = m_scene->motion(point).velocity;
     const QPointF pin = point == LinkagePoint::A ? m_A : m_B;
     const QPointF ray = unitVector(centre - pin);
-    const double seen = std::min(QLineF(pin, centre).length(), size.width() + size.height());
+    const double seen = std::min(QLineF(pin, centre).length(), projection().size.width() + projection().size.height());
     addLine(pin, pin + seen * ray, QPen(m_muted, 1.0, Qt::DashLine));
     if (seen > kMark && velocity.length() > 0.0) {
         const QPointF along = kMark * unitVector({velocity.x, -velocity.y});

@@ -51,25 +51,25 @@ void MechanismSketch::addGrid()
 {
     constexpr double kMinSpacing = 50.0; // px
     const double perMm = shownValue(Measure::Length, 1.0, notation().units);
-    const double shownStep = nextRoundNumber(kMinSpacing / scale * perMm); // in the chosen unit
+    const double shownStep = nextRoundNumber(kMinSpacing / projection().scale * perMm); // in the chosen unit
     const double step = shownStep / perMm;
-    const QRectF shown = visible();
+    const QRectF shown = projection().visible();
     const auto captions = deadCentreCaptions(); // near an edge, they replace numbers
     const auto addNumber = [&](QPointF lowerLeft, const QString &text) {
         const QSizeF extent = textSize(text, TextSize::Small);
         const QRectF box(lowerLeft - QPointF(-1.0, extent.height()), extent);
-        if (std::ranges::none_of(captions, [&](const auto &caption) { return caption.second.intersects(box); })) {
-            m_labels.push_back({text, box, m_muted, Qt::transparent, true});
+        if (std::ranges::none_of(captions, [&](const Caption &caption) { return caption.box.intersects(box); })) {
+            m_labels.push_back({.text = text, .box = box, .ink = m_muted, .paper = Qt::transparent, .isSmall = true});
         }
         return box;
     };
-    const QRectF corner = addNumber({1.0, size.height()}, shownUnit(Measure::Length));
+    const QRectF corner = addNumber({1.0, projection().size.height()}, shownUnit(Measure::Length));
     for (double i = std::ceil(shown.left() / step); i <= std::floor(shown.right() / step); i += 1.0) {
         const double x = std::floor(toPixels({i * step, 0.0}).x());
-        m_grid << QRectF(x, 0.0, 1.0, size.height());
+        m_grid << QRectF(x, 0.0, 1.0, projection().size.height());
         const QString text = numberText(i * shownStep);
-        if (x > corner.right() && x + textSize(text, TextSize::Small).width() < size.width()) {
-            addNumber({x, size.height()}, text);
+        if (x > corner.right() && x + textSize(text, TextSize::Small).width() < projection().size.width()) {
+            addNumber({x, projection().size.height()}, text);
         }
     }
     // The offset's dimension, with its letter on the left, may lie over the left edge.
@@ -79,7 +79,7 @@ void MechanismSketch::addGrid()
     const double top = isCovered ? corner.top() : cornerLineTop(legendLines);
     for (double i = std::ceil(shown.top() / step); i <= std::floor(shown.bottom() / step); i += 1.0) {
         const double y = std::floor(toPixels({0.0, i * step}).y());
-        m_grid << QRectF(0.0, y, size.width(), 1.0);
+        m_grid << QRectF(0.0, y, projection().size.width(), 1.0);
         if (y - corner.height() > top && y < corner.top()) {
             addNumber({1.0, y}, numberText(i * shownStep));
         }
@@ -101,7 +101,7 @@ void MechanismSketch::addGround(QPointF from, double to, DrawnPart part)
 /// Adds the circle of the crank pin, with marks where the mechanism cannot be assembled.
 void MechanismSketch::addCrankCircle()
 {
-    const double radius = scale * mechanism().a();
+    const double radius = projection().scale * mechanism().a();
     addCircle(m_O2, radius, QPen(faded(m_ink, 0.35), 1.0, Qt::DashLine));
     const QRectF circle = m_shapes.back().path.boundingRect();
     for (const CrankRange &range : forbiddenRanges(limits())) {
@@ -119,7 +119,7 @@ void MechanismSketch::addGuide()
     constexpr double kOutOfSight = 20.0; // px
     constexpr double kMark = 20.0;       // px that a dead centre's mark rises above the line
     const double y = toPixels({0.0, mechanism().c()}).y();
-    addLine({0.0, y}, {size.width(), y}, QPen(m_muted, 1.0, Qt::DashDotLine), Guide);
+    addLine({0.0, y}, {projection().size.width(), y}, QPen(m_muted, 1.0, Qt::DashDotLine), Guide);
     const QRectF bounds = motionBounds(mechanism(), limits());
     double left = bounds.left();
     double right = bounds.right();
@@ -127,7 +127,7 @@ void MechanismSketch::addGuide()
         std::tie(left, right) = std::minmax(limits().inner->R4x, limits().outer->R4x);
     }
     addGround({std::max(toPixels({left, 0.0}).x() - kOverhang, -kOutOfSight), y + kBelowLine},
-              std::min(toPixels({right, 0.0}).x() + kOverhang, size.width() + kOutOfSight), Guide);
+              std::min(toPixels({right, 0.0}).x() + kOverhang, projection().size.width() + kOutOfSight), Guide);
     for (const auto &[centre, part] : {std::pair(limits().outer, OuterDeadCentre), {limits().inner, InnerDeadCentre}}) {
         if (centre) {
             const double x = toPixels({centre->R4x, 0.0}).x();
@@ -138,45 +138,45 @@ void MechanismSketch::addGuide()
 
 /// Returns the names of the dead centres and their places, each below its own mark. Where two full names do not fit,
 /// they are shortened; a short one moves away from the edge of the drawing, and is left out if it does not fit.
-std::vector<std::pair<QString, QRectF>> MechanismSketch::deadCentreCaptions() const
+std::vector<MechanismSketch::Caption> MechanismSketch::deadCentreCaptions() const
 {
     if (!m_scene->settings.names) {
         return {};
     }
-    const auto captions = [this](const QString &outer, const QString &inner) {
-        std::vector<std::pair<QString, QRectF>> boxes;
+    const auto makeCaptions = [this](const QString &outer, const QString &inner) {
+        std::vector<Caption> made;
         for (const auto &[centre, name] : {std::pair(limits().outer, outer), {limits().inner, inner}}) {
             if (centre) {
                 const QPointF mark = toPixels({centre->R4x, mechanism().c()});
                 QRectF box(QPointF(), textSize(name, TextSize::Small));
                 box.moveCenter(mark + QPointF(0.0, kBelowLine + kHatch + 2.0 + 0.5 * box.height()));
-                boxes.emplace_back(name, box);
+                made.push_back({name, box});
             }
         }
-        return boxes;
+        return made;
     };
     const double numbers = textSize({}, TextSize::Small).height(); // of the grid, along the lower edge
-    const QRectF inside = QRectF(QPointF(), size).adjusted(0.0, 0.0, 0.0, -numbers);
+    const QRectF inside = QRectF(QPointF(), projection().size).adjusted(0.0, 0.0, 0.0, -numbers);
     const QRectF pivot(m_O2 - QPointF(kPivot, 0.0), QSizeF(2.0 * kPivot, kPivot + kHatch));
     const auto fits = [&](const QRectF &box) { return inside.contains(box) && !box.intersects(pivot); };
-    const auto allFit = [&](const auto &boxes) {
-        const bool areApart = boxes.size() < 2 || !boxes.front().second.intersects(boxes.back().second);
-        return areApart && std::ranges::all_of(boxes, [&](const auto &caption) { return fits(caption.second); });
+    const auto allFit = [&](const std::vector<Caption> &captions) {
+        const bool areApart = captions.size() < 2 || !captions.front().box.intersects(captions.back().box);
+        return areApart && std::ranges::all_of(captions, fits, &Caption::box);
     };
-    auto boxes = captions(tr("outer dead centre"), tr("inner dead centre"));
-    if (!allFit(boxes)) {
-        boxes = captions(tr("outer", "dead centre"), tr("inner", "dead centre"));
-        for (auto &[name, box] : boxes) {
-            if (box.center().x() >= 0.0 && box.center().x() <= size.width()) {
-                box.moveLeft(std::max(0.0, std::min(box.left(), size.width() - box.width())));
+    std::vector<Caption> captions = makeCaptions(tr("outer dead centre"), tr("inner dead centre"));
+    if (!allFit(captions)) {
+        captions = makeCaptions(tr("outer", "dead centre"), tr("inner", "dead centre"));
+        for (auto &[text, box] : captions) {
+            if (box.center().x() >= 0.0 && box.center().x() <= projection().size.width()) {
+                box.moveLeft(std::max(0.0, std::min(box.left(), projection().size.width() - box.width())));
             }
         }
-        std::erase_if(boxes, [&](const auto &caption) { return !fits(caption.second); });
-        if (!allFit(boxes)) {
-            boxes.clear(); // the dead centres are too close together
+        std::erase_if(captions, [&](const Caption &caption) { return !fits(caption.box); });
+        if (!allFit(captions)) {
+            captions.clear(); // the dead centres are too close together
         }
     }
-    return boxes;
+    return captions;
 }
 
 /// Adds the path of G3.
@@ -267,7 +267,7 @@ QLineF MechanismSketch::offsetDimension() const
 /// space for it, otherwise below each other.
 QStringList MechanismSketch::lengthLines() const
 {
-    constexpr double kButton = 0.45; // of the width, at most
+    constexpr double kButton = 0.45; // largest fraction of the width that the button takes
     if (!m_scene->settings.dimensions) {
         return {};
     }
@@ -276,7 +276,8 @@ QStringList MechanismSketch::lengthLines() const
         lengths << lengthText(mechanism(), length);
     }
     const QString line = lengths.join("   ");
-    return textSize(line, TextSize::Small).width() < (1.0 - kButton) * size.width() ? QStringList(line) : lengths;
+    return textSize(line, TextSize::Small).width() < (1.0 - kButton) * projection().size.width() ? QStringList(line)
+                                                                                                 : lengths;
 }
 
 /// Returns the number of text lines in the upper left corner.

@@ -10,6 +10,7 @@
 
 #include <QCoreApplication>
 
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -62,8 +63,13 @@ private:
     int cornerLineCount() const;
     QStringList lengthLines() const;
     void addScales(int line);
-    int scaleCount() const;
-    std::vector<std::pair<QString, QRectF>> deadCentreCaptions() const;
+    int scaleCount() const; ///< number of arrow scales in the legend
+
+    struct Caption {
+        QString text;
+        QRectF box;
+    };
+    std::vector<Caption> deadCentreCaptions() const;
 
     void addLink(QPointF from, QPointF to, double width, const QColor &colour, DrawnPart part);
     void addJoint(QPointF centre, const QColor &edge, DrawnPart part);
@@ -77,7 +83,7 @@ private:
 
     void addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, Qt::PenStyle line);
     void addArrowName(const QLineF &arrow, LinkagePoint point, const ArrowScale &arrows);
-    void addMotionArrows(const ArrowScale &arrows, bool withCentreOfMass);
+    void addMotionArrows(const ArrowScale &arrows, std::span<const LinkagePoint> points);
     void addInstantCentre();
     void addInstantCentreText(const InstantCentre &centre, int line);
     void addRay(LinkagePoint point, QPointF centre);

@@ -152,7 +152,8 @@ QString arrowScaleText(const ArrowScale &scale)
     }
     const Measure measure = scale.isOfVelocity() ? Measure::Speed : Measure::Acceleration;
     const double length = shownValue(Measure::Length, scale.length, notation().units);
-    const double rounded = nextRoundNumber(0.999 * length); // the scale is a round number of mm
+    constexpr double kRounding = 0.999; // so that a length that is round except for rounding errors stays
+    const double rounded = nextRoundNumber(kRounding * length); // in other units than mm, the length is not round
     const double amount = shownValue(measure, scale.amount, notation().units) * (rounded / length);
     return MechanismText::tr("Scale: %1 = %2")
         .arg(withUnit(numberText(rounded), shownUnit(Measure::Length)),

@@ -98,13 +98,13 @@ std::optional<QRectF> placesOfWideAngle(const MechanismScene &scene)
 MechanismProjection pictureProjection(const MechanismScene &scene, const MechanismFrame &frame, const QSizeF &size,
                                       const QFont &font)
 {
-    constexpr double kRail = 22.0; // px
-    constexpr int kRounds = 3;     // the space in mm depends on the scale, and the scale on the space
+    constexpr double kRailHeight = 22.0; // px
+    constexpr int kRounds = 3;           // the space in mm depends on the scale, and the scale on the space
     MechanismProjection projection = frame.projection(size);
     if (!scene.result || frame.zoomed() || frame.fitted().isNull()) {
         return projection;
     }
-    const double pixelsBelow = kRail + 2.0 * QFontMetricsF(font).height();
+    const double pixelsBelow = kRailHeight + 2.0 * QFontMetricsF(font).height();
     const std::optional<QRectF> vertex = placesOfWideAngle(scene);
     MechanismFrame enlarged = frame;
     for (int round = 0; round < kRounds; ++round) {
@@ -362,7 +362,8 @@ MechanismSketch MechanismView::linkage() const
 
 void MechanismView::paintScenery(QPainter &painter) const
 {
-    painter.fillRect(rect().adjusted(0, 0, 1, 1), m_scenery.colours().background); // also the last half pixel
+    painter.fillRect(rect().adjusted(0, 0, 1, 1),
+                     m_scenery.colours().background); // also a last, partly covered device pixel
     painter.scale(magnification(), magnification());
     m_scenery.paint(painter);
 }
@@ -375,7 +376,8 @@ void MechanismView::paintEvent(QPaintEvent *)
         paintScenery(painter);
     } else {
         if (m_sceneryPicture.isNull() || m_sceneryPicture.devicePixelRatio() != ratio) {
-            m_sceneryPicture = QPixmap((size() + QSize(1, 1)) * ratio); // at a ratio of 1.5 with the last half pixel
+            // At a ratio such as 1.5 the view may end in the middle of a device pixel: one more covers it.
+            m_sceneryPicture = QPixmap((size() + QSize(1, 1)) * ratio);
             m_sceneryPicture.setDevicePixelRatio(ratio);
             QPainter picturePainter(&m_sceneryPicture);
             paintScenery(picturePainter);
@@ -410,7 +412,8 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     const QSizeF drawing(size.width(), size.height() - legend.legendHeight());
     MechanismSketch scenery = newPicture(drawing);
     scenery.addScenery();
-    MechanismSketch linkage = newPicture(drawing); // covers the names of the scenery, as in the window
+    // The linkage is a sketch of its own, whose labels may cover those of the scenery, as in the window.
+    MechanismSketch linkage = newPicture(drawing);
     linkage.addLinkage();
     painter.save();
     painter.setClipRect(QRect(QPoint(), size), Qt::IntersectClip);
@@ -422,10 +425,10 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     scenery.paint(painter);
     linkage.paint(painter);
     if (!m_scene.settings.angles) {     // the drawing does not state its position
-        constexpr double kAround = 6.0; // px
+        constexpr double kMargin = 6.0; // px
         painter.setFont(font);
         painter.setPen(palette.color(QPalette::Text));
-        painter.drawText(QPointF(kAround, kAround + QFontMetricsF(font).ascent()),
+        painter.drawText(QPointF(kMargin, kMargin + QFontMetricsF(font).ascent()),
                          QStringLiteral("θ₂ = %1").arg(timelineAngle(m_scene)));
     }
     painter.restore();
