@@ -20,26 +20,32 @@ namespace slidercrank
 inline constexpr std::size_t kPlotRows = 3;
 inline constexpr std::size_t kPlotColumns = 3;
 inline constexpr std::size_t kPlotCount = kPlotRows * kPlotColumns; ///< numbered row by row
-inline constexpr std::size_t kErrorColumn = 2;
+inline constexpr std::size_t kErrorColumn = 2; ///< the columns before it are the plots of θ3 and R4x
 
 constexpr bool isErrorPlot(std::size_t plot)
 {
     return plot % kPlotColumns == kErrorColumn;
 }
 
-/// The index in kPlottedChannels of the channel that a plot of the model shows.
+/// Returns the index in kPlottedChannels of the channel that a plot shows. Requires a plot that shows no errors.
 constexpr std::size_t channelOf(std::size_t plot)
 {
     return plot / kPlotColumns * kErrorColumn + plot % kPlotColumns;
 }
 
-/// "plot_theta3", "plot_error_velocity", …
+/// Returns the name of a plot: "plot_theta3", "plot_error_velocity", …
 inline QString plotName(std::size_t plot)
 {
     constexpr std::array kErrors{"plot_error_position", "plot_error_velocity", "plot_error_acceleration"};
     return isErrorPlot(plot) ? QString::fromUtf8(kErrors[plot / kPlotColumns])
                              : "plot_" + QString::fromUtf8(nameOf(kPlottedChannels[channelOf(plot)]));
 }
+
+/// A plot that the user can choose.
+struct NamedPlot {
+    QString name; ///< plotName()
+    QString text;
+};
 
 enum class ErrorMeasure {
     Percent,  ///< |model - reference| / |reference|, as in the reference report; undefined where the reference is zero

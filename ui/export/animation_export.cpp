@@ -70,7 +70,7 @@ Problem drawFrames(const QTemporaryDir &folder, const Animation &animation, cons
 Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animation &animation,
                   const AnimationProgress &progress)
 {
-    constexpr int kLookEvery = 50; // ms
+    constexpr int kProgressInterval = 50; // ms
     const QString video = "video." + QFileInfo(path).suffix().toLower();
     QStringList arguments{"-loglevel", "error", "-framerate", QString::number(animation.framesPerSecond), "-i",
                           "frame_%04d.png",
@@ -84,9 +84,9 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
     }
     QProcess ffmpeg;
     ffmpeg.setProcessChannelMode(QProcess::MergedChannels);
-    ffmpeg.setWorkingDirectory(folder.path()); // in a path, ffmpeg would take "%" for a number of a frame
+    ffmpeg.setWorkingDirectory(folder.path()); // ffmpeg would take a "%" in a path for the number of a frame
     ffmpeg.start("ffmpeg", arguments << video);
-    while (!ffmpeg.waitForFinished(kLookEvery) && ffmpeg.state() != QProcess::NotRunning) {
+    while (!ffmpeg.waitForFinished(kProgressInterval) && ffmpeg.state() != QProcess::NotRunning) {
         if (!progress(animation.frameCount())) {
             ffmpeg.kill();
             ffmpeg.waitForFinished();

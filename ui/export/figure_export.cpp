@@ -66,18 +66,18 @@ struct ParameterLines {
 
 ParameterLines parameterLines(const QString &parameters, const QSize &figure, const QFont &font)
 {
-    constexpr int kAround = 3; // px
+    constexpr int kMargin = 3; // px
     const QFontMetrics metrics(font);
     QStringList lines;
     for (const QString &equation : parameters.split(", ")) {
         const QString longer = lines.isEmpty() ? equation : lines.last() + ", " + equation;
-        if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= figure.width() - 2 * kAround) {
+        if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= figure.width() - 2 * kMargin) {
             lines.last() = longer;
         } else {
             lines << equation;
         }
     }
-    const int height = static_cast<int>(lines.size()) * metrics.lineSpacing() + 2 * kAround;
+    const int height = static_cast<int>(lines.size()) * metrics.lineSpacing() + 2 * kMargin;
     return {lines.join(",\n"), {0, figure.height() - height, figure.width(), height}};
 }
 

@@ -29,7 +29,7 @@ namespace
 
 using WidthUnit = FigureOptions::Unit;
 
-constexpr QSize kPreview(460, 460); // px, at most
+constexpr QSize kMaxPreviewSize(460, 460); // px
 
 const QString kWidth = "export/width";
 const QString kUnit = "export/unit";
@@ -131,7 +131,7 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
     m_cursor->setVisible(subject.hasCursor);
     m_preview->setFrameShape(QFrame::Box);
     m_preview->setAlignment(Qt::AlignCenter);
-    m_preview->setMinimumSize(kPreview);
+    m_preview->setMinimumSize(kMaxPreviewSize);
     m_preview->setAccessibleName(tr("Preview"));
 
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -170,14 +170,12 @@ void FigureForm::addPlots(const FigureOptions &options, QFormLayout &form)
     const bool hasErrorPlots = m_subject.plots.size() >= kPlotCount;
     const int columns = hasErrorPlots ? 3 : 2; // as in the window
     auto *grid = new QGridLayout;
-    const auto isChosen = [&](const std::pair<QString, QString> &plot) {
-        return options.plots.isEmpty() || options.plots.contains(plot.first);
-    };
+    const auto isChosen = [&](const QString &name) { return options.plots.isEmpty() || options.plots.contains(name); };
     // If none of these plots is chosen, the stored choice is that of a different figure: then all of them are checked.
-    const bool isAnyChosen = std::ranges::any_of(m_subject.plots, isChosen);
+    const bool isAnyChosen = std::ranges::any_of(m_subject.plots, isChosen, &NamedPlot::name);
     for (const auto &[name, text] : m_subject.plots) {
         auto *box = named(name, new QCheckBox(text));
-        box->setChecked(!isAnyChosen || isChosen({name, text}));
+        box->setChecked(!isAnyChosen || isChosen(name));
         connect(box, &QCheckBox::toggled, this, &FigureForm::showPreview);
         const int place = static_cast<int>(m_plots.size());
         grid->addWidget(box, place / columns, place % columns);
@@ -233,7 +231,7 @@ void FigureForm::showPreview()
     m_outcome->setText(chosen.format == FigureFormat::Png || isInPixels
                            ? tr("%1 × %2 px").arg(qRound(pixels.width())).arg(qRound(pixels.height()))
                            : tr("%1 × %2 mm").arg(fixedText(paper.width(), 1), fixedText(paper.height(), 1)));
-    const QSizeF shown = QSizeF(size.size).scaled(QSizeF(kPreview), Qt::KeepAspectRatio);
+    const QSizeF shown = QSizeF(size.size).scaled(QSizeF(kMaxPreviewSize), Qt::KeepAspectRatio);
     size.scale = devicePixelRatioF() * shown.width() / size.size.width();
     QPixmap picture = QPixmap::fromImage(figureImage(size, m_subject.draw(chosen)));
     picture.setDevicePixelRatio(devicePixelRatioF());

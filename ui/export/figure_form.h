@@ -4,12 +4,12 @@
 // The dialog that asks for the size and the content of an exported figure, and shows the figure as it will be. The
 // choices are stored for the next time.
 
+#include "ui/document/view_settings.h"
 #include "ui/export/figure_export.h"
 
 #include <QDialog>
 
 #include <functional>
-#include <utility>
 #include <vector>
 
 class QCheckBox;
@@ -24,9 +24,9 @@ namespace slidercrank
 
 /// A figure that can be exported.
 struct FigureSubject {
-    QString name;                                        ///< proposed file name
-    std::vector<std::pair<QString, QString>> plots = {}; ///< names and texts of the plots that can be chosen
-    bool hasCursor = false;                              ///< whether it can show the values at the current time
+    QString name;                      ///< proposed file name
+    std::vector<NamedPlot> plots = {}; ///< the plots that can be chosen
+    bool hasCursor = false;            ///< whether it can show the values at the current time
     std::function<FigureHeight(const FigureOptions &)> height;
     std::function<FigureDrawing(const FigureOptions &)> draw;
 };

@@ -88,21 +88,24 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
     const std::vector<Channel> list = listed(columns);
     WholeFile file(path);
     bool goesOn = file.open() && file.write(csvHeader(list, options.units));
-    double steps = 0.0; // that are written
+    double writtenSteps = 0.0;
     const TextSink sink = [&](const QByteArray &text) { return file.write(text) && !stop.stop_requested(); };
     const auto take = [&](const Trajectory &piece) {
         goesOn = writeCsvRows(piece, list, options.units, sink);
-        steps += static_cast<double>(piece.time.size());
+        writtenSteps += static_cast<double>(piece.time.size());
         if (progress) {
-            progress(steps / (sampling.steps + 1.0));
+            progress(writtenSteps / (sampling.steps + 1.0));
         }
         return goesOn;
     };
     if (goesOn) {
         sampleInPieces(result.mechanism, sampling, columns, result.solver, take, stop);
     }
-    return stop.stop_requested() || (goesOn && file.commit(stop)) ? std::nullopt
-                                                                  : std::optional(cannotWrite(path, file.reason()));
+    const bool isWritten = goesOn && file.commit(stop);
+    if (isWritten || stop.stop_requested()) {
+        return std::nullopt;
+    }
+    return cannotWrite(path, file.reason());
 }
 
 } // namespace slidercrank

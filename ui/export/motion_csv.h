@@ -26,8 +26,9 @@ struct MotionCsvOptions {
     Units units = {}; ///< any other unit than those of files follows the name of its column
 };
 
-/// Writes time, crank angle and the channels to a file, with every digit. Returns nullopt on success, else a message;
-/// an older file of that name is then unchanged. `progress` receives 0 … 1. Can run in any thread.
+/// Writes time, crank angle and the channels to a file, with every digit. Returns nullopt on success
+/// and if stopped, else a message; unless it succeeds, an older file of that name is unchanged. `progress` receives
+/// 0 … 1. Can run in any thread.
 std::optional<QString> exportMotion(const QString &path, const Result &result, const MotionCsvOptions &options,
                                     std::stop_token stop = {}, const std::function<void(double)> &progress = {});
 

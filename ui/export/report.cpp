@@ -207,18 +207,18 @@ struct DrawingLayout {
 
 DrawingLayout layOutDrawing(const ReportContent &content, const QFont &font, double textWidth)
 {
-    constexpr double kApart = 48.0; // px
+    constexpr double kSpacing = 48.0; // px, between table and drawing
     constexpr double kMinWidth = 240.0;
     constexpr double kMaxWidth = 380.0;
     constexpr double kWidthBesideValues = 270.0;
-    constexpr double kHeight = 0.6; // widths
+    constexpr double kHeightRatio = 0.6; // height of the drawing over its width
     QTextDocument table;
     setText(table, font, parameterTable(content));
-    const double beside = textWidth - table.idealWidth() - kApart;
+    const double beside = textWidth - table.idealWidth() - kSpacing;
     const bool hasSpace = beside >= kMinWidth;
     const double width = hasSpace ? std::min(beside, kMaxWidth) : kWidthBesideValues;
     return {hasSpace ? DrawingPlace::BesideParameters : DrawingPlace::BesideValues,
-            {static_cast<int>(width), static_cast<int>(kHeight * width)}};
+            {static_cast<int>(width), static_cast<int>(kHeightRatio * width)}};
 }
 
 /// A report laid out on pages of a size (px).
@@ -232,7 +232,7 @@ public:
         , m_mechanism(mechanism, font, m_drawing.size)
         , m_figure(figure, font, {static_cast<int>(page.width()), 1})
     {
-        constexpr double kTallestFigure = 1.4; // widths
+        constexpr double kMaxHeightRatio = 1.4; // height of the figure over its width
         constexpr int kMechanismType = QTextFormat::UserObject;
         constexpr int kFigureType = QTextFormat::UserObject + 1;
         setText(m_document, font, reportHtml(content, m_drawing.place));
@@ -240,7 +240,7 @@ public:
         insertDrawing(m_document, kFigurePlace, kFigureType, m_figure);
         m_document.setPageSize(page);
         Pages pages(m_document);
-        pages.fillPage(m_figure, kFigureType, static_cast<int>(kTallestFigure * page.width()));
+        pages.fillPage(m_figure, kFigureType, static_cast<int>(kMaxHeightRatio * page.width()));
         pages.keepSectionsTogether();
     }
 
@@ -320,7 +320,8 @@ std::optional<QString> exportReport(const QString &path, const ReportContent &co
         while (letters > kSmallestLetters && !report->fits()) {
             report = layOut(--letters);
         }
-        if (report->endsWithFewLines() && letters > kSmallestLetters) { // slightly smaller letters need a page less
+        if (report->endsWithFewLines() &&
+            letters > kSmallestLetters) { // slightly smaller letters may save the last page
             std::unique_ptr<LaidOutReport> smaller = layOut(letters - 1);
             report = smaller->endsWithFewLines() ? std::move(report) : std::move(smaller);
         }

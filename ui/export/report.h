@@ -24,7 +24,7 @@ PaperSize usualPaper();
 
 struct ReportContent {
     std::shared_ptr<const Result> result; ///< not null
-    Identification found;                 ///< of the reference; unused without one
+    Identification found;                 ///< the mechanism of the reference; not used if there is no reference
     double time = 0.0;                    ///< s, at which the values are stated and the mechanism is drawn
     double alpha2 = 0.0;                  ///< rad/s²: acceleration of the crank, in the values only
     PaperSize paper = PaperSize::A4;

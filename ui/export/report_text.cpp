@@ -30,7 +30,7 @@ struct Report {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::Report)
 };
 
-constexpr int kDigits = 6; // of the values, enough for a calculation by hand
+constexpr int kDigits = 6; // significant digits, enough for a calculation by hand
 
 QString element(const char *tag, const QString &text)
 {

@@ -192,7 +192,7 @@ std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points
 
 std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Interval &time, bool isUnbounded)
 {
-    constexpr double kLeftOut = 0.05; // of the values, at either end
+    constexpr double kLeftOut = 0.05; // fraction of the values that is left out at either end
     std::vector<double> values;
     values.reserve(points.size());
     for (const CurvePoint &point : clip(points, time, {-kBeyondAll, kBeyondAll})) {

@@ -78,13 +78,14 @@ double MotionErrors::error(std::size_t channel, double model, double reference) 
     if (m_settings.error == ErrorMeasure::Absolute) {
         error *= errors.factor;
     } else if (m_settings.error == ErrorMeasure::Percent) {
-        constexpr double kZero = 1e-12; // of the peak; smaller numbers are rounding errors of zero
+        constexpr double kZero = 1e-12; // fraction of the peak; smaller numbers are rounding errors of zero
         const double halfStep = errors.series ? 0.5 * errors.series->rounding.stepAt(reference) : 0.0;
         const double zero = std::max(std::isfinite(errors.peak) ? kZero * errors.peak : 0.0, halfStep);
         error = std::abs(reference) <= zero ? kNone : kPercent * error / std::abs(reference);
-    } else {
-        // An error of 0 is 0 % even if the peak is 0. Other errors have no percentage of a peak of 0.
-        error = !std::isfinite(errors.peak) ? kNone : error == 0.0 ? 0.0 : kPercent * error / errors.peak;
+    } else if (!std::isfinite(errors.peak)) {
+        error = kNone;
+    } else if (error != 0.0) { // an error of 0 is 0 % even if the peak is 0
+        error = kPercent * error / errors.peak;
     }
     return m_settings.logarithmicError ? std::log10(error) : error;
 }

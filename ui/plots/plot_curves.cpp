@@ -20,7 +20,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kMinRangeFraction = 1e-10; // of the largest number on an axis; limits the zoom
+constexpr double kMinRangeFraction = 1e-10; // smallest range, relative to the largest number on an axis
 constexpr std::size_t kErrorsPerRow = 2;
 
 /// Lengths of dashes and gaps, in line widths. Each pinned motion has its own pattern.
@@ -200,7 +200,7 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
 PlotCurve PlotFigure::errorCurve(std::size_t channel) const
 {
     const bool hasFile = m_result->reference != nullptr;
-    const bool isSlider = channel % kErrorsPerRow != 0;
+    const bool isSlider = kPlottedChannels[channel].coordinate == R4x;
     PlotCurve curve;
     curve.ink = isSlider ? &SeriesColours::errorOther : &SeriesColours::error;
     if (hasFile) {
@@ -223,7 +223,7 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
     const auto isSeen = [this](double error) {
         return m_settings.logarithmicError ? std::isfinite(error) : error > 0.0;
     };
-    if (hasFile || std::ranges::any_of(values, isSeen)) { // otherwise there is no difference
+    if (hasFile || std::ranges::any_of(values, isSeen)) { // pinned motions without any difference have no curve
         curve.points = decimate(m_errors->time().first(values.size()), values, timeRange(), m_columns);
     }
     return curve;
@@ -250,7 +250,7 @@ void PlotFigure::computeErrors(Plot &plot, std::size_t row)
 {
     constexpr double kMaxDecades = 8.0;
     const Interval time = timeRange();
-    std::vector<PlotCurve> roundings; // after the errors, also in the legend
+    std::vector<PlotCurve> roundings; // added last, so that they follow the errors in the legend
     for (std::size_t channel = kErrorsPerRow * row; channel < kErrorsPerRow * (row + 1); ++channel) {
         const MotionErrors::Errors &errors = (*m_errors)[channel];
         if (errors.reference.empty()) {
@@ -339,7 +339,7 @@ double PlotFigure::referenceValue(std::size_t channel, const ReadTime &time) con
 
 std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, const QStringList &headings) const
 {
-    constexpr double kRoundingError = 1e-9; // of the axis
+    constexpr double kRoundingError = 1e-9; // fraction of the length of the axis
     const Plot &plot = m_plots[index];
     if (!plot.values || !timeRange().contains(time)) {
         return std::nullopt;

@@ -115,7 +115,7 @@ double NumberTicker::getTickStep(const QCPRange &range)
 
 QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
-    constexpr double kRoundingError = 1e-6; // of a step
+    constexpr double kRoundingError = 1e-6; // fraction of a step
     const double value = (tick - mTickOrigin) / perUnit;
     if (m_isPartOfTurn && angle == AngleUnit::Radian) {
         return multipleOfPiText(std::lround(value * kDegreesPerRadian));

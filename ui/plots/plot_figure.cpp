@@ -222,23 +222,23 @@ void PlotFigure::fill()
 /// Places as many entries of the legend side by side as fit, draws them if there is a painter, and returns their size.
 QSize PlotFigure::placeLegend(QPainter *painter)
 {
-    constexpr int kApart = 12; // px
+    constexpr int kSpacing = 12; // px
     constexpr int kLine = 28;
-    constexpr int kGap = 7; // between a line and its name
-    constexpr int kAround = 80;
+    constexpr int kGap = 7;              // between a line and its name
+    constexpr int kSpaceBesideName = 80; // px: the line before a name, and spacing
     const int width = m_drawing->viewport().width();
     const int height = lineHeight(m_fonts.title);
-    QPoint place(kApart, 6);
+    QPoint place(kSpacing, 6);
     for (const auto &[name, pen] : m_legend) {
         QStaticText &text = m_names[name];
         if (text.text().isEmpty()) {
             text.setTextFormat(Qt::PlainText); // a file's name may look like HTML
-            text.setText(QFontMetrics(m_fonts.title).elidedText(name, Qt::ElideMiddle, width - kAround));
+            text.setText(QFontMetrics(m_fonts.title).elidedText(name, Qt::ElideMiddle, width - kSpaceBesideName));
             text.prepare({}, m_fonts.title);
         }
         const int length = kLine + kGap + static_cast<int>(text.size().width());
         if (place.x() + length > width) { // never the first, which is elided
-            place = {kApart, place.y() + height + kLabelGap};
+            place = {kSpacing, place.y() + height + kLabelGap};
         }
         if (painter) {
             const QPoint from = place + QPoint(0, height / 2);
@@ -247,7 +247,7 @@ QSize PlotFigure::placeLegend(QPainter *painter)
             painter->setPen(m_colours.text);
             painter->drawStaticText(place + QPoint(kLine + kGap, 0), text);
         }
-        place.rx() += length + kApart;
+        place.rx() += length + kSpacing;
     }
     return {place.x(), place.y() + height + kLabelGap};
 }
@@ -255,9 +255,9 @@ QSize PlotFigure::placeLegend(QPainter *painter)
 /// Draws a text at the right end of the last line of the legend. Returns false if there is no space for it.
 bool PlotFigure::drawBesideLegend(QPainter &painter, const QString &text) const
 {
-    constexpr int kApart = 12; // px, from the edge
+    constexpr int kSpacing = 12; // px, from the edge
     const QFontMetrics metrics(m_fonts.tick);
-    const int left = m_drawing->viewport().width() - kApart - metrics.horizontalAdvance(text);
+    const int left = m_drawing->viewport().width() - kSpacing - metrics.horizontalAdvance(text);
     if (left < m_legendSize.width()) {
         return false;
     }
@@ -273,8 +273,8 @@ void PlotFigure::setTimeScale()
 {
     constexpr double kMinTickDistance = 44.0; // px from tick to tick
     constexpr double kLabelDistance = 14.0;   // px from label to label
-    constexpr int kAround = 3;                // px; a label that ends at the edge of the figure is not drawn
-    constexpr int kUsualDigits = 6;           // of a value; the axes do not move until a label has more
+    constexpr int kMarginBesideLabel = 3;     // px, because a label that touches the edge of the figure is not drawn
+    constexpr int kUsualDigits = 6;           // digits of a value; the axes do not move until a label has more
     const QFontMetrics metrics(m_fonts.tick);
     const Interval time = timeRange();
     m_timeTicker->perUnit = 1.0 / perSecond();
@@ -296,7 +296,7 @@ void PlotFigure::setTimeScale()
     setDistance(axesWidth < 2.0 * kMinTickDistance ? minTickDistance : std::max(kMinTickDistance, minTickDistance));
     const QString title = isOverAngle() ? QStringLiteral("θ₂ [%1]").arg(shownUnit(Measure::Angle)) : "t [s]";
     const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
-    const QMargins minMargins(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kAround, 0);
+    const QMargins minMargins(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kMarginBesideLabel, 0);
     for (const std::size_t index : plots()) {
         const bool hasLabels = m_plots[index].hasTimeLabels;
         QCPAxis &axis = *m_plots[index].timeAxis;
@@ -307,38 +307,56 @@ void PlotFigure::setTimeScale()
     }
 }
 
+/// Returns the unit of the errors of a row.
+QString PlotFigure::errorUnit(Order order) const
+{
+    switch (m_style.error) {
+    case ErrorMeasure::Percent: return QStringLiteral("%");
+    case ErrorMeasure::Absolute:
+        return QStringLiteral("%1; %2").arg(shownUnit(Channel{Theta3, order}), shownUnit(Channel{R4x, order}));
+    case ErrorMeasure::OfPeak: break;
+    }
+    return tr("% of peak");
+}
+
+/// Returns "error" or "difference from b = 60 mm", and shorter variants.
+QStringList PlotFigure::errorTitles() const
+{
+    if (m_style.isOfFile) {
+        return {tr("error"), QString()};
+    }
+    return {tr("difference from %1").arg(m_style.comparedWith), tr("difference"), QString()};
+}
+
+/// Returns "coupler angular velocity ω³ = dθ³/dt" and shorter variants. All motions have the same number of variants,
+/// because the titles of a row are shortened alike.
+QStringList PlotFigure::motionTitles(Channel channel)
+{
+    const QString name = quantityName(channel);
+    const QString symbol = symbolText(channel);
+    const QString full = name + u' ' + symbol;
+    const auto titles = [&](const QString &withDerivative, const QString &shortName) {
+        return QStringList{withDerivative, full, name, shortName + u' ' + symbol, symbol};
+    };
+    const auto derivativeOf = [&](Order order) {
+        return QStringLiteral("%1 = d%2/dt").arg(full, symbolText(Channel{channel.coordinate, order}));
+    };
+    switch (channel.order) {
+    case Order::Position: break;
+    case Order::Velocity: return titles(derivativeOf(Order::Position), tr("velocity"));
+    case Order::Acceleration: return titles(derivativeOf(Order::Velocity), tr("acceleration"));
+    }
+    return titles(full, isAngle(channel.coordinate) ? tr("angle") : tr("position"));
+}
+
 /// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" or "error [% of peak]", and shorter variants.
 QStringList PlotFigure::titles(std::size_t index) const
 {
     const bool isError = isErrorPlot(index);
-    const Channel channel = kPlottedChannels[isError ? index / kPlotColumns * kErrorColumn : channelOf(index)];
-    QString unit = shownUnit(channel);
-    QStringList titles;
-    if (isError) {
-        const std::array units{QString("%"),
-                               QStringLiteral("%1; %2").arg(unit, shownUnit(Channel{Coordinate::R4x, channel.order})),
-                               tr("% of peak")};
-        unit = units[static_cast<std::size_t>(m_style.error)];
-        titles = {tr("difference"), QString()};
-        if (m_style.isOfFile) {
-            titles.front() = tr("error");
-        } else {
-            titles.prepend(tr("difference from %1").arg(m_style.comparedWith));
-        }
-    } else {
-        const auto order = static_cast<std::size_t>(channel.order);
-        const std::array shortNames{isAngle(channel.coordinate) ? tr("angle") : tr("position"), tr("velocity"),
-                                    tr("acceleration")};
-        const QString name = quantityName(channel);
-        const QString symbol = symbolText(channel);
-        titles = {name + u' ' + symbol, name, shortNames[order] + u' ' + symbol, symbol};
-        if (order > 0) {
-            const QString integral = symbolText(Channel{channel.coordinate, static_cast<Order>(order - 1)});
-            titles.prepend(QStringLiteral("%1 = d%2/dt").arg(titles.front(), integral));
-        } else {
-            titles.prepend(titles.front()); // as many variants as the others have: plots of a row are shortened alike
-        }
-    }
+    const Channel channel = isError ? Channel() : kPlottedChannels[channelOf(index)];
+    const auto row = static_cast<Order>(index / kPlotColumns);
+    const QString unit = isError ? errorUnit(row) : shownUnit(channel);
+    QStringList titles = isError ? errorTitles() : motionTitles(channel);
     for (QString &title : titles) {
         title = QStringLiteral("%1 [%2]").arg(title, unit).trimmed();
     }

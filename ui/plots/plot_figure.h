@@ -194,6 +194,9 @@ private:
     void applyStyle(const PlotStyle &style);
     void fill();
     void setTimeScale();
+    QString errorUnit(Order order) const;
+    QStringList errorTitles() const;
+    static QStringList motionTitles(Channel channel);
     QStringList titles(std::size_t index) const;
     QRectF notePlace(const Plot &plot) const;
     Interval withSpaceForNote(const Plot &plot, const Interval &values) const;

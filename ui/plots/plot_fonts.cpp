@@ -13,7 +13,7 @@ PlotFonts::PlotFonts(const QFont &base)
     : title(base)
     , tick(base)
 {
-    constexpr int kMinPixels = 9; // of a tick label
+    constexpr int kMinPixels = 9; // smallest size of tick labels
     constexpr double kTickFraction = 0.87;
     constexpr double kMaxUsualPixels = 15.0; // above these, lines become thicker
     const int pixels = QFontInfo(base).pixelSize();

@@ -254,11 +254,11 @@ void PlotGrid::paintFigure(QPainter &painter, const FigureContent &content, cons
     requestRefresh(); // restores the figure for the screen
 }
 
-std::vector<std::pair<QString, QString>> PlotGrid::choosablePlots() const
+std::vector<NamedPlot> PlotGrid::choosablePlots() const
 {
-    std::vector<std::pair<QString, QString>> plots;
+    std::vector<NamedPlot> plots;
     for (const std::size_t plot : plotsToShow({})) {
-        plots.emplace_back(plotName(plot), m_panes[plot]->accessibleName());
+        plots.push_back({plotName(plot), m_panes[plot]->accessibleName()});
     }
     return plots;
 }

@@ -40,8 +40,8 @@ public:
     /// widget need not be visible.
     void paintFigure(QPainter &painter, const FigureContent &content, const QSize &size, const QPalette &palette);
 
-    /// Returns the names and the titles of the plots that can be shown.
-    std::vector<std::pair<QString, QString>> choosablePlots() const;
+    /// Returns the plots that can be shown.
+    std::vector<NamedPlot> choosablePlots() const;
 
     /// Returns the height (px) at which the plots have good proportions.
     int figureHeight(const FigureContent &content, int width, const QFont &font) const;

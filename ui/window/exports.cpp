@@ -67,22 +67,24 @@ FigureContent Exports::contentOf(const FigureOptions &options) const
 FigureSubject Exports::plot(const QString &name) const
 {
     const Mechanism mechanism = m_session->result()->mechanism;
-    const auto choose = [this, name](FigureOptions options) { // the only plot, or those that were chosen
-        options.plots = name.isEmpty() ? options.plots : QStringList(name);
+    const auto contentFor = [this, name](FigureOptions options) {
+        if (!name.isEmpty()) {
+            options.plots = QStringList(name);
+        }
         return contentOf(options);
     };
     FigureSubject subject;
     subject.name = name.isEmpty() ? tr("figure") : name;
-    subject.plots = name.isEmpty() ? m_views.plots->choosablePlots() : std::vector<std::pair<QString, QString>>();
+    subject.plots = name.isEmpty() ? m_views.plots->choosablePlots() : std::vector<NamedPlot>();
     subject.hasCursor = true;
-    subject.height = [this, mechanism, choose](const FigureOptions &options) {
-        const auto height = [this, content = choose(options)](int width, const QFont &font) {
+    subject.height = [this, mechanism, contentFor](const FigureOptions &options) {
+        const auto height = [this, content = contentFor(options)](int width, const QFont &font) {
             return m_views.plots->figureHeight(content, width, font);
         };
         return withParameters(FigureHeight(height), mechanism);
     };
-    subject.draw = [this, mechanism, choose](const FigureOptions &options) {
-        return withParameters(plotsDrawing(choose(options)), mechanism, paletteFor(Theme::Light));
+    subject.draw = [this, mechanism, contentFor](const FigureOptions &options) {
+        return withParameters(plotsDrawing(contentFor(options)), mechanism, paletteFor(Theme::Light));
     };
     return subject;
 }

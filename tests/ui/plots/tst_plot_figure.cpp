@@ -19,7 +19,13 @@ using namespace slidercrank;
 namespace tst_plot_figure
 {
 
+// The plots are numbered row by row.
+constexpr std::size_t kCouplerAngle = 0;
+constexpr std::size_t kSliderPosition = 1;
 constexpr std::size_t kPositionErrors = 2;
+constexpr std::size_t kCouplerVelocity = 3;
+constexpr std::size_t kVelocityErrors = 5;
+constexpr std::size_t kSliderAcceleration = 7;
 
 PlotFigure &figureOf(const Shown &shown)
 {
@@ -54,9 +60,14 @@ const PlotCurve &curveIn(const Plot &plot, Ink ink)
 
 constexpr std::array<Ink, 2> kErrorInks{&SeriesColours::error, &SeriesColours::errorOther};
 
-PlotSettings settingsWith(ErrorMeasure measure, bool isLogarithmic = false)
+PlotSettings settingsWith(ErrorMeasure measure)
 {
-    return {.error = measure, .logarithmicError = isLogarithmic};
+    return {.error = measure};
+}
+
+PlotSettings logarithmicSettingsWith(ErrorMeasure measure)
+{
+    return {.error = measure, .logarithmicError = true};
 }
 
 bool isNear(double value, double expected, double part)
@@ -83,8 +94,8 @@ private slots:
         for (const auto &[settings, divisor] :
              {Row{PlotSettings(), peak}, Row{settingsWith(ErrorMeasure::Percent), reference},
               Row{settingsWith(ErrorMeasure::Absolute), none},
-              Row{settingsWith(ErrorMeasure::Percent, true), reference},
-              Row{settingsWith(ErrorMeasure::OfPeak, true), peak}}) {
+              Row{logarithmicSettingsWith(ErrorMeasure::Percent), reference},
+              Row{logarithmicSettingsWith(ErrorMeasure::OfPeak), peak}}) {
             for (const Shown &shown : {Shown{.pinned = {withCoupler(65.0)}}, Shown{.reference = referenceOf(65.0)}}) {
                 PlotFigure &figure = figureOf(shown);
                 figure.setSettings(settings);
@@ -126,7 +137,7 @@ private slots:
         PlotFigure &zeros = figureOf({.reference = reference});
         zeros.setSettings(settingsWith(ErrorMeasure::Percent));
         QCOMPARE(plotOf(zeros, kPositionErrors).note, "undefined: the reference is 0");
-        QCOMPARE(plotOf(zeros, 5).note, "not in the file");
+        QCOMPARE(plotOf(zeros, kVelocityErrors).note, "not in the file");
     }
 
     void showsHalfARoundingStepOfTheFile()
@@ -173,7 +184,7 @@ private slots:
                 }
             }
         }
-        QCOMPARE(plotOf(figureOf({.model = withCoupler(1.0), .method = Method::Newton}), 0).note,
+        QCOMPARE(plotOf(figureOf({.model = withCoupler(1.0), .method = Method::Newton}), kCouplerAngle).note,
                  "no time step is solved");
         QCOMPARE(plotOf(figureOf({.pinned = {withCoupler(60.0)}}), kPositionErrors).note, "no difference");
         QVERIFY(plotOf(figureOf({.reference = referenceOf(65.0)}), kPositionErrors).note.isEmpty());
@@ -185,7 +196,7 @@ private slots:
         const std::vector<Parameters> pinned{withCoupler(62.0), withCoupler(66.0), withCoupler(70.0),
                                              withCoupler(75.0)};
         PlotFigure &figure = figureOf({.pinned = pinned});
-        const std::vector<PlotCurve> curves = plotOf(figure, 0).curves;
+        const std::vector<PlotCurve> curves = plotOf(figure, kCouplerAngle).curves;
         QCOMPARE(curves.size(), pinned.size() + 1);
         for (std::size_t i = 0; i < pinned.size(); ++i) {
             QVERIFY(curves[i].name.contains(QString::number(pinned[i].b)));
@@ -231,9 +242,9 @@ private slots:
     void withoutAColumnInTheFileAPlotShowsOnlyTheModel()
     {
         PlotFigure &figure = figureOf({.reference = referenceOf(65.0, 1)});
-        QCOMPARE(plotOf(figure, 0).curves.size(), std::size_t(2));
+        QCOMPARE(plotOf(figure, kCouplerAngle).curves.size(), std::size_t(2));
         const std::vector<PlotReading> readings = readingsOf(figure, 1, 0.0);
-        QCOMPARE(figure.shownPlot(1).note, "not in the file");
+        QCOMPARE(figure.shownPlot(kSliderPosition).note, "not in the file");
         QCOMPARE(plotOf(figure, kPositionErrors).curves.size(), std::size_t(1)); // of the coupler only
         QVERIFY(readings.size() == 1 && isNear(readings[0].number, positionsAt(0.0, 60.0)[1], 1e-9));
     }
@@ -256,7 +267,7 @@ private slots:
             PlotFigure &figure = figureOf({.reference = referenceOf(65.0),
                                            .sampling = {0.0, 1.0, std::max(steps, 1)},
                                            .method = steps > 0 ? Method::Newton : Method::ClosedForm});
-            const Interval whole = *plotOf(figure, 1).values;
+            const Interval whole = *plotOf(figure, kSliderPosition).values;
             for (const Interval &time : {Interval{0.3, 0.4}, Interval{0.55, 0.62}, Interval{0.81, 0.83}}) {
                 double least = 1e9;
                 double most = -1e9;
@@ -268,14 +279,14 @@ private slots:
                     }
                 }
                 figure.zoomTime(time);
-                const Interval seen = *plotOf(figure, 1).values;
+                const Interval seen = *plotOf(figure, kSliderPosition).values;
                 const double chord = steps == 8 ? 4.0 : 0.1; // mm between eight samples' lines and the motion
                 QVERIFY(seen.lower <= least + chord && seen.upper >= most - chord);
                 QVERIFY(seen.length() < 1.5 * (most - least) + 4.0 * chord && seen.length() < 0.8 * whole.length());
             }
-            figure.zoomValues(1, {10.0, 20.0}); // a chosen range does not depend on the time shown
+            figure.zoomValues(kSliderPosition, {10.0, 20.0}); // a chosen range does not depend on the time shown
             figure.zoomTime({0.5, 0.6});
-            QCOMPARE(*plotOf(figure, 1).values, (Interval{10.0, 20.0}));
+            QCOMPARE(*plotOf(figure, kSliderPosition).values, (Interval{10.0, 20.0}));
         }
     }
 
@@ -283,13 +294,14 @@ private slots:
     {
         PlotFigure &figure = figureOf({});
         QStringList titles;
-        for (const QStaticText &title : plotOf(figure, 3).titles) {
+        for (const QStaticText &title : plotOf(figure, kCouplerVelocity).titles) {
             titles << title.text();
         }
         QCOMPARE(titles, (QStringList{"coupler angular velocity ω³ = dθ³/dt [°/s]", "coupler angular velocity ω³ [°/s]",
                                       "coupler angular velocity [°/s]", "velocity ω³ [°/s]", "ω³ [°/s]"}));
-        QVERIFY(plotOf(figure, 7).titles.front().text().startsWith("slider acceleration a⁴ = dv⁴/dt"));
-        QCOMPARE(plotOf(figure, 0).titles.front().text(), "coupler angle θ³ [°]");
+        QVERIFY(
+            plotOf(figure, kSliderAcceleration).titles.front().text().startsWith("slider acceleration a⁴ = dv⁴/dt"));
+        QCOMPARE(plotOf(figure, kCouplerAngle).titles.front().text(), "coupler angle θ³ [°]");
     }
 
     /// A former defect: "velocity [°/s]" beside "slider velocity v⁴ [mm/s]".
@@ -302,11 +314,11 @@ private slots:
                 QCOMPARE(figure.shownPlot(plot).title, figure.shownPlot(plot + 1).title);
             }
         }
-        QCOMPARE(figure.shownPlot(3).title, std::size_t(3));
+        QCOMPARE(figure.shownPlot(kCouplerVelocity).title, std::size_t(3));
         // A former defect: "Rₓ⁴" beside "velocity v⁴", where a position and a velocity share a row.
         figure.compose({{1, 4}, QFont(), QPalette()}, {400, 300});
-        QCOMPARE(figure.shownPlot(1).titles.size(), figure.shownPlot(4).titles.size());
-        QCOMPARE(figure.shownPlot(1).title, figure.shownPlot(4).title);
+        QCOMPARE(figure.shownPlot(kSliderPosition).titles.size(), figure.shownPlot(4).titles.size());
+        QCOMPARE(figure.shownPlot(kSliderPosition).title, figure.shownPlot(4).title);
     }
 
     void withAFileValuesAreReadAtItsTimeStamps()
@@ -337,11 +349,11 @@ private slots:
         PlotFigure &figure = figureOf({parameters});
         QCOMPARE(figure.timeText(0.25), "t = 0.2500 s");
         QCOMPARE(figure.timeText(0.75, 0.25), "Δt = 0.5000 s");
-        QCOMPARE(plotOf(figure, 0).axes->axis(QCPAxis::atBottom)->label(), "t [s]");
+        QCOMPARE(plotOf(figure, kCouplerAngle).axes->axis(QCPAxis::atBottom)->label(), "t [s]");
         figure.setSettings({.abscissa = Abscissa::CrankAngle});
         QCOMPARE(figure.timeText(0.5), "θ₂ = −90.00°");
         QCOMPARE(figure.timeText(0.75, 0.25), "Δθ₂ = −180.0°");
-        const QCPAxis &axis = *plotOf(figure, 0).axes->axis(QCPAxis::atBottom);
+        const QCPAxis &axis = *plotOf(figure, kCouplerAngle).axes->axis(QCPAxis::atBottom);
         QCOMPARE(axis.label(), "θ₂ [°]");
         const auto zero = axis.tickVectorLabels().indexOf(QStringLiteral("0")); // a quarter of a second after 90°
         QVERIFY(zero >= 0 && isNear(axis.tickVector()[zero], 0.25, 1e-9));
@@ -421,7 +433,7 @@ private slots:
         QVERIFY2(figure.shownPlot(kPositionErrors).titles.front().text().contains("[rad; in]"),
                  qPrintable(figure.shownPlot(kPositionErrors).titles.front().text()));
         QCOMPARE(figure.timeText(0.5), "θ₂ = 3.142 rad");
-        const QCPAxis &axis = *plotOf(figure, 0).axes->axis(QCPAxis::atBottom);
+        const QCPAxis &axis = *plotOf(figure, kCouplerAngle).axes->axis(QCPAxis::atBottom);
         QCOMPARE(axis.label(), "θ₂ [rad]");
         const auto half = axis.tickVectorLabels().indexOf(QStringLiteral("π"));
         QVERIFY(half >= 0 && isNear(axis.tickVector()[half], 0.5, 1e-9));
@@ -430,12 +442,14 @@ private slots:
     void inPresentationModeMotionsAreEquallyThickAndNamedByTheirDifference()
     {
         PlotFigure &figure = figureOf({.model = withCoupler(146.0), .pinned = {withCoupler(65.0), withCoupler(80.0)}});
-        QVERIFY(plotOf(figure, 1).curves.front().width < figure.shownPlot(1).curves.back().width && figure.hasErrors());
+        QVERIFY(plotOf(figure, kSliderPosition).curves.front().width <
+                    figure.shownPlot(kSliderPosition).curves.back().width &&
+                figure.hasErrors());
         figure.setPresentation(true);
         QVERIFY(!figure.hasErrors());
         QStringList names;
-        for (const PlotCurve &curve : plotOf(figure, 1).curves) {
-            QCOMPARE(curve.width, figure.shownPlot(1).curves.back().width);
+        for (const PlotCurve &curve : plotOf(figure, kSliderPosition).curves) {
+            QCOMPARE(curve.width, figure.shownPlot(kSliderPosition).curves.back().width);
             names << curve.name;
         }
         QCOMPARE(names, (QStringList{"b = 65 mm", "b = 80 mm", "b = 146 mm"}));
