@@ -52,6 +52,11 @@ QString csvName(const QString &name, Measure measure)
     return QStringLiteral("%1 [%2]").arg(name, QString::fromUtf8(asciiUnit(measure, notation().units)));
 }
 
+void append(std::vector<OutputChannel> &channels, const std::vector<OutputChannel> &appended)
+{
+    channels.insert(channels.end(), appended.begin(), appended.end());
+}
+
 TableCell tableNumber(double value)
 {
     return numberCell(value, shortNumber(value, kTableDigits));
@@ -67,28 +72,24 @@ QString numberInFile(double value, const CsvStyle &style)
 
 } // namespace
 
-std::vector<OutputChannel> tableChannels()
+std::vector<OutputChannel> usualTableChannels()
 {
     std::vector<OutputChannel> channels;
-    const auto append = [&channels](const std::vector<OutputChannel> &appended) {
-        channels.insert(channels.end(), appended.begin(), appended.end());
-    };
-    append(coordinateChannels(Theta3));
-    append(coordinateChannels(R4x));
-    append({DerivedChannel{DerivedQuantity::TransmissionAngle, Order::Position},
-            DerivedChannel{DerivedQuantity::Displacement, Order::Position}});
-    append(derivedChannels(DerivedQuantity::PinX));
-    append(derivedChannels(DerivedQuantity::PinY));
-    append(coordinateChannels(R3x));
-    append(coordinateChannels(R3y));
+    append(channels, coordinateChannels(Theta3));
+    append(channels, coordinateChannels(R4x));
+    append(channels, {DerivedChannel{DerivedQuantity::TransmissionAngle, Order::Position},
+                      DerivedChannel{DerivedQuantity::Displacement, Order::Position}});
     return channels;
 }
 
-std::vector<OutputChannel> usualTableChannels()
+std::vector<OutputChannel> tableChannels()
 {
-    constexpr std::ptrdiff_t kUsual = 8; // θ3 and R4x with their derivatives, μ, displacement
-    const std::vector<OutputChannel> all = tableChannels();
-    return {all.begin(), all.begin() + kUsual};
+    std::vector<OutputChannel> channels = usualTableChannels();
+    append(channels, derivedChannels(DerivedQuantity::PinX));
+    append(channels, derivedChannels(DerivedQuantity::PinY));
+    append(channels, coordinateChannels(R3x));
+    append(channels, coordinateChannels(R3y));
+    return channels;
 }
 
 std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,

@@ -31,6 +31,9 @@ struct TablePlace {
 std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,
                                     const Sampling &sampling);
 
+/// The first column of motionTableColumns() that shows a channel of the settings; t and θ₂ are before it.
+inline constexpr int kFirstChannelColumn = 2;
+
 /// Returns the columns: t, θ₂, and those of the settings, in the chosen notation and units. In files, θ3 at B has a
 /// name that differs from that of θ3 at A; and "first time" is no time stamp, since the angles of the rows need not be
 /// reached in the order of time.

@@ -268,15 +268,16 @@ void MotionTablePanel::makeTables()
     m_present->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_present->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // so that m_presentRow can reserve its width
-    m_present->setFixedHeight(1); // until fitColumns() knows the rows; a higher one would make the tabs higher
-    m_present->setEditable(1, 2); // without t and θ₂
+    m_present->setFixedHeight(1);   // until fitColumns() knows the rows; a higher one would make the tabs higher
+    constexpr int kMyValuesRow = 1; // below the present position
+    m_present->setEditable(kMyValuesRow, kFirstChannelColumn);
     m_present->setSelectionMode(QAbstractItemView::NoSelection); // it would hide the colours of the verdicts
     m_table->setMinimumHeight(fontMetrics().height()); // so that the sentences about typed values are not cut off
     m_presentRow->setContentsMargins(0, 0, m_table->verticalScrollBar()->sizeHint().width(), 0);
     m_presentRow->addWidget(m_present);
     m_layout->addWidget(m_table, 1);
     connect(m_present, &NumberTable::typed, this, [this](int column, const QString &text) {
-        m_myValues[columnName(m_settings.columns[static_cast<std::size_t>(column) - 2])] = text;
+        m_myValues[columnName(m_settings.columns[static_cast<std::size_t>(column - kFirstChannelColumn)])] = text;
         QMetaObject::invokeMethod(this, &MotionTablePanel::showPresent,
                                   Qt::QueuedConnection); // after the cell is closed
     });
@@ -375,7 +376,7 @@ TableRow MotionTablePanel::myValues()
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool isRight = result.values[i].isRight;
         const auto column = std::ranges::find(m_settings.columns, values[i].channel) - m_settings.columns.begin();
-        row.cells[static_cast<std::size_t>(column) + 2].tone = isRight ? Tone::Good : Tone::Bad;
+        row.cells[static_cast<std::size_t>(column + kFirstChannelColumn)].tone = isRight ? Tone::Good : Tone::Bad;
         sentences << QStringLiteral("%1: %2.").arg(symbolOf(values[i].channel),
                                                    verdictText(values[i], result.values[i]));
         if (!isRight) {

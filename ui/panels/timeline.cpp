@@ -108,15 +108,18 @@ void Timeline::createActions()
     m_actions[Loop]->setChecked(true);
     addAction(Faster, tr("F&aster"), Qt::SHIFT | Qt::Key_Right, [this] { setSpeed(2.0 * m_speed); });
     addAction(Slower, tr("Slo&wer"), Qt::SHIFT | Qt::Key_Left, [this] { setSpeed(0.5 * m_speed); });
-    addAction(OpenRun, tr("&Time range and speed…"), Qt::CTRL | Qt::Key_R, [this] { openRun(); });
+    addAction(OpenTimeRange, tr("&Time range and speed…"), Qt::CTRL | Qt::Key_R, [this] { openTimeRange(); });
 }
 
 void Timeline::fillMenu(QMenu *menu)
 {
-    const QList<QAction *> actions(m_actions.begin(), m_actions.end());
-    menu->addActions(actions.first(Faster));
+    for (const Command command : {Play, Forward, Back, Start, End, Loop}) {
+        menu->addAction(m_actions[command]);
+    }
     menu->addSeparator();
-    menu->addActions(actions.sliced(Faster));
+    for (const Command command : {Faster, Slower, OpenTimeRange}) {
+        menu->addAction(m_actions[command]);
+    }
 }
 
 QLayout *Timeline::createScrubbing()
@@ -188,12 +191,12 @@ QLayout *Timeline::createButtons()
     m_offer->setToolTip(tr("The crank is fast: shows one revolution, which takes four seconds when it is played"));
     m_offer->hide();
     connect(m_offer, &QToolButton::clicked, this, &Timeline::showOneTurn);
-    m_run = addButton("runButton", nullptr);
-    m_run->setAccessibleName(tr("Time range and speed"));
-    m_run->setToolTip(
+    m_timeRangeButton = addButton("runButton", nullptr);
+    m_timeRangeButton->setAccessibleName(tr("Time range and speed"));
+    m_timeRangeButton->setToolTip(
         tr("Start, duration, steps, one revolution, and the playback speed (Ctrl+R). A fast crank is slowed "
            "to four seconds a revolution."));
-    connect(m_run, &QToolButton::clicked, this, &Timeline::openRun);
+    connect(m_timeRangeButton, &QToolButton::clicked, this, &Timeline::openTimeRange);
     return row;
 }
 
@@ -304,7 +307,7 @@ void Timeline::showSettings()
     m_steps->setValue(steps);
     m_speedBox->setValue(m_speed);
     m_oneTurn->setEnabled(revolution() <= kLargestParameter);
-    m_run->setText(
+    m_timeRangeButton->setText(
         tr("%1 s · %2× ▾", "duration, playback speed").arg(numberText(duration, 3), numberText(playbackSpeed(), 3)));
     constexpr double kManyTurns = 5.0;
     m_offer->setVisible(isFast() && duration > kManyTurns * revolution());
@@ -341,10 +344,10 @@ void Timeline::setSpeed(double speed)
     showSettings();
 }
 
-void Timeline::openRun()
+void Timeline::openTimeRange()
 {
     m_form->adjustSize();
-    m_form->move(popupPosition(*m_run, m_form->size()));
+    m_form->move(popupPosition(*m_timeRangeButton, m_form->size()));
     m_form->show();
     m_start->setFocus(Qt::PopupFocusReason);
     m_start->selectAll();

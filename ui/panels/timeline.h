@@ -36,7 +36,7 @@ public:
     /// `clock` returns the seconds since an arbitrary moment.
     void setClock(const std::function<double()> &clock) { m_clock = clock; }
 
-    QFrame *form() const { return m_form; } ///< of the time range and the speed
+    QFrame *form() const { return m_form; } ///< the form for the time range and the speed
 
     /// Adds the playback actions to the menu; the buttons use the same actions.
     void fillMenu(QMenu *menu);
@@ -47,13 +47,13 @@ public slots:
     void pause();
     void setSpeed(double speed);
     void refreshNotation(); ///< shows the crank angle in the chosen unit
-    void openRun();         ///< opens the form for the time range and the speed
+    void openTimeRange();   ///< opens the form for the time range and the speed
 
 protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    enum Command { Play, Forward, Back, Start, End, Loop, Faster, Slower, OpenRun, CommandCount };
+    enum Command { Play, Forward, Back, Start, End, Loop, Faster, Slower, OpenTimeRange, CommandCount };
 
     void addAction(Command command, const QString &text, const QKeySequence &shortcut,
                    const std::function<void()> &act = {});
@@ -85,8 +85,8 @@ private:
 
     std::array<QAction *, CommandCount> m_actions{};
     QToolButton *m_playButton;
-    QToolButton *m_offer; ///< of one revolution, if very many are shown
-    QToolButton *m_run;
+    QToolButton *m_offer; ///< offers a time range of one revolution, if very many are shown
+    QToolButton *m_timeRangeButton;
     NumberSlider *m_slider;
     NumberBox *m_timeBox;
     NumberBox *m_angleBox;

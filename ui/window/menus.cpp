@@ -23,6 +23,7 @@
 #include <QVBoxLayout>
 
 #include <functional>
+#include <vector>
 
 namespace slidercrank
 {
@@ -39,15 +40,23 @@ QAction *addSwitch(QMenu *menu, const QString &text, bool on, const QKeySequence
     return action;
 }
 
-/// Adds an action for each value of an enumeration, in its order; exactly one of them is checked.
+/// A value of an enumeration as an entry of a menu.
 template <typename Value>
-QActionGroup *addChoices(QMenu *menu, const QStringList &texts, Value chosen, const std::function<void(Value)> &choose)
+struct Choice {
+    Value value;
+    QString text;
+};
+
+/// Adds an action for each choice, which stores the number of its value; exactly one of them is checked.
+template <typename Value>
+QActionGroup *addChoices(QMenu *menu, const std::vector<Choice<Value>> &choices, Value chosen,
+                         const std::function<void(Value)> &choose)
 {
     auto *group = new QActionGroup(menu);
-    for (int i = 0; i < texts.size(); ++i) {
-        const auto value = static_cast<Value>(i);
-        QAction *action = group->addAction(addSwitch(menu, texts[i], value == chosen));
-        QObject::connect(action, &QAction::triggered, menu, [choose, value] { choose(value); });
+    for (const auto &[value, text] : choices) {
+        QAction *action = group->addAction(addSwitch(menu, text, value == chosen));
+        action->setData(static_cast<int>(value));
+        QObject::connect(action, &QAction::triggered, menu, [choose, value = value] { choose(value); });
     }
     return group;
 }
@@ -181,8 +190,9 @@ void Menus::addViewMenu()
     connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setWanted);
     enableWhile(ghost, m_window.session(), &Result::isCompared);
     menu->addSeparator();
-    addChoices<Theme>(menu, {tr("&System colours"), tr("&Light"), tr("&Dark")}, chosenTheme(),
-                      [this](Theme theme) { m_window.setTheme(theme); });
+    addChoices<Theme>(
+        menu, {{Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}},
+        chosenTheme(), [this](Theme theme) { m_window.setTheme(theme); });
     const auto setLanguage = [this](Language language) {
         storeLanguage(language);
         if (m_window.exports().isWriting() || m_window.session().isReading()) { // a new window would not finish it
@@ -192,32 +202,44 @@ void Menus::addViewMenu()
         }
         emit m_window.languageChosen();
     };
-    addChoices<Language>(menu->addMenu(tr("Lan&guage")), {tr("&System"), "&English", "Es&pañol"}, chosenLanguage(),
-                         setLanguage);
+    addChoices<Language>(
+        menu->addMenu(tr("Lan&guage")),
+        {{Language::System, tr("&System")}, {Language::English, "&English"}, {Language::Spanish, "Es&pañol"}},
+        chosenLanguage(), setLanguage);
 }
 
 void Menus::addNotationMenu(QMenu *menu)
 {
-    const auto addGroup = [this, menu]<typename Value>(const QStringList &texts,
+    const auto addGroup = [this, menu]<typename Value>(const std::vector<Choice<Value>> &choices,
                                                        const std::function<Value &(Notation &)> &member) {
         Notation shown = notation();
-        const QActionGroup *group = addChoices<Value>(menu, texts, member(shown), [this, member](Value value) {
+        const QActionGroup *group = addChoices<Value>(menu, choices, member(shown), [this, member](Value value) {
             Notation changed = notation();
             member(changed) = value;
             m_window.setNotation(changed);
         });
         connect(menu, &QMenu::aboutToShow, group, [group, member] { // may have been chosen elsewhere
             Notation chosen = notation();
-            group->actions()[static_cast<qsizetype>(member(chosen))]->setChecked(true);
+            for (QAction *action : group->actions()) {
+                if (action->data() == static_cast<int>(member(chosen))) {
+                    action->setChecked(true);
+                }
+            }
         });
     };
-    addGroup.operator()<Symbols>({tr("&Absolute coordinates (θ³ measured at A)"), tr("&Textbook (θ₃ measured at B)")},
+    addGroup.operator()<Symbols>({{Symbols::AbsoluteCoordinates, tr("&Absolute coordinates (θ³ measured at A)")},
+                                  {Symbols::Textbook, tr("&Textbook (θ₃ measured at B)")}},
                                  [](Notation &shown) -> Symbols & { return shown.symbols; });
     menu->addSeparator();
-    addGroup.operator()<AngleUnit>({tr("&Degrees"), tr("&Radians"), tr("Degrees, with rad/&s and rad/s²")},
+    addGroup.operator()<AngleUnit>({{AngleUnit::Degree, tr("&Degrees")},
+                                    {AngleUnit::Radian, tr("&Radians")},
+                                    {AngleUnit::DegreeAndRadianPerSecond, tr("Degrees, with rad/&s and rad/s²")}},
                                    [](Notation &shown) -> AngleUnit & { return shown.units.angle; });
     menu->addSeparator();
-    addGroup.operator()<LengthUnit>({tr("&mm"), tr("&cm"), tr("m"), tr("&in")},
+    addGroup.operator()<LengthUnit>({{LengthUnit::Millimetre, tr("&mm")},
+                                     {LengthUnit::Centimetre, tr("&cm")},
+                                     {LengthUnit::Metre, tr("m")},
+                                     {LengthUnit::Inch, tr("&in")}},
                                     [](Notation &shown) -> LengthUnit & { return shown.units.length; });
 }
 
