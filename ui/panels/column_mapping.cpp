@@ -134,9 +134,9 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
     rows->addWidget(createRows(), 1);
     rows->addWidget(m_problem);
     addButtons(rows);
-    constexpr int kWidth = 1200; // px: the reason of each row fits into one or two lines
-    constexpr int kAround = 40;  // px of the screen, left and right of the dialog together
-    resize(std::min(kWidth, screen()->availableGeometry().width() - kAround), 560);
+    constexpr int kWidth = 1200; // px: the text "why" of each row fits into one or two lines
+    constexpr int kMargins = 40; // px of the screen, left and right of the dialog together
+    resize(std::min(kWidth, screen()->availableGeometry().width() - kMargins), 560);
 
     for (const ColumnChoice &choice : savedChoices(m_layout, m_paths)) {
         showChoice(choice.column, choice);

@@ -36,23 +36,23 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
     connect(m_stroke, &NumberBox::edited, this,
             [this](double stroke) { requestStroke(coreValue(Measure::Length, stroke, notation().units)); });
     connect(m_timeRatio, &NumberBox::edited, this, [this](double timeRatio) {
-        // The slower stroke remains the same one, unless the ratio is below 1.
+        // A ratio above 1 leaves the direction of the slower stroke unchanged; one below 1 reverses it.
         const double wanted = m_parameters.c < 0.0 ? 1.0 / timeRatio : timeRatio;
         if (m_keepsLinks->isChecked()) {
             requestOffset(wanted);
         } else {
-            requestDesign(with(m_wanted, &DesignRequest::timeRatio, wanted));
+            requestDesign(with(m_request, &DesignRequest::timeRatio, wanted));
         }
     });
     connect(m_transmissionAngle, &NumberBox::edited, this, [this](double angle) {
         requestDesign(
-            with(m_wanted, &DesignRequest::transmissionAngle, coreValue(Measure::Angle, angle, notation().units)));
+            with(m_request, &DesignRequest::transmissionAngle, coreValue(Measure::Angle, angle, notation().units)));
     });
     connect(m_ratio, &QSlider::valueChanged, this,
-            [this] { apply(findLengths(m_wanted.stroke, m_wanted.timeRatio, m_ratio->number())); });
+            [this] { apply(findLengths(m_request.stroke, m_request.timeRatio, m_ratio->number())); });
     connect(m_ratio, &QSlider::sliderPressed, session, &Session::beginDrag);
     connect(m_ratio, &QSlider::sliderReleased, session, &Session::endDrag);
-    connect(m_best, &QToolButton::clicked, this, [this] { requestDesign(m_wanted); });
+    connect(m_best, &QToolButton::clicked, this, [this] { requestDesign(m_request); });
     connect(session, &Session::parametersChanged, this, &DesignForm::showParameters);
     connect(session, &Session::resultChanged, this, &DesignForm::showParameters); // also after a change of units
 }
@@ -107,23 +107,25 @@ void DesignForm::showParameters()
         return;
     }
     const MotionLimits limits = motionLimits(Mechanism(m_session->parameters()));
-    if (m_session->parameters() != m_parameters || m_wanted.stroke == 0.0) { // otherwise the request is unchanged and
-        m_parameters = m_session->parameters();                              // free of rounding errors
-        m_wanted.stroke = limits.stroke.value_or(0.0) > 0.0 ? *limits.stroke : m_wanted.stroke;
+    // As long as the parameters are those that the form has set, the request stays as it was typed, without rounding
+    // errors.
+    if (m_session->parameters() != m_parameters || m_request.stroke == 0.0) {
+        m_parameters = m_session->parameters();
+        m_request.stroke = limits.stroke.value_or(0.0) > 0.0 ? *limits.stroke : m_request.stroke;
         const double timeRatio = limits.timeRatio.value_or(1.0);
-        m_wanted.timeRatio = m_parameters.c < 0.0 ? 1.0 / timeRatio : timeRatio;
+        m_request.timeRatio = m_parameters.c < 0.0 ? 1.0 / timeRatio : timeRatio;
         m_refusal->clear();
     }
     const bool turns = limits.mobility == Mobility::FullTurn;
     const double ratio = m_parameters.b / m_parameters.a;
-    const std::optional<DesignRange> range = findDesignRange(m_wanted.timeRatio);
+    const std::optional<DesignRange> range = findDesignRange(m_request.timeRatio);
     const double best = range ? range->bestTransmissionAngle : 0.0; // rad
     const Units &units = notation().units;
     const double perMillimetre = shownValue(Measure::Length, 1.0, units);
     m_stroke->setSuffix(u' ' + shownUnit(Measure::Length));
     m_stroke->setUnit(Unit{Dimension::Length, 0, 1.0 / perMillimetre});
-    m_stroke->setValue(perMillimetre * m_wanted.stroke);
-    m_timeRatio->setValue(std::max(m_wanted.timeRatio, 1.0 / m_wanted.timeRatio));
+    m_stroke->setValue(perMillimetre * m_request.stroke);
+    m_timeRatio->setValue(std::max(m_request.timeRatio, 1.0 / m_request.timeRatio));
     const bool isRadian = units.angle == AngleUnit::Radian;
     m_transmissionAngle->setSuffix(isRadian ? u' ' + shownUnit(Measure::Angle) : shownUnit(Measure::Angle));
     m_transmissionAngle->setUnit(isRadian ? kRadian : kDegree);
@@ -151,11 +153,11 @@ void DesignForm::showParameters()
 void DesignForm::requestStroke(double stroke)
 {
     if (motionLimits(Mechanism(m_parameters)).stroke.value_or(0.0) == 0.0) { // there is no stroke to scale
-        requestDesign(with(m_wanted, &DesignRequest::stroke, stroke));
+        requestDesign(with(m_request, &DesignRequest::stroke, stroke));
         return;
     }
-    const double scale = stroke / m_wanted.stroke;
-    m_wanted.stroke = stroke;
+    const double scale = stroke / m_request.stroke;
+    m_request.stroke = stroke;
     apply({scale * m_parameters.a, scale * m_parameters.b, scale * m_parameters.c});
 }
 
@@ -167,11 +169,11 @@ void DesignForm::requestDesign(const DesignRequest &request)
 /// Changes the offset alone; the stroke follows from it.
 void DesignForm::requestOffset(double timeRatio)
 {
-    DesignRequest request = with(m_wanted, &DesignRequest::timeRatio, timeRatio);
+    DesignRequest request = with(m_request, &DesignRequest::timeRatio, timeRatio);
     const std::variant<Lengths, DesignFault> designed = designOffset(m_parameters.a, m_parameters.b, timeRatio);
     if (const Lengths *lengths = std::get_if<Lengths>(&designed)) {
         const Mechanism mechanism(with(m_parameters, &Parameters::c, lengths->c));
-        request.stroke = motionLimits(mechanism).stroke.value_or(m_wanted.stroke);
+        request.stroke = motionLimits(mechanism).stroke.value_or(m_request.stroke);
     }
     accept(designed, request);
 }
@@ -182,8 +184,8 @@ void DesignForm::accept(const std::variant<Lengths, DesignFault> &designed, cons
         refuse(designFaultText(*fault, request));
         return;
     }
-    m_wanted = request;
-    m_wanted.transmissionAngle.reset();
+    m_request = request;
+    m_request.transmissionAngle.reset();
     apply(std::get<Lengths>(designed));
 }
 

@@ -42,8 +42,9 @@ private:
     void showParameters();
 
     Session *m_session;
-    Parameters m_parameters; ///< the mechanism for which m_wanted is known
-    DesignRequest m_wanted;  ///< its time ratio is below 1 if c < 0; its stroke is 0 until there is one
+    Parameters m_parameters; ///< the mechanism whose stroke and time ratio are in m_request
+    DesignRequest
+        m_request; ///< the time ratio is below 1 if c < 0; the stroke is 0 before the first mechanism with one
     NumberBox *m_stroke;
     NumberBox *m_timeRatio;
     NumberBox *m_transmissionAngle;

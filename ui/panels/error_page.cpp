@@ -78,10 +78,12 @@ public:
     /// The tool tip contains all numbers of the comparison.
     static TableRow fileRow(const ChannelComparison &channel, const ReferenceData &data)
     {
-        const std::vector<QStringList> numbers = comparisonTable({&channel, 1}, data);
+        const std::vector<QStringList> table = comparisonTable({&channel, 1}, data);
+        const QStringList &headings = table.front();
+        const QStringList &values = table.back();
         QString explanation;
-        for (qsizetype i = 0; i < numbers[0].size(); ++i) {
-            explanation += QStringLiteral("%1: %2\n").arg(numbers[0][i], numbers[1][i]);
+        for (qsizetype i = 0; i < headings.size(); ++i) {
+            explanation += QStringLiteral("%1: %2\n").arg(headings[i], values[i]);
         }
         explanation.chop(1);
         if (channel.missingModel > 0) {
@@ -110,7 +112,11 @@ public:
         return {
             name,
             title,
-            {{tr("quantity"), tr("What is compared"), "channel", false, true},
+            {{.title = tr("quantity"),
+              .explanation = tr("What is compared"),
+              .csvName = "channel",
+              .isNumber = false,
+              .isFormula = true},
              largest,
              {tr("% of peak"), tr("Largest error relative to the largest value of the reference"), "percent_of_peak"},
              {tr("t [s]"), tr("Time of the largest error"), "max_error_at [s]"}}};
@@ -138,7 +144,7 @@ public:
         page.tone = look.tone;
         page.findings = findingsOf(result, identification);
         page.isSearching =
-            isOfFile(identification, result) && identification->parameters != result.mechanism.parameters();
+            belongsToCurrentFile(identification, result) && identification->parameters != result.mechanism.parameters();
         bool isOffered = false; // one remedy at a time
         for (Finding &finding : page.findings) {
             if (finding.remedy != Remedy::None && std::exchange(isOffered, true)) {
@@ -205,7 +211,7 @@ void offerMechanism(Finding &finding, const Identification &found, const Paramet
     finding.details = details.join("<br>");
 }
 
-bool isOfFile(const ReferenceIdentification *identification, const Result &result)
+bool belongsToCurrentFile(const ReferenceIdentification *identification, const Result &result)
 {
     return identification && result.reference && identification->reference == result.choices.reference;
 }
@@ -213,7 +219,7 @@ bool isOfFile(const ReferenceIdentification *identification, const Result &resul
 std::vector<Finding> findingsOf(const Result &result, const ReferenceIdentification *identification)
 {
     std::vector<Finding> findings;
-    if (isOfFile(identification, result) && ErrorPage::worstVerdict(result.comparison) != Verdict::Agrees) {
+    if (belongsToCurrentFile(identification, result) && ErrorPage::worstVerdict(result.comparison) != Verdict::Agrees) {
         const auto &[reference, given, found] = *identification;
         for (const Explanation &explanation : explanationsOf(found, given, reference->data.layout)) {
             if (explanation.cause == Explanation::Cause::Mechanism && found.change) {

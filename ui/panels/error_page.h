@@ -20,8 +20,8 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceIdentificat
 /// Returns the title of the tab with the mark of the verdict on the file: "Errors ✗".
 QString errorTitle(const Result &result);
 
-/// Whether the identification belongs to the current file. It may belong to earlier parameters.
-bool isOfFile(const ReferenceIdentification *identification, const Result &result);
+/// Whether the identification is that of the reference in `result`. It may have been made for earlier parameters.
+bool belongsToCurrentFile(const ReferenceIdentification *identification, const Result &result);
 
 /// Adds the remedy to use the mechanism that was found, with the conventions of the file, unless it is the given one.
 void offerMechanism(Finding &finding, const Identification &found, const Parameters &given);

@@ -90,7 +90,7 @@ TimeStepEquations solvedEquations(const Result &result, double time)
     return equationsAt(result.mechanism, time, result.sampling.duration / result.sampling.steps, result.solver);
 }
 
-/// A solid line with discs.
+/// Returns the look of the iterations from a rough start, a solid line with discs, without points.
 ChartSeries roughStartSeries()
 {
     ChartSeries series{.colour = &SeriesColours::model, .line = ChartSeries::Line::Solid};
@@ -98,7 +98,7 @@ ChartSeries roughStartSeries()
     return series;
 }
 
-/// A dashed line with hollow squares.
+/// Returns the look of the iterations from a warm start, a dashed line with hollow squares, without points.
 ChartSeries warmStartSeries()
 {
     ChartSeries series{.colour = &SeriesColours::reference, .line = ChartSeries::Line::Dashed, .isHollow = true};
@@ -287,15 +287,22 @@ Page NewtonPages::coordinates(const Result &result, double time)
 {
     const State state = solvedEquations(result, time).state;
     Page page = emptyPage(state.status, result);
-    PageTable table{"coordinateTable",
-                    tr("Coordinates, a row for each"),
-                    {{tr("coordinate"), tr("Centre of mass and angle of each body"), "coordinate", false, true},
-                     {tr("body"), {}, "body", false},
-                     {tr("position"), tr("q, in mm or °"), "position"},
-                     {tr("velocity, per s"), tr("dq/dt, in mm/s or °/s"), "velocity"},
-                     {tr("acceleration, per s²"), tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
-                     {tr("unit"), tr("Unit of the position; the velocity has this unit per s, the acceleration per s²"),
-                      "unit", false}}};
+    PageTable table{
+        "coordinateTable",
+        tr("Coordinates, a row for each"),
+        {{.title = tr("coordinate"),
+          .explanation = tr("Centre of mass and angle of each body"),
+          .csvName = "coordinate",
+          .isNumber = false,
+          .isFormula = true},
+         {.title = tr("body"), .csvName = "body", .isNumber = false},
+         {tr("position"), tr("q, in mm or °"), "position"},
+         {tr("velocity, per s"), tr("dq/dt, in mm/s or °/s"), "velocity"},
+         {tr("acceleration, per s²"), tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
+         {.title = tr("unit"),
+          .explanation = tr("Unit of the position; the velocity has this unit per s, the acceleration per s²"),
+          .csvName = "unit",
+          .isNumber = false}}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto coordinate = static_cast<Coordinate>(i);
         const Channel position{coordinate, Order::Position};

@@ -66,7 +66,7 @@ public:
     {
         PageTable table{name, title, {}};
         for (qsizetype i = 0; i < headings.size(); ++i) {
-            table.columns.push_back({headings[i], {}, csvNames[i], false});
+            table.columns.push_back({.title = headings[i], .csvName = csvNames[i], .isNumber = false});
         }
         return table;
     }
@@ -107,7 +107,7 @@ public:
 
     static Finding mechanismFound(const Result &result, const ReferenceIdentification *identification)
     {
-        if (!isOfFile(identification, result)) {
+        if (!belongsToCurrentFile(identification, result)) {
             return {tr("Searching for the mechanism of this file…")};
         }
         const Identification &found = identification->found;

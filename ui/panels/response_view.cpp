@@ -105,15 +105,15 @@ struct ChartRows {
 
     ChartRows(int width, const QFont &font)
     {
-        constexpr int kNarrowest = 13; // heights of a line, for the words of a title
+        constexpr int kMinWidth = 13; // heights of a line of text, for the words of a title
         constexpr int kLowest = 8;
-        constexpr double kHeight = 0.75; // widths of a chart
+        constexpr double kHeightRatio = 0.75; // height of a chart over its width
         constexpr int kCharts = static_cast<int>(kResponseLimits.size());
         const int line = QFontMetrics(font).height();
-        columns = std::clamp(width / (kNarrowest * line), 1, kCharts);
+        columns = std::clamp(width / (kMinWidth * line), 1, kCharts);
         rows = (kCharts + columns - 1) / columns;
         title = 2 * line;
-        chart = std::max(kLowest * line, static_cast<int>(kHeight * width / columns));
+        chart = std::max(kLowest * line, static_cast<int>(kHeightRatio * width / columns));
     }
 
     int height() const { return rows * (title + chart); }
