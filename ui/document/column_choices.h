@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Saves the columns that the user chose in the settings of the program. They apply to every file with the same
-// headings, or to the same path if a file has no headings, or to files of the same names and headings if several are
-// joined.
+// Stores the meanings that the user chose for the columns of a file, in the settings of the program. They apply to
+// every file with the same headings; if the file has no headings, to the same path; and if several files are joined, to
+// files with the same names and headings.
 
 #include "core/import/file_layout.h"
 

@@ -17,7 +17,7 @@ namespace
 constexpr int kUndoLimit = 200;
 constexpr std::chrono::seconds kSameStepWithin{1}; // longer than the delay before a held key repeats
 
-/// Bits that identify what an edit changes. Those before them are for the parameters, by indexOf(Parameter).
+/// Bits of EditName::identity. The lower bits identify the parameters: 1 << indexOf(parameter).
 constexpr int kBranchIdentity = 1 << kParameterCount;
 constexpr int kSamplingIdentity = kBranchIdentity << 1;
 constexpr int kSolverIdentity = kBranchIdentity << 2;

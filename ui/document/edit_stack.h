@@ -39,7 +39,7 @@ public:
 
 private:
     Apply m_apply;
-    int m_identity = 0; ///< of the settings in the last edit; 0 if the next edit starts a new step
+    int m_identity = 0; ///< identifies the settings that the last edit changed; 0 if the next edit starts a new step
     int m_step = 0;     ///< Edits with the same number are undone together.
     QTimer m_sameStep;  ///< runs for a second after each edit
     bool m_isDragging = false;

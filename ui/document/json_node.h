@@ -36,8 +36,8 @@ struct JsonNode {
     /// type does not match.
     QJsonValue exchange(const QJsonValue &standard);
 
-    /// Describes a field of an object by fill(JsonNode &).
-    void field(const char *name, const std::function<void(JsonNode &)> &fill);
+    /// Reads or writes the field `name` of an object: calls describeValue() with a node for its value.
+    void field(const char *name, const std::function<void(JsonNode &)> &describeValue);
 
     template <typename Value, typename... Limits>
     void operator()(const char *name, Value &member, const Limits &...limits)

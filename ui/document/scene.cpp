@@ -57,8 +57,8 @@ std::optional<QString> versionFault(const QJsonValue &version, const QString &fi
     return std::nullopt;
 }
 
-/// Returns the places of the values that differ from what was read, such as ".mechanism.b". Values that are optional
-/// may be missing or null: those in the view, lists, and what has no value.
+/// Returns the places, such as ".mechanism.b", at which the JSON `read` differs from `value`, the JSON that this
+/// program would write. Optional values may be missing or null in `read`: values of the view, empty lists, and null.
 QStringList findDifferences(const QJsonValue &value, const QJsonValue &read, const QString &place = {})
 {
     const QJsonObject fields = value.toObject();

@@ -47,7 +47,8 @@ public:
 
     QUndoStack &undoStack() { return m_edits; }
 
-    /// Takes over the steps that can be undone in another session, after open() has made its choices those of this one.
+    /// Takes over the undo steps of another session. Requires that open() has given this session the choices of that
+    /// one.
     void takeOverSteps(const Session &other) { m_edits.takeOver(other.m_edits); }
 
     /// Whether a file is being read.
@@ -128,7 +129,7 @@ signals:
 private:
     enum class TimeRange {
         Kept,
-        OfReference ///< is replaced by that of the reference, unless it contains the latter
+        OfReference ///< the time range becomes that of the reference, unless it already contains that range
     };
     enum class Asker { User, Scene };
 
@@ -138,7 +139,8 @@ private:
     void applyChoices(const Choices &choices);
 
     /// Reads in the background, and then makes the data the reference or emits referenceRefused(). The source of a
-    /// scene is complete; otherwise the saved column choices are used, and the time range is adopted.
+    /// scene states all column choices. A source that the user chose is read with the saved column choices, and then
+    /// the time range follows the data.
     void read(const ReferenceSource &source, Asker asker);
 
     void recompute();

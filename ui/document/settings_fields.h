@@ -17,7 +17,7 @@ void describe(Sampling &sampling, JsonNode &node);
 void describe(SolverSettings &solver, JsonNode &node);
 void describe(ColumnChoice &choice, JsonNode &node);
 void describe(Convention &convention, JsonNode &node);
-void describe(ReferenceSource &source, JsonNode &node); ///< with its paths unchanged
+void describe(ReferenceSource &source, JsonNode &node); ///< reads and writes the paths as they are
 void describe(PlotSettings &plots, JsonNode &node);
 void describe(PlotZoom &zoom, JsonNode &node);
 void describe(MechanismSettings &settings, JsonNode &node);
@@ -27,7 +27,8 @@ void describe(MotionTableSettings &table, JsonNode &node);
 /// The name of a column's meaning in files and options: "ignored", "time", "crank-angle", or that of the channel.
 QString meaningName(ColumnRole role, Channel channel);
 
-/// Sets the role and the channel of a column by a name that meaningName() returns. Any other name stands for Channel().
+/// Sets the role and the channel of a column by a name that meaningName() returns. With any other name, the column
+/// holds the default Channel().
 void setMeaning(ColumnChoice &choice, const QString &name);
 
 bool isValid(const ReferenceSource &source); ///< Whether it names a file.
@@ -45,7 +46,7 @@ QJsonValue toJson(Settings settings)
     return node.value;
 }
 
-/// Returns the settings in JSON. Fields that are missing or not valid have other values, which are valid.
+/// Returns the settings in JSON. A field that is missing or not valid has a valid default.
 template <typename Settings>
 Settings fromJson(const QJsonValue &json)
 {

@@ -65,7 +65,8 @@ bool WholeFile::open()
 
 bool WholeFile::write(const QByteArray &bytes)
 {
-    // A full disk may accept a part of the bytes, which is no error of the file, but of the system.
+    // If a full disk accepts only a part of the bytes, QFile reports no error: the reason is the last one of the
+    // system.
     return m_reason.isEmpty() && (m_file.write(bytes) == bytes.size() || fail(qt_error_string()));
 }
 
