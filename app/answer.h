@@ -27,15 +27,15 @@ struct Question {
     /// too.
     explicit Question(const OptionReader &options);
 
-    /// Writes the answer in the format that was asked for, unless that is empty. Returns the status of the answer, or a
-    /// more severe one if it cannot be written.
+    /// Writes the answer in the requested format. Writes nothing if the answer is empty in that format. Returns the
+    /// status of the answer, or a more severe one if it cannot be written.
     ExitStatus write(const Streams &streams, const Answer &answer) const;
 };
 
 /// Returns the cells in columns that are as wide as their widest cell. All columns but the first are right-aligned.
 QString alignedTable(const std::vector<QStringList> &rows);
 
-/// Null if the text is empty.
+/// Returns the text as a JSON string, or null if it is empty.
 QJsonValue jsonText(const QString &text);
 
 } // namespace slidercrank

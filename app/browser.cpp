@@ -208,7 +208,8 @@ void fillPage(MainWindow *window)
         fillPage(window->remade().release());
         window->deleteLater();
     };
-    QObject::connect(window, &MainWindow::languageChosen, qApp, remake, Qt::QueuedConnection); // after the menu
+    // Queued, because the menu in which the language was chosen belongs to the window that `remake` deletes.
+    QObject::connect(window, &MainWindow::languageChosen, qApp, remake, Qt::QueuedConnection);
 }
 
 } // namespace

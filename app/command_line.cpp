@@ -23,7 +23,7 @@ QString findHelp(const QStringList &topics)
     }
     const QString topic = topics.join(' ');
     const bool isAboutAll = QStringList{"", "-h", "--help"}.contains(topic);
-    const CommandDescription *command = isAboutAll ? &allCommands().front() : findCommand(topic);
+    const CommandDescription *command = isAboutAll ? &windowDescription() : findCommand(topic);
     if (!command) {
         throw UsageError{
             CommandLine::tr("There is no help for \"%1\": choose one of %2.").arg(topic, commandNames().join(", "))};

@@ -32,12 +32,12 @@ QJsonArray jsonSkippedRows(const ReferenceData &data)
     });
 }
 
-Answer compareOne(const ReferenceQuestion &question, const SolverSettings &solver, const Reference &reference,
+Answer compareOne(const Mechanism &mechanism, const SolverSettings &solver, const Reference &reference,
                   const Streams &streams)
 {
     const ReferenceData &data = reference.data;
-    const Trajectory model = sample(question.mechanism, data.time, channelsOf(data), solver);
-    const std::vector<ChannelComparison> comparison = compare(question.mechanism, model, data);
+    const Trajectory model = sample(mechanism, data.time, channelsOf(data), solver);
+    const std::vector<ChannelComparison> comparison = compare(mechanism, model, data);
     const auto worst = std::ranges::max_element(comparison, {}, &ChannelComparison::verdict);
     const Verdict verdict = worst == comparison.end() ? Verdict::Differs : worst->verdict;
 
@@ -45,8 +45,8 @@ Answer compareOne(const ReferenceQuestion &question, const SolverSettings &solve
     QStringList explanation;
     QJsonValue jsonExplanation;
     if (verdict == Verdict::Differs) {
-        const Identification found = identify(data, question.mechanism);
-        explanation = textsOf(explanationsOf(found, question.mechanism.parameters(), data.layout));
+        const Identification found = identify(data, mechanism);
+        explanation = textsOf(explanationsOf(found, mechanism.parameters(), data.layout));
         jsonExplanation = QJsonObject{{"sentence", explanation.join(' ')},
                                       {"mechanism", jsonMechanism(found.hasMechanism(), found.parameters)},
                                       {"conventions", jsonConventions(found.conventions)}};
@@ -58,18 +58,18 @@ Answer compareOne(const ReferenceQuestion &question, const SolverSettings &solve
         row.insert(row.end(), {{"fileVerdict", verdictName(verdict)}, {"sentence", explanation.join(' ')}});
         answer.rows.push_back(row);
     }
-    answer.json = {{"mechanism", toJson(question.mechanism.parameters())},
+    answer.json = {{"mechanism", toJson(mechanism.parameters())},
                    {"verdict", verdictName(verdict)},
                    {"channels", channels},
                    {"explanation", jsonExplanation},
                    {"skipped", jsonSkippedRows(data)},
                    {"ignoredColumns", QJsonArray::fromStringList(ignoredHeadings(data.layout))}};
-    const QString text = headline(reference) + CommandLine::tr("Model: %1").arg(mechanismText(question.mechanism, 9)) +
-                         "\n\n" + alignedTable(comparisonTable(comparison, data)) + '\n' + summaryText(comparison);
+    const QString text = headline(reference) + CommandLine::tr("Model: %1").arg(mechanismText(mechanism, 9)) + "\n\n" +
+                         alignedTable(comparisonTable(comparison, data)) + '\n' + summaryText(comparison);
     answer.text = (QStringList(text) + explanation).join('\n') + '\n';
-    answer.status = moreSevere(reportTimeSteps(streams, model.summary, question.mechanism, solver.newton,
-                                               displayName(reference.source.paths) + ": "),
-                               verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
+    answer.status = moreSevere(
+        reportTimeSteps(streams, model.summary, mechanism, solver.newton, displayName(reference.source.paths) + ": "),
+        verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
     return answer;
 }
 
@@ -77,10 +77,11 @@ Answer compareOne(const ReferenceQuestion &question, const SolverSettings &solve
 
 ExitStatus compareCommand(const OptionReader &options, const Streams &streams)
 {
-    const ReferenceQuestion question(options);
+    const ReferenceQuestion references(options);
     const SolverSettings solver = readSolver(options);
-    const ExitStatus status = question.answerEach(
-        streams, [&](const Reference &reference) { return compareOne(question, solver, reference, streams); });
+    const ExitStatus status = references.answerEach(streams, [&](const Reference &reference) {
+        return compareOne(references.question.mechanism, solver, reference, streams);
+    });
     return status == ExitStatus::Differs && !options.has("fail-on-difference") ? ExitStatus::Success : status;
 }
 

@@ -16,7 +16,7 @@ constexpr qsizetype kIndent = 34;     // characters before the description of an
 
 bool isWindow(const CommandDescription &command)
 {
-    return &command == &allCommands().front();
+    return &command == &windowDescription();
 }
 
 /// "slidercrank solve [options]"

@@ -152,9 +152,9 @@ QString identificationText(const Reference &reference, const Identification &fou
     return lines.join('\n') + '\n';
 }
 
-Answer identifyOne(const ReferenceQuestion &question, const Reference &reference, const Streams &streams)
+Answer identifyOne(const Mechanism &mechanism, const Reference &reference, const Streams &streams)
 {
-    const Identification found = identify(reference.data, question.mechanism);
+    const Identification found = identify(reference.data, mechanism);
     Answer answer;
     answer.json = jsonIdentification(found);
     if (found.hasMechanism()) {
@@ -170,9 +170,10 @@ Answer identifyOne(const ReferenceQuestion &question, const Reference &reference
 
 ExitStatus identifyCommand(const OptionReader &options, const Streams &streams)
 {
-    const ReferenceQuestion question(options);
-    return question.answerEach(streams,
-                               [&](const Reference &reference) { return identifyOne(question, reference, streams); });
+    const ReferenceQuestion references(options);
+    return references.answerEach(streams, [&](const Reference &reference) {
+        return identifyOne(references.question.mechanism, reference, streams);
+    });
 }
 
 } // namespace slidercrank

@@ -60,7 +60,7 @@ struct PrintedLimits {
     MotionLimits motion;
     std::vector<Limit> limits;
     Units units;
-    std::optional<LimitRanges> ranges = {}; ///< of --tolerance
+    std::optional<LimitRanges> ranges = {}; ///< the ranges of the limits within the tolerances of --tolerance
 
     PrintedLimits(const Mechanism &theMechanism, const Units &theUnits)
         : mechanism(theMechanism)
@@ -168,7 +168,7 @@ LengthTolerances readTolerances(const OptionReader &options)
 }
 
 /// Reads --vary, such as "b=50..120". Returns a row for each value of the parameter: the value, then the limits by
-/// their names. Of several equal peaks the row has the first.
+/// their names. If a peak occurs at several crank angles, the row contains the value at the first of them.
 std::vector<Record> varyLimits(const OptionReader &options, Parameters parameters, const Units &units)
 {
     static const QRegularExpression syntax("^(\\w+)=(.+?)\\.\\.(.+)$");
@@ -265,7 +265,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
 {
     const Question question(options);
     const Units units = readUnits(options);
-    setNotation(with(notation(), &Notation::units, units)); // of the sentences
+    setNotation(with(notation(), &Notation::units, units)); // the sentences use it
     options.refuseFiles();
     Mechanism mechanism = question.mechanism;
     QString design;

@@ -43,7 +43,7 @@ public:
 
     bool has(const char *name) const;
     QString text(const char *name) const { return m_parser.value(QLatin1String(name)); }
-    QStringList texts(const char *name) const; ///< of an option that may be repeated
+    QStringList texts(const char *name) const; ///< all values of an option that may be repeated
 
     QStringList files() const { return m_parser.positionalArguments(); } ///< the arguments that are not options
     void refuseFiles() const;                                            ///< throws if there are any

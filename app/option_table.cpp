@@ -226,10 +226,20 @@ std::span<const CommandDescription> allCommands()
     return Descriptions::kCommands;
 }
 
+const CommandDescription &windowDescription()
+{
+    return allCommands().front();
+}
+
+std::span<const CommandDescription> typedCommands()
+{
+    return allCommands().subspan(1);
+}
+
 QStringList commandNames()
 {
     QStringList names;
-    for (const CommandDescription &command : allCommands().subspan(1)) {
+    for (const CommandDescription &command : typedCommands()) {
         names += command.name;
     }
     return names;
@@ -237,8 +247,12 @@ QStringList commandNames()
 
 const CommandDescription *findCommand(const QString &name)
 {
-    const qsizetype index = commandNames().indexOf(name);
-    return index < 0 ? nullptr : &allCommands()[static_cast<std::size_t>(index) + 1];
+    for (const CommandDescription &command : typedCommands()) {
+        if (name == QLatin1String(command.name)) {
+            return &command;
+        }
+    }
+    return nullptr;
 }
 
 std::vector<OptionDescription> optionsOf(const CommandDescription &command)

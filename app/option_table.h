@@ -23,13 +23,19 @@ struct CommandDescription {
     Platform platform = Platform::None;
 };
 
-/// All commands. The first one is the window, whose name is not typed.
+/// The window, which opens if no command is typed.
+const CommandDescription &windowDescription();
+
+/// The commands that are typed: all except the window.
+std::span<const CommandDescription> typedCommands();
+
+/// The window, followed by typedCommands().
 std::span<const CommandDescription> allCommands();
 
-/// Returns the command of that name, or null if there is none.
+/// Returns the typed command of that name, or null if there is none.
 const CommandDescription *findCommand(const QString &name);
 
-/// The names that can be typed: all but the window's.
+/// Returns the names of typedCommands().
 QStringList commandNames();
 
 struct OptionDescription {

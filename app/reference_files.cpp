@@ -33,7 +33,7 @@ QJsonArray jsonColumns(const FileLayout &layout)
 } // namespace
 
 ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
-    : Question(options)
+    : question(options)
     , columns(readColumns(options))
 {
     if (options.files().isEmpty()) {
@@ -55,7 +55,7 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne
     Answer all;
     QJsonArray json;
     for (const QStringList &paths : files) {
-        const auto reference = readTimedReference(streams, {paths, {}, {}}, columns, mechanism);
+        const auto reference = readTimedReference(streams, {paths, {}, {}}, columns, question.mechanism);
         if (!reference) {
             all.status = moreSevere(all.status, ExitStatus::FileError);
             continue;
@@ -81,7 +81,7 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne
     texts.removeAll(QString());
     all.text = texts.join('\n');
     all.json.insert("files", json);
-    return write(streams, all);
+    return question.write(streams, all);
 }
 
 std::shared_ptr<const Reference> readTimedReference(const Streams &streams, const ReferenceSource &source,

@@ -12,7 +12,8 @@
 namespace slidercrank
 {
 
-struct ReferenceQuestion : Question {
+struct ReferenceQuestion {
+    Question question;        ///< the mechanism, the format and the output
     QList<QStringList> files; ///< each element is one reference: a file, or several files that are joined
     std::vector<ColumnChoice> columns;
 

@@ -46,7 +46,7 @@ constexpr EnumWord<Subject> kSubjects[] = {{Subject::Figure, "figure"},
 
 struct RenderRequest {
     Subject subject = Subject::Figure;
-    FigureOptions figure;           ///< of pictures
+    FigureOptions figure;           ///< for pictures
     std::optional<FigureSize> size; ///< by --size; otherwise figure.width decides
     double scale = 1.0;
     Scene scene;         ///< the settings and the time that is drawn

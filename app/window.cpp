@@ -47,7 +47,8 @@ void followLanguage(std::unique_ptr<MainWindow> &window)
         window = std::move(next);
         followLanguage(window);
     };
-    QObject::connect(window.get(), &MainWindow::languageChosen, qApp, remake, Qt::QueuedConnection); // after the menu
+    // Queued, because the menu in which the language was chosen belongs to the window that `remake` deletes.
+    QObject::connect(window.get(), &MainWindow::languageChosen, qApp, remake, Qt::QueuedConnection);
 }
 
 } // namespace
