@@ -17,7 +17,8 @@ namespace tst_check
 
 constexpr std::array kQuantities{"x", "v", "a", "theta3", "omega3", "alpha3"};
 
-/// Writes a value with significant digits of mm and degrees, and reads it as a person's number.
+/// Returns the value as a student would state it: rounded to that many significant digits, in mm, degrees and s.
+/// `value` is in mm, rad and s.
 GivenValue written(const char *name, double value, int digits)
 {
     const OutputChannel channel = *outputChannelNamed(name);
@@ -123,7 +124,8 @@ private slots:
                                    .arg(three.ambiguous)
                                    .arg(three.misnamed);
         qInfo("%s", qPrintable(counts));
-        const bool isSmall = slipCase->slip == Slip::CouplerAngleRounded; // some change the last digit only
+        const bool isSmall =
+            slipCase->slip == Slip::CouplerAngleRounded; // rounding θ3 may change only the last digit of a number
         QVERIFY2(five.wrong > 50, qPrintable(counts));
         QVERIFY2(five.named >= five.wrong * (isSmall ? 80 : 97) / 100, qPrintable(counts));
         QVERIFY2(five.misnamed == 0 && three.misnamed == 0, qPrintable(counts));

@@ -255,7 +255,7 @@ private slots:
         QFETCH(const Parameters, parameters);
         constexpr double kConditionRoundings = 4.0;
         constexpr double kNearTheLimit = 1e-4;
-        constexpr double kAtTheLimit = 1e-30; // of a + b + |c|: a two-part angle cannot resolve a smaller distance
+        constexpr double kAtTheLimit = 1e-30; // relative to a + b + |c|: a two-part angle resolves no smaller distance
         const Case turn{.name = {},
                         .parameters = parameters,
                         .sampling = {0.0, 2.0 * std::numbers::pi / std::abs(parameters.omega2), 50}};
@@ -333,8 +333,8 @@ private slots:
         QCOMPARE(differenceFromOne(p, times), QString());
     }
 
-    /// Bit by bit, for rockers, both branches, arrays of any length and any selection of channels. Nothing else is
-    /// written.
+    /// The results are equal bit by bit, for rockers, both branches, arrays of any length and any selection of
+    /// channels. The arrays of other channels are not written.
     void manyTimeStampsEqualSingleOnes()
     {
         QVERIFY(!hwy::SupportedAndGeneratedTargets().empty());

@@ -18,14 +18,14 @@ namespace tst_reference_pose
 
 constexpr int kIntervals = 50; // intervals per turn: few, so that the interpolation matters
 
-const Mechanism kOfTheFile({.b = 60.0});
-const Mechanism kOnShow({.b = 65.0});
+const Mechanism kFileMechanism({.b = 60.0});
+const Mechanism kModel({.b = 65.0});
 
 /// Returns one turn of the mechanism with b = 60 as reference data with the given columns.
 ReferenceData fileWith(const std::vector<Channel> &channels)
 {
     ReferenceData data;
-    const ClosedForm motion(kOfTheFile);
+    const ClosedForm motion(kFileMechanism);
     for (int i = 0; i <= kIntervals; ++i) {
         data.time.push_back(static_cast<double>(i) / kIntervals);
     }
@@ -42,19 +42,19 @@ ReferenceData fileWith(const std::vector<Channel> &channels)
 }
 
 /// Returns the largest distance (mm) of the pins from those of the mechanism, at times on and between the rows.
-double farthest(const ReferenceData &data)
+double largestPinDistance(const ReferenceData &data)
 {
     double farthest = 0.0;
     for (int i = 0; i <= 7 * kIntervals; ++i) {
         const double t = i / (7.0 * kIntervals);
-        const ReferencePose pose = referencePoseAt(data, kOfTheFile, t);
-        const Motion motion = ClosedForm(kOfTheFile).motionAt(t);
+        const ReferencePose pose = referencePoseAt(data, kFileMechanism, t);
+        const Motion motion = ClosedForm(kFileMechanism).motionAt(t);
         if (!pose.exists) {
             return kInfinity;
         }
-        farthest = std::max(
-            {farthest, std::abs(pose.sliderX - motion.R4x), std::abs(pose.sliderY - kOfTheFile.c()),
-             std::hypot(pose.pinX - kOfTheFile.a() * motion.crank.cos, pose.pinY - kOfTheFile.a() * motion.crank.sin)});
+        farthest = std::max({farthest, std::abs(pose.sliderX - motion.R4x), std::abs(pose.sliderY - kFileMechanism.c()),
+                             std::hypot(pose.pinX - kFileMechanism.a() * motion.crank.cos,
+                                        pose.pinY - kFileMechanism.a() * motion.crank.sin)});
     }
     return farthest;
 }
@@ -69,13 +69,13 @@ private slots:
         // Linear interpolation has an error of at least 20 mm · (2π/50)²/8 = 0.04 mm. Parabolas are used at the ends.
         // A missing column comes from the mechanism.
         for (const auto &channels : {std::vector{kTheta3, kSlider}, {kSlider}, {kTheta3}}) {
-            QVERIFY(farthest(fileWith(channels)) < 0.02);
+            QVERIFY(largestPinDistance(fileWith(channels)) < 0.02);
         }
     }
 
     void showsTheFilesMotionNotTheMechanisms()
     {
-        const ReferencePose pose = referencePoseAt(fileWith({kTheta3, kSlider}), kOnShow, 0.0);
+        const ReferencePose pose = referencePoseAt(fileWith({kTheta3, kSlider}), kModel, 0.0);
         QVERIFY(pose.exists);
         QVERIFY(std::abs(pose.sliderX - (20.0 + 60.0 * std::cos(std::asin(25.0 / 60.0)))) < 1e-12);
         QVERIFY(std::abs(pose.pinY - (25.0 - 65.0 * 25.0 / 60.0)) < 1e-12);
@@ -85,7 +85,7 @@ private slots:
     void keepsTheCrankPinOnItsCircleIfAColumnIsMissing()
     {
         for (const Channel channel : {kTheta3, kSlider}) {
-            const ReferencePose pose = referencePoseAt(fileWith({channel}), kOnShow, 0.3);
+            const ReferencePose pose = referencePoseAt(fileWith({channel}), kModel, 0.3);
             const double theta2 = 0.6 * std::numbers::pi;
             QVERIFY(std::hypot(pose.pinX - 20.0 * std::cos(theta2), pose.pinY - 20.0 * std::sin(theta2)) < 1e-12);
         }
@@ -97,7 +97,7 @@ private slots:
         for (double &value : data.series[0].values) {
             value = value < 20.0 ? value + 360.0 : value;
         }
-        QVERIFY(farthest(data) < 0.02);
+        QVERIFY(largestPinDistance(data) < 0.02);
     }
 
     void isEmptyOutsideTheRowsOrNextToAnEmptyCell()
@@ -108,14 +108,14 @@ private slots:
              {std::pair(-0.001, false), std::pair(0.0, true), std::pair(1.0, true), std::pair(1.001, false),
               std::pair(kNone, false), std::pair(8.5 / kIntervals, true), std::pair(9.5 / kIntervals, false),
               std::pair(10.5 / kIntervals, false), std::pair(11.5 / kIntervals, true)}) {
-            QCOMPARE(referencePoseAt(data, kOfTheFile, time).exists, exists);
+            QCOMPARE(referencePoseAt(data, kFileMechanism, time).exists, exists);
         }
     }
 
     void isEmptyWithoutTheRequiredPositions()
     {
-        QVERIFY(!referencePoseAt(fileWith({kTheta3Speed, kSliderSpeed}), kOfTheFile, 0.5).exists);
-        QVERIFY(!referencePoseAt(ReferenceData(), kOfTheFile, 0.0).exists);
+        QVERIFY(!referencePoseAt(fileWith({kTheta3Speed, kSliderSpeed}), kFileMechanism, 0.5).exists);
+        QVERIFY(!referencePoseAt(ReferenceData(), kFileMechanism, 0.0).exists);
     }
 };
 

@@ -25,7 +25,7 @@ using namespace slidercrank;
 namespace tst_verdicts
 {
 
-constexpr double kTooFar = 0.02; // of the peak, beyond half a rounding step
+constexpr double kMustDiffer = 0.02; // error beyond half a rounding step, relative to the peak
 
 /// The mechanism that produced a file: the model, a different one, or the model with a crank that is 3 % too short.
 enum class Origin { Model, OtherMechanism, ShortCrank };
@@ -81,17 +81,17 @@ std::vector<Kind> kinds()
 }
 
 /// Returns the mechanism with a speed that makes at most three turns in two seconds.
-Parameters slow(Parameters p, RandomMechanisms &random)
+Parameters withSlowCrank(Parameters p, RandomMechanisms &random)
 {
     p.omega2 = std::copysign(random.uniform(0.5, 3.0) * std::numbers::pi, p.omega2);
     return p;
 }
 
-/// Prints the file of the mechanism `of`.
-ClaimTable printed(const Kind &kind, const Parameters &of)
+/// Returns a printed file of the mechanism.
+ClaimTable printedFile(const Kind &kind, const Parameters &mechanism)
 {
     ClaimRandom random("verdicts");
-    ClaimTable file(random, of);
+    ClaimTable file(random, mechanism);
     const double spacing = 1.0 / kind.rate + kind.clockError * 0.5e-4 / kind.rows;
     file.atTimes(spacing * Values::LinSpaced(kind.rows, 0.0, kind.rows - 1), kind.timeFormat).withEmptyRows();
     for (const Channel channel : kind.channels) {
@@ -106,17 +106,17 @@ ClaimTable printed(const Kind &kind, const Parameters &of)
 double errorOf(const ClaimColumn &column, const Values &model)
 {
     double peak = 0.0;
-    double farthest = 0.0;
+    double largestError = 0.0;
     for (Index row = 0; row < model.size(); ++row) {
         const double value = column.values[row];
         const double printed = std::stod(column.print(value));
         const double half = column.format == "%.0f" ? 0.5 : std::abs(printed - value);
         if (!std::isnan(value)) {
             peak = std::max(peak, std::abs(value));
-            farthest = std::max(farthest, std::abs(model[row] - value) - half);
+            largestError = std::max(largestError, std::abs(model[row] - value) - half);
         }
     }
-    return farthest / peak;
+    return largestError / peak;
 }
 
 class TestVerdicts : public QObject
@@ -135,7 +135,7 @@ private slots:
             for (int i = 0; i < 3 * files; ++i) {
                 // Near a toggle position of a rocker, the rounding of time stamps may explain any error.
                 const Origin origin = kind.isRocker ? Origin::Model : static_cast<Origin>(i % 3);
-                Parameters model = slow(random.next(), random);
+                Parameters model = withSlowCrank(random.next(), random);
                 if (kind.isRocker) {
                     model.b = random.uniform(0.6, 0.95) * model.a + std::abs(model.c);
                 }
@@ -150,7 +150,7 @@ private slots:
                 } else if (origin == Origin::ShortCrank) {
                     of.a *= 0.97;
                 }
-                const ClaimTable file = printed(kind, of);
+                const ClaimTable file = printedFile(kind, of);
                 const QByteArray title = QByteArray(kind.name) + ' ' + QByteArray::number(i) + '\n' + file.text.c_str();
                 const auto outcome = readReferenceData(file.text);
                 QVERIFY2(std::holds_alternative<ReferenceData>(outcome), title);
@@ -165,7 +165,7 @@ private slots:
                     if (kind.channels[k] == kCrank) {
                         exact += 360.0 * ((file.columns[k].values - exact) / 360.0).round();
                     }
-                    const bool isColumnTooFar = errorOf(file.columns[k], exact) > kTooFar;
+                    const bool isColumnTooFar = errorOf(file.columns[k], exact) > kMustDiffer;
                     isTooFar = isTooFar || isColumnTooFar;
                     QVERIFY2(!isColumnTooFar || found[k].verdict == Verdict::Differs, title);
                     QVERIFY2(origin != Origin::Model || found[k].verdict != Verdict::Differs, title);

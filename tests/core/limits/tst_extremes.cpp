@@ -95,7 +95,7 @@ std::array<ExactPeak, kRates.size()> scannedPeaks(const Parameters &p)
     return peaks;
 }
 
-bool turnsRoundFreely(const Parameters &p)
+bool makesFullTurns(const Parameters &p)
 {
     return ManyDigits(p.b) > ManyDigits(p.a) + std::abs(p.c) && p.omega2 != 0.0;
 }
@@ -112,7 +112,7 @@ private slots:
         for (const Case &which : allCases()) {
             const Parameters &p = which.parameters;
             const std::array<double, 4> key{p.a, p.b, p.c, p.branch == Branch::Open ? 0.0 : 1.0};
-            if (turnsRoundFreely(p) && seen.insert(key).second) {
+            if (makesFullTurns(p) && seen.insert(key).second) {
                 QTest::newRow(std::string(which.name).c_str()) << p;
             }
         }
@@ -182,19 +182,19 @@ private slots:
     {
         struct Row {
             Parameters parameters;
-            std::array<double, 4> magnitudes;
-            std::array<std::size_t, 4> places;
+            std::array<double, 4> magnitudes;  ///< in the order of motionPeaks()
+            std::array<std::size_t, 4> places; ///< number of places of each peak
         };
         constexpr std::array<double, 4> kAllUnbounded{kInfinity, kInfinity, kInfinity, kInfinity};
         const std::array<double, 4> toggle{150.0, kInfinity, 3.0 * std::sqrt(20.0 / 45.0), kInfinity};
         const Row rows[] = {
             {{.b = 40.0}, kAllUnbounded, {2, 2, 2, 2}},
             {{.b = 10.0, .c = 5.0}, kAllUnbounded, {4, 4, 4, 4}},
-            {{20.0, 45.0, 25.0, 3.0, 0.0, Branch::Open}, toggle, {1, 1, 1, 1}},
-            {{20.0, 45.0, 25.0, 3.0, 0.0, Branch::Crossed}, toggle, {1, 1, 1, 1}},
-            {{20.0, 45.0, -25.0, 3.0, 0.0, Branch::Open}, toggle, {1, 1, 1, 1}},
-            {{20.0, 45.0, -25.0, 3.0, 0.0, Branch::Crossed}, toggle, {1, 1, 1, 1}},
-            {{20.0, 20.0, 0.0, -3.0}, {120.0, kInfinity, 3.0, kInfinity}, {2, 2, 0, 2}},
+            {{.b = 45.0, .c = 25.0, .omega2 = 3.0, .branch = Branch::Open}, toggle, {1, 1, 1, 1}},
+            {{.b = 45.0, .c = 25.0, .omega2 = 3.0, .branch = Branch::Crossed}, toggle, {1, 1, 1, 1}},
+            {{.b = 45.0, .c = -25.0, .omega2 = 3.0, .branch = Branch::Open}, toggle, {1, 1, 1, 1}},
+            {{.b = 45.0, .c = -25.0, .omega2 = 3.0, .branch = Branch::Crossed}, toggle, {1, 1, 1, 1}},
+            {{.b = 20.0, .c = 0.0, .omega2 = -3.0}, {120.0, kInfinity, 3.0, kInfinity}, {2, 2, 0, 2}},
             {{.omega2 = 0.0}, {}, {}},
             {{.b = 45.0, .omega2 = 0.0}, {}, {}},
             {{.b = 40.0, .omega2 = 0.0}, {}, {}},

@@ -67,7 +67,7 @@ ExactState exactStateAt(Parameters p, double theta2)
 }
 
 /// Returns R4x or its derivative.
-double sliderIn(const ExactState &exact, Order order = Order::Position)
+double sliderMotion(const ExactState &exact, Order order = Order::Position)
 {
     return static_cast<double>(exact.values[indexOf({R4x, order})]);
 }
@@ -203,11 +203,11 @@ private slots:
                 }
                 VERIFY_FOR(p, exact.status == Status::Solved);
                 const double size = characteristicLength(p) / cosine;
-                VERIFY_FOR(p, near(centre->R4x, sliderIn(exact), kTolerance * size));
+                VERIFY_FOR(p, near(centre->R4x, sliderMotion(exact), kTolerance * size));
                 // An error u of θ2 causes a velocity of u R̈4x, and more if larger terms cancel.
-                const double acceleration = std::abs(sliderIn(exact, Order::Acceleration));
-                VERIFY_FOR(
-                    p, near(sliderIn(exact, Order::Velocity), 0.0, 16.0 * kUnitRoundoff * (pi * acceleration + size)));
+                const double acceleration = std::abs(sliderMotion(exact, Order::Acceleration));
+                VERIFY_FOR(p, near(sliderMotion(exact, Order::Velocity), 0.0,
+                                   16.0 * kUnitRoundoff * (pi * acceleration + size)));
             }
         }
     }
@@ -266,7 +266,7 @@ private slots:
             double last = limits.inner->R4x;
             for (int i = 1; i <= 50; ++i) {
                 const double theta2 = limits.inner->theta2 + sense * outwards * i / 50.0;
-                const double R4 = sliderIn(exactStateAt(p, theta2));
+                const double R4 = sliderMotion(exactStateAt(p, theta2));
                 VERIFY_FOR(p, away * (R4 - last) >= -kTolerance * characteristicLength(p));
                 last = R4;
             }

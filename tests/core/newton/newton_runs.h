@@ -17,33 +17,34 @@
 namespace slidercrank
 {
 
-inline constexpr NewtonOptions kReport;            ///< Table 2 of the reference report
-inline constexpr NewtonOptions kToTheEnd{50, 0.0}; ///< iterates until the residual no longer decreases
+inline constexpr NewtonOptions kReport; ///< Table 2 of the reference report
+inline constexpr NewtonOptions kSmallestResidual{.maxIterations = 50,
+                                                 .tolerance = 0.0}; ///< iterates until the residual no longer decreases
 
 /// Returns every combination of elimination, warm start and tolerance kind, starting with that of the reference report.
-inline std::vector<NewtonOptions> everyWay(int maxIterations, double tolerance)
+inline std::vector<NewtonOptions> optionCombinations(int maxIterations, double tolerance)
 {
-    std::vector<NewtonOptions> ways;
+    std::vector<NewtonOptions> combinations;
     for (const Elimination elimination : {Elimination::Dense, Elimination::Structured}) {
         for (const WarmStart warmStart : {WarmStart::Previous, WarmStart::Taylor}) {
             for (const ToleranceKind kind : {ToleranceKind::Absolute, ToleranceKind::Relative}) {
-                ways.push_back({maxIterations, tolerance, kind, warmStart, elimination});
+                combinations.push_back({maxIterations, tolerance, kind, warmStart, elimination});
             }
         }
     }
-    return ways;
+    return combinations;
 }
 
-/// Solves all time steps, each with a warm start from the previous one.
-inline std::vector<NewtonTimeStep> run(const Parameters &parameters, const std::vector<double> &times,
-                                       const NewtonOptions &options)
+/// Solves the time steps one after the other, each with a warm start from the previous one.
+inline std::vector<NewtonTimeStep> solveInTurn(const Parameters &parameters, const std::vector<double> &times,
+                                               const NewtonOptions &options)
 {
     const Mechanism mechanism(parameters);
     std::vector<NewtonTimeStep> done;
-    NewtonTimeStep instant;
+    NewtonTimeStep timeStep;
     for (const double t : times) {
-        advance(mechanism, t, instant, options);
-        done.push_back(instant);
+        advance(mechanism, t, timeStep, options);
+        done.push_back(timeStep);
     }
     return done;
 }
@@ -69,7 +70,7 @@ inline std::vector<double> turn(const Parameters &parameters, int steps, double 
 }
 
 /// Describes the options by the values of their enumerators.
-inline QString described(const NewtonOptions &options)
+inline QString describe(const NewtonOptions &options)
 {
     return QStringLiteral("elimination %1, warm start %2, tolerance kind %3, tolerance %4; ")
         .arg(int(options.elimination))
@@ -78,15 +79,15 @@ inline QString described(const NewtonOptions &options)
         .arg(options.tolerance);
 }
 
-inline QString described(const Parameters &parameters, const NewtonTimeStep &instant)
+inline QString describe(const Parameters &parameters, const NewtonTimeStep &timeStep)
 {
     return QStringLiteral("%1\n    t=%2: status %3 after %4 iterations, residual %5, theta3 %6")
         .arg(QString::fromStdString(describe(parameters)))
-        .arg(instant.t, 0, 'g', 17)
-        .arg(int(instant.state.status))
-        .arg(instant.iterations)
-        .arg(instant.residual)
-        .arg(instant.q[Theta3], 0, 'g', 17);
+        .arg(timeStep.t, 0, 'g', 17)
+        .arg(int(timeStep.state.status))
+        .arg(timeStep.iterations)
+        .arg(timeStep.residual)
+        .arg(timeStep.q[Theta3], 0, 'g', 17);
 }
 
 /// Returns the state by the closed form, as reference for deviations.

@@ -29,7 +29,7 @@ double coordinateUnit(const Parameters &p, Eigen::Index column)
 }
 
 /// Returns random coordinates: lengths of the order of the mechanism's size, angles within about one turn.
-Vector12 anywhere(const Parameters &p, RandomMechanisms &random)
+Vector12 randomCoordinates(const Parameters &p, RandomMechanisms &random)
 {
     Vector12 q;
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
@@ -145,7 +145,7 @@ private slots:
             const Mechanism mechanism(parameters);
             RandomMechanisms random(13);
             for (int pose = 0; pose < 4; ++pose) {
-                const Vector12 q = anywhere(parameters, random);
+                const Vector12 q = randomCoordinates(parameters, random);
                 const Matrix12 Cq = constraintJacobian(mechanism, q);
                 Matrix12 expected;
                 Matrix12 tolerance;

@@ -54,12 +54,13 @@ private slots:
                         if (elimination == Elimination::Dense && factor != 1.0) {
                             continue; // the matrix mixes mm and rad: 1e-11 rad/s² is lost in rounding next to 1e11 mm
                         }
-                        for (const NewtonTimeStep &instant : run(p, times, {50, 0.0, {}, {}, elimination})) {
-                            if (instant.state.status != Status::Solved) { // QVERIFY2 would always write the text
-                                QFAIL(qPrintable(described(p, instant)));
+                        for (const NewtonTimeStep &timeStep : solveInTurn(
+                                 p, times, {.maxIterations = 50, .tolerance = 0.0, .elimination = elimination})) {
+                            if (timeStep.state.status != Status::Solved) { // QVERIFY2 would always write the text
+                                QFAIL(qPrintable(describe(p, timeStep)));
                             }
                             const Deviation deviation =
-                                worstDeviation(instant.state, closedFormState(p, instant.t), instant.t, sizes);
+                                worstDeviation(timeStep.state, closedFormState(p, timeStep.t), timeStep.t, sizes);
                             if (!deviation.accepted()) {
                                 QFAIL((describe(p) + describe(deviation)).c_str());
                             }
@@ -83,7 +84,11 @@ private slots:
             Deviation worst;
             std::vector<std::vector<NewtonTimeStep>> runs;
             for (const WarmStart start : {WarmStart::Previous, WarmStart::Taylor}) {
-                runs.push_back(run(p, times, {50, 0.0, ToleranceKind::Absolute, start, Elimination::Structured}));
+                runs.push_back(solveInTurn(p, times,
+                                           {.maxIterations = 50,
+                                            .tolerance = 0.0,
+                                            .warmStart = start,
+                                            .elimination = Elimination::Structured}));
             }
             for (std::size_t i = 0; i < times.size(); ++i) {
                 const bool isJudged = i % 2 == 0 || std::binary_search(square.begin(), square.end(), times[i]);
@@ -109,8 +114,8 @@ private slots:
     void needsTheIterationsOfTheDocumentation()
     {
         for (const double b : {60.0, 65.0}) {
-            for (NewtonOptions options : everyWay(10, 1e-8)) {
-                const std::vector<NewtonTimeStep> done = run({.b = b}, Sampling{}.timeStamps(), options);
+            for (NewtonOptions options : optionCombinations(10, 1e-8)) {
+                const std::vector<NewtonTimeStep> done = solveInTurn({.b = b}, Sampling{}.timeStamps(), options);
                 int iterations = 0;
                 for (std::size_t i = 1; i < done.size(); ++i) {
                     QVERIFY(!done[i].isColdStart && done[i].state.status == Status::Solved);
@@ -119,9 +124,9 @@ private slots:
                 }
                 const double mean = double(iterations) / double(done.size() - 1);
                 if (options.warmStart == WarmStart::Taylor) {
-                    QVERIFY2(mean == 1.0, qPrintable(described(options)));
+                    QVERIFY2(mean == 1.0, qPrintable(describe(options)));
                 } else {
-                    QVERIFY2(mean > 2.5 && mean < 4.5, qPrintable(described(options)));
+                    QVERIFY2(mean > 2.5 && mean < 4.5, qPrintable(describe(options)));
                 }
             }
         }
@@ -134,11 +139,11 @@ private slots:
         for (const Case &which : allCases()) {
             const Mechanism mechanism(which.parameters);
             for (const double t : timeStampsOf(which)) {
-                const NewtonTimeStep instant = solve(mechanism, t, kOneIteration);
+                const NewtonTimeStep timeStep = solve(mechanism, t, kOneIteration);
                 const bool exists = ClosedForm{mechanism}.motionAt(t).status != Status::NotAssemblable;
                 const Status expected = exists ? Status::Solved : Status::NotAssemblable;
-                QVERIFY2(instant.positionStatus == expected, qPrintable(described(which.parameters, instant)));
-                QVERIFY(instant.isColdStart == exists && instant.iterations <= kColdStartIterations);
+                QVERIFY2(timeStep.positionStatus == expected, qPrintable(describe(which.parameters, timeStep)));
+                QVERIFY(timeStep.isColdStart == exists && timeStep.iterations <= kColdStartIterations);
             }
         }
     }
@@ -158,13 +163,13 @@ private slots:
                                        kind % 2 == 0 ? kTurn : -kTurn,
                                        0.2 * (kind / 12),
                                        kind / 6 % 2 == 0 ? Branch::Open : Branch::Crossed};
-                    for (const NewtonOptions &options : {kReport, kToTheEnd}) {
-                        for (const NewtonTimeStep &instant : run(p, turn(p, 3 * steps, 3.0), options)) {
-                            const double error = std::abs(instant.state.q[Theta3] - exactTheta3(p, instant.t));
-                            if (instant.state.status != Status::Solved || !(error < kTolerance)) {
-                                QFAIL(qPrintable(described(p, instant)));
+                    for (const NewtonOptions &options : {kReport, kSmallestResidual}) {
+                        for (const NewtonTimeStep &timeStep : solveInTurn(p, turn(p, 3 * steps, 3.0), options)) {
+                            const double error = std::abs(timeStep.state.q[Theta3] - exactTheta3(p, timeStep.t));
+                            if (timeStep.state.status != Status::Solved || !(error < kTolerance)) {
+                                QFAIL(qPrintable(describe(p, timeStep)));
                             }
-                            coldStarts += instant.t > 0.0 && instant.isColdStart ? 1 : 0;
+                            coldStarts += timeStep.t > 0.0 && timeStep.isColdStart ? 1 : 0;
                         }
                     }
                 }
@@ -185,10 +190,10 @@ private slots:
             for (const double theta3 : {std::numbers::pi - q[Theta3], centre + 3.0, centre + 0.5 * std::numbers::pi,
                                         centre - 0.5 * std::numbers::pi, kNone}) {
                 q[Theta3] = theta3;
-                for (const NewtonOptions &options : everyWay(50, 0.0)) {
-                    const NewtonTimeStep instant = solve(Mechanism(p), 0.2, options, startAt(q));
-                    const bool isRight = std::abs(instant.q[Theta3] - exactTheta3(p, 0.2)) < 1e-12;
-                    QVERIFY2(instant.positionStatus == Status::Solved && isRight, qPrintable(described(options)));
+                for (const NewtonOptions &options : optionCombinations(50, 0.0)) {
+                    const NewtonTimeStep timeStep = solve(Mechanism(p), 0.2, options, startAt(q));
+                    const bool isRight = std::abs(timeStep.q[Theta3] - exactTheta3(p, 0.2)) < 1e-12;
+                    QVERIFY2(timeStep.positionStatus == Status::Solved && isRight, qPrintable(describe(options)));
                 }
             }
         }
@@ -220,21 +225,21 @@ private slots:
             const Parameters &p = row.parameters;
             IterationHistory history(1);
             const NewtonTimeStep start = startAt(solve(Mechanism(), 0.0).q);
-            const NewtonTimeStep instant = solve(Mechanism(p), row.t, {row.maxIterations, 1e-8}, start, &history);
-            QVERIFY2(instant.positionStatus == row.status && instant.state.status == row.status &&
-                         instant.iterations == row.iterations,
-                     qPrintable(described(p, instant)));
-            QVERIFY(instant.state.q.array().isNaN().all() && instant.state.qDDot.array().isNaN().all());
+            const NewtonTimeStep timeStep = solve(Mechanism(p), row.t, {row.maxIterations, 1e-8}, start, &history);
+            QVERIFY2(timeStep.positionStatus == row.status && timeStep.state.status == row.status &&
+                         timeStep.iterations == row.iterations,
+                     qPrintable(describe(p, timeStep)));
+            QVERIFY(timeStep.state.q.array().isNaN().all() && timeStep.state.qDDot.array().isNaN().all());
             QVERIFY(history.empty() || row.status == Status::IterationLimit);
         }
         for (const double c : {25.0, -25.0}) {
             for (const Branch branch : {Branch::Open, Branch::Crossed}) {
                 const Parameters p{20.0, 45.0, c, kTurn, 0.0, branch};
                 const double t = c > 0.0 ? 0.75 : 0.25;
-                const NewtonTimeStep instant = solve(Mechanism(p), t, kToTheEnd);
-                QCOMPARE(instant.state.status, Status::Singular);
-                QVERIFY(std::abs(instant.q[Theta3] - exactTheta3(p, t)) < 1e-7 && instant.state.q == instant.q);
-                QVERIFY(instant.state.qDot.array().isNaN().all() && instant.state.qDDot.array().isNaN().all());
+                const NewtonTimeStep timeStep = solve(Mechanism(p), t, kSmallestResidual);
+                QCOMPARE(timeStep.state.status, Status::Singular);
+                QVERIFY(std::abs(timeStep.q[Theta3] - exactTheta3(p, t)) < 1e-7 && timeStep.state.q == timeStep.q);
+                QVERIFY(timeStep.state.qDot.array().isNaN().all() && timeStep.state.qDDot.array().isNaN().all());
             }
         }
     }
@@ -243,25 +248,25 @@ private slots:
     /// of the rows.
     void reportsTheResidualOfTheSolution()
     {
-        std::vector<NewtonOptions> ways = everyWay(10, 1e-8);
-        std::ranges::copy(everyWay(50, 0.0), std::back_inserter(ways));
+        std::vector<NewtonOptions> combinations = optionCombinations(10, 1e-8);
+        std::ranges::copy(optionCombinations(50, 0.0), std::back_inserter(combinations));
         for (const Case &which : allCases()) {
             const Parameters &p = which.parameters;
             const double reach = characteristicLength(p);
-            for (const NewtonOptions &options : ways) {
+            for (const NewtonOptions &options : combinations) {
                 const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
-                for (const NewtonTimeStep &instant : run(p, timeStampsOf(which), options)) {
-                    if (instant.positionStatus != Status::Solved) {
+                for (const NewtonTimeStep &timeStep : solveInTurn(p, timeStampsOf(which), options)) {
+                    if (timeStep.positionStatus != Status::Solved) {
                         continue;
                     }
-                    Vector12 C = constraints(Mechanism(p), instant.q, instant.t);
+                    Vector12 C = constraints(Mechanism(p), timeStep.q, timeStep.t);
                     for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
                         C[row] /= isRelative && !isAngleRow(row) ? reach : 1.0;
                     }
                     const double rounding = 64.0 * kUnitRoundoff * (isRelative ? 2.0 : reach + 1.0);
-                    const bool isRight = std::abs(instant.residual - C.norm()) <= 1e-12 * C.norm() + 0.125 * rounding;
-                    if (!isRight || !(instant.residual <= std::max(options.tolerance, rounding))) {
-                        QFAIL(qPrintable(described(options) + described(p, instant)));
+                    const bool isRight = std::abs(timeStep.residual - C.norm()) <= 1e-12 * C.norm() + 0.125 * rounding;
+                    if (!isRight || !(timeStep.residual <= std::max(options.tolerance, rounding))) {
+                        QFAIL(qPrintable(describe(options) + describe(p, timeStep)));
                     }
                 }
             }
@@ -287,23 +292,23 @@ private slots:
             const Parameters &p = row.parameters;
             const std::vector<double> times = Sampling{}.timeStamps();
             const auto tolerances = scaled(roughSizes(p, times), 0.01);
-            for (const NewtonOptions &options : everyWay(60, row.tolerance)) {
+            for (const NewtonOptions &options : optionCombinations(60, row.tolerance)) {
                 if (options.toleranceKind != row.kind) {
                     continue;
                 }
                 int unsolved = 0;
-                for (const NewtonTimeStep &instant : run(p, times, options)) {
-                    if (instant.state.status != Status::Solved) {
+                for (const NewtonTimeStep &timeStep : solveInTurn(p, times, options)) {
+                    if (timeStep.state.status != Status::Solved) {
                         ++unsolved;
                         continue;
                     }
                     const Deviation deviation =
-                        worstDeviation(instant.state, closedFormState(p, instant.t), instant.t, tolerances);
+                        worstDeviation(timeStep.state, closedFormState(p, timeStep.t), timeStep.t, tolerances);
                     if (!deviation.accepted()) {
                         QFAIL((describe(p) + describe(deviation)).c_str());
                     }
                 }
-                QVERIFY2(unsolved <= 2, qPrintable(described(options))); // the toggle itself
+                QVERIFY2(unsolved <= 2, qPrintable(describe(options))); // the toggle itself
             }
         }
     }
@@ -312,18 +317,18 @@ private slots:
     {
         const Mechanism mechanism;
         const double t = 0.4;
-        for (const NewtonOptions &options : everyWay(10, 1e-8)) {
+        for (const NewtonOptions &options : optionCombinations(10, 1e-8)) {
             Vector12 otherBranch = coldStart(mechanism, t);
             otherBranch[Theta3] = 3.0;
             const NewtonTimeStep before = solve(mechanism, t - 0.005, options);
             for (const NewtonTimeStep &start : {NewtonTimeStep(), startAt(before.q), startAt(otherBranch)}) {
                 IterationHistory history(3);
-                const NewtonTimeStep instant = solve(mechanism, t, options, start, &history);
-                QCOMPARE(instant.isColdStart, start.positionStatus != Status::Solved || start.q == otherBranch);
-                QVERIFY(history.front().q == (instant.isColdStart ? coldStart(mechanism, t) : start.q));
-                QVERIFY(history.back().q == instant.q);
-                QCOMPARE(history.back().residual, instant.residual);
-                QCOMPARE(int(history.size()), instant.iterations + 1);
+                const NewtonTimeStep timeStep = solve(mechanism, t, options, start, &history);
+                QCOMPARE(timeStep.isColdStart, start.positionStatus != Status::Solved || start.q == otherBranch);
+                QVERIFY(history.front().q == (timeStep.isColdStart ? coldStart(mechanism, t) : start.q));
+                QVERIFY(history.back().q == timeStep.q);
+                QCOMPARE(history.back().residual, timeStep.residual);
+                QCOMPARE(int(history.size()), timeStep.iterations + 1);
                 for (const Iteration &iteration : history) {
                     const Vector12 C = constraints(mechanism, iteration.q, t);
                     const bool isAbsolute = options.toleranceKind == ToleranceKind::Absolute;
@@ -332,7 +337,8 @@ private slots:
             }
         }
         IterationHistory history;
-        const NewtonTimeStep unreached = solve(mechanism, t, {1000, 1e-300, {}, {}, {}}, {}, &history);
+        const NewtonTimeStep unreached =
+            solve(mechanism, t, {.maxIterations = 1000, .tolerance = 1e-300}, {}, &history);
         QCOMPARE(unreached.positionStatus, Status::IterationLimit);
         QCOMPARE(history.size(), kLongestHistory);
         QVERIFY(history.back().q == unreached.q);

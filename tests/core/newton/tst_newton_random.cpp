@@ -50,6 +50,25 @@ const Kind kKinds[] = {
      }},
 };
 
+/// Returns a random mechanism at or near a toggle, one of four kinds in turn: a change point (a = b, c = 0), an exact
+/// toggle, a coupler that is slightly longer than a full turn requires, or slightly shorter.
+Parameters nearToggle(int number, RandomMechanisms &random)
+{
+    Parameters p = random.next();
+    double gap = std::pow(10.0, random.uniform(-15.0, -4.0));
+    switch (number % 4) {
+    case 0:
+        p.c = 0.0;
+        gap = 0.0;
+        break;
+    case 1: gap = 0.0; break;
+    case 2: break;
+    case 3: gap = -gap; break;
+    }
+    p.b = (p.a + std::abs(p.c)) * (1.0 + gap);
+    return p;
+}
+
 /// Returns a random time stamp at which the mechanism can be assembled. If `i` is 2 or 3 modulo 4, the coupler is
 /// nearly perpendicular to the slider's path.
 double randomTime(const Parameters &p, int i, RandomMechanisms &random)
@@ -99,7 +118,7 @@ private slots:
     /// Uses each combination of options in turn, and a warm start from another random time stamp.
     void solvedStatesAreAccurateToOnePercent()
     {
-        const std::vector<NewtonOptions> ways = everyWay(kReport.maxIterations, kReport.tolerance);
+        const std::vector<NewtonOptions> combinations = optionCombinations(kReport.maxIterations, kReport.tolerance);
         for (std::size_t kind = 0; kind < std::size(kKinds); ++kind) {
             constexpr double kToleranceFraction = 0.01;
             RandomMechanisms random(40 + kind);
@@ -113,14 +132,14 @@ private slots:
                     continue;
                 }
                 const Mechanism mechanism(p);
-                const NewtonOptions &options = ways[static_cast<std::size_t>(i) % ways.size()];
+                const NewtonOptions &options = combinations[static_cast<std::size_t>(i) % combinations.size()];
                 const std::array<double, kChannelCount> sizes = peaks(p);
                 for (int k = 0; k < 20; ++k) {
                     const double t = randomTime(p, k, random);
                     const double before = t - std::pow(10.0, random.uniform(-4.0, 0.0)) / p.omega2;
-                    const NewtonTimeStep instant = solve(mechanism, t, options, solve(mechanism, before, options));
+                    const NewtonTimeStep timeStep = solve(mechanism, t, options, solve(mechanism, before, options));
                     const RoughState<double> exact = closedFormState(p, t);
-                    const Status status = instant.state.status;
+                    const Status status = timeStep.state.status;
                     if (exact.status != Status::Solved) {
                         continue;
                     }
@@ -134,7 +153,7 @@ private slots:
                         tolerances[index] = kToleranceFraction * std::max(sizes[index], std::abs(exact.values[index]));
                     }
                     const Order last = status == Status::Solved ? Order::Acceleration : Order::Position;
-                    const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances, last);
+                    const Deviation deviation = worstDeviation(timeStep.state, exact, t, tolerances, last);
                     if (!deviation.accepted()) { // QVERIFY2 would always write the text
                         QFAIL((describe(p) + "\n    " + describe(deviation)).c_str());
                     }
@@ -155,10 +174,7 @@ private slots:
         RandomMechanisms random(22);
         int solved = 0;
         for (int i = 0; i < kMechanisms; ++i) {
-            Parameters p = random.next();
-            const double gap = std::pow(10.0, random.uniform(-15.0, -4.0));
-            p.c = i % 4 == 0 ? 0.0 : p.c;
-            p.b = (p.a + std::abs(p.c)) * (1.0 + (i % 4 < 2 ? 0.0 : i % 4 == 2 ? gap : -gap));
+            const Parameters p = nearToggle(i, random);
             const double square = (p.c >= 0.0 ? -0.5 : 0.5) * std::numbers::pi;
             const double offset =
                 std::pow(10.0, random.uniform(-8.0, -1.5)) * (random.uniform(-1.0, 1.0) < 0.0 ? -1 : 1);
@@ -175,14 +191,14 @@ private slots:
                     kToleranceFraction * std::max(std::abs(static_cast<double>(exact.values[index])), ordinary);
             }
             for (const double tolerance : {0.0, 1e-12, 1e-8, 1e-4}) {
-                for (const NewtonOptions &options : everyWay(60, tolerance)) {
-                    const NewtonTimeStep instant = run(p, {before, t}, options).back();
-                    if (instant.state.status == Status::Solved) {
+                for (const NewtonOptions &options : optionCombinations(60, tolerance)) {
+                    const NewtonTimeStep timeStep = solveInTurn(p, {before, t}, options).back();
+                    if (timeStep.state.status == Status::Solved) {
                         ++solved;
-                        const Deviation deviation = worstDeviation(instant.state, exact, t, tolerances);
+                        const Deviation deviation = worstDeviation(timeStep.state, exact, t, tolerances);
                         QVERIFY2(
                             deviation.accepted(),
-                            qPrintable(described(options) + QString::fromStdString(describe(p) + describe(deviation))));
+                            qPrintable(describe(options) + QString::fromStdString(describe(p) + describe(deviation))));
                     }
                 }
             }

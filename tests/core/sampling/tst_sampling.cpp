@@ -95,19 +95,19 @@ private slots:
                 QVERIFY(all.complete && all.time == times);
                 SamplingSummary expected{.timeSteps = times.size()};
                 std::array<std::vector<double>, kChannelCount> values;
-                NewtonTimeStep instant;
+                NewtonTimeStep timeStep;
                 for (std::size_t i = 0; i < times.size(); ++i) {
-                    advance(mechanism, times[i], instant);
+                    advance(mechanism, times[i], timeStep);
                     const bool isNewton = settings.method == Method::Newton;
-                    const State state = isNewton ? instant.state : closedForm.stateAt(times[i]);
+                    const State state = isNewton ? timeStep.state : closedForm.stateAt(times[i]);
                     QCOMPARE(all.status[i], state.status);
                     if (expected.statusCounts[std::size_t(state.status)]++ == 0) {
                         expected.firstTimes[std::size_t(state.status)] = times[i];
                     }
-                    if (isNewton && instant.positionStatus == Status::Solved) {
-                        expected.iterations += instant.iterations;
-                        expected.maxIterationsOfStep = std::max(expected.maxIterationsOfStep, instant.iterations);
-                        expected.largestResidual = std::max(expected.largestResidual, instant.residual);
+                    if (isNewton && timeStep.positionStatus == Status::Solved) {
+                        expected.iterations += timeStep.iterations;
+                        expected.maxIterationsOfStep = std::max(expected.maxIterationsOfStep, timeStep.iterations);
+                        expected.largestResidual = std::max(expected.largestResidual, timeStep.residual);
                     }
                     for (std::size_t index = 0; index < kChannelCount; ++index) {
                         const Channel channel = channelAt(index);

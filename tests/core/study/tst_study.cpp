@@ -19,7 +19,7 @@ namespace tst_study
 {
 
 /// Returns a request that measures errors and statuses, but no accurate times.
-StudyRequest quick(std::vector<Case> cases)
+StudyRequest quickRequest(std::vector<Case> cases)
 {
     StudyRequest request;
     request.cases = std::move(cases);
@@ -28,7 +28,8 @@ StudyRequest quick(std::vector<Case> cases)
     return request;
 }
 
-Case coarse(Case fine, int maxSteps)
+/// Returns the case with at most that many time steps.
+Case withFewSteps(Case fine, int maxSteps)
 {
     fine.sampling.steps = std::min(fine.sampling.steps, maxSteps);
     return fine;
@@ -45,14 +46,14 @@ Case named(std::string_view name)
 }
 
 /// Returns the results of several cases. Error against cost is measured for the first one only.
-std::vector<CaseResult> studied(std::vector<Case> cases)
+std::vector<CaseResult> studyResults(std::vector<Case> cases)
 {
-    return runStudy(quick(std::move(cases))).cases;
+    return runStudy(quickRequest(std::move(cases))).cases;
 }
 
-CaseResult studied(const Case &which)
+CaseResult studyResult(const Case &which)
 {
-    return studied(std::vector{which}).front();
+    return studyResults({which}).front();
 }
 
 const MethodResult *rowOf(const CaseResult &result, std::string_view method, std::optional<double> tolerance = {})
@@ -89,7 +90,7 @@ private slots:
 
     void smallerTolerancesAreNotLessAccurate()
     {
-        const CaseResult result = studied(coarse(nominalCases()[0], 50));
+        const CaseResult result = studyResult(withFewSteps(nominalCases()[0], 50));
         for (const char *method :
              {"newton-dense", "newton-dense-taylor", "newton-structured", "newton-structured-taylor"}) {
             double before = 1.0;
@@ -111,7 +112,7 @@ private slots:
         // A rocker, in which some time stamps are impossible and the Fourier series does not apply, and an ordinary
         // crank.
         const StudyResult study =
-            runStudy(quick({coarse(named("rocker, one arc"), 20), coarse(nominalCases()[0], 20)}));
+            runStudy(quickRequest({withFewSteps(named("rocker, one arc"), 20), withFewSteps(nominalCases()[0], 20)}));
         const std::vector<MethodResult> combined = resultsOverAllCases(study);
         QCOMPARE(combined.size(), study.cases.back().methods.size());
         for (const MethodResult &row : combined) {
@@ -141,7 +142,7 @@ private slots:
             steps *= 2;
         }
         double before = 0.0;
-        for (const CaseResult &result : studied(cases)) {
+        for (const CaseResult &result : studyResults(cases)) {
             const double error = errorOf(result, "finite-difference");
             if (before > 0.0) {
                 const double ratio = before / error;
@@ -154,7 +155,7 @@ private slots:
 
     void harmonicsFallWithTheirNumber()
     {
-        const CaseResult result = studied(coarse(nominalCases()[0], 50));
+        const CaseResult result = studyResult(withFewSteps(nominalCases()[0], 50));
         double before = 1.0;
         for (const char *method : {"harmonic-2", "harmonic-4", "harmonic-8", "harmonic-16", "harmonic-32"}) {
             const double error = errorOf(result, method);
@@ -189,10 +190,10 @@ private slots:
     {
         std::vector<Case> cases;
         for (const char *name : {"toggle gap 1e-4, c > 0", "toggle gap 1e-6, c > 0", "toggle gap 1e-8, c > 0"}) {
-            cases.push_back(coarse(named(name), 20));
+            cases.push_back(withFewSteps(named(name), 20));
         }
         double before = 0.0;
-        for (const CaseResult &result : studied(cases)) {
+        for (const CaseResult &result : studyResults(cases)) {
             const double bound = rowOf(result, "closed-form")->errorBound.value();
             if (before > 0.0) { // the bound grows with 1/gap
                 QVERIFY2(bound / before > 90.0 && bound / before < 110.0, result.name.c_str());
@@ -205,8 +206,8 @@ private slots:
     void onlyApproximationsAreSilentlyWrong()
     {
         std::vector<Case> cases = allCases();
-        std::ranges::transform(cases, cases.begin(), [](const Case &full) { return coarse(full, 24); });
-        const std::vector<CaseResult> results = studied(cases);
+        std::ranges::transform(cases, cases.begin(), [](const Case &full) { return withFewSteps(full, 24); });
+        const std::vector<CaseResult> results = studyResults(cases);
         QCOMPARE(results.size(), cases.size());
         for (std::size_t i = 0; i < cases.size(); ++i) {
             const Case &which = cases[i];
@@ -238,7 +239,7 @@ private slots:
 
     void reportsTheWorstStatus()
     {
-        const CaseResult result = studied(coarse(named("lengths x 1e9"), 20));
+        const CaseResult result = studyResult(withFewSteps(named("lengths x 1e9"), 20));
         const MethodResult *report =
             rowOf(result, "newton-dense", 1e-8); // mm: smaller than the rounding error of the residual
         QCOMPARE(report->status, Status::IterationLimit);
@@ -250,7 +251,7 @@ private slots:
     /// method has only one row, or the same error in all rows.
     void reportsErrorAndCost()
     {
-        const StudyResult study = runStudy(quick({nominalCases()[0], nominalCases()[1]}));
+        const StudyResult study = runStudy(quickRequest({nominalCases()[0], nominalCases()[1]}));
         QVERIFY(study.cases[1].workPrecision.empty());
         for (const MethodResult &row : study.cases[0].methods) {
             QVERIFY2(row.nsPerState > 0.0 && row.spread >= 0.0, nameOf(row.method).c_str());
@@ -291,12 +292,12 @@ private slots:
 
     void aStoppedStudyHasTheCompletedCases()
     {
-        constexpr double kInSecondCase = 0.8;
+        constexpr double kProgressInSecondCase = 0.8;
         std::stop_source stop;
         std::vector<double> progress;
         const StudyResult result = runStudy(twoCases(), stop.get_token(), [&](double part) {
             progress.push_back(part);
-            if (part > kInSecondCase) {
+            if (part > kProgressInSecondCase) {
                 stop.request_stop();
             }
         });
@@ -306,7 +307,10 @@ private slots:
     }
 
 private:
-    static StudyRequest twoCases() { return quick({coarse(nominalCases()[0], 10), coarse(nominalCases()[1], 10)}); }
+    static StudyRequest twoCases()
+    {
+        return quickRequest({withFewSteps(nominalCases()[0], 10), withFewSteps(nominalCases()[1], 10)});
+    }
 };
 
 const Suite<TestStudy> suite("tst_study");
