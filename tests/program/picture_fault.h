@@ -46,15 +46,25 @@ inline const SubjectDescription &describe(PictureSubject subject)
     return kDescriptions[static_cast<std::size_t>(subject)];
 }
 
+/// Returns the number of the plot with that plotName(), or kPlotCount if there is none.
+inline std::size_t plotNamed(const char *name)
+{
+    std::size_t plot = 0;
+    while (plot < kPlotCount && plotName(plot) != QLatin1String(name)) {
+        ++plot;
+    }
+    return plot;
+}
+
 /// Returns a zoom in which the curves extend beyond their axes on every side.
 inline PlotZoom closeZoom()
 {
     PlotZoom zoom;
     zoom.time = Interval{0.2, 0.6};
-    zoom.values[0] = Interval{10.0, 15.0};  // °
-    zoom.values[1] = Interval{60.0, 70.0};  // mm
-    zoom.values[3] = Interval{-50.0, 50.0}; // °/s
-    zoom.values[5] = Interval{5.0, 100.0};  // %
+    zoom.values[plotNamed("plot_theta3")] = Interval{10.0, 15.0};         // °
+    zoom.values[plotNamed("plot_R4_x")] = Interval{60.0, 70.0};           // mm
+    zoom.values[plotNamed("plot_theta3_diff")] = Interval{-50.0, 50.0};   // °/s
+    zoom.values[plotNamed("plot_error_velocity")] = Interval{5.0, 100.0}; // %
     return zoom;
 }
 
@@ -67,60 +77,131 @@ inline bool isSimilar(QRgb pixel, const QColor &colour)
            kTolerance;
 }
 
+/// Whether a pixel has the colour of a curve, except for the smoothing of edges.
+inline bool hasCurveColour(QRgb pixel)
+{
+    static const SeriesColours colours = seriesColours(paletteFor(Theme::Light));
+    static const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
+    if (pixel == kWhite || isGrey(pixel)) { // as most pixels
+        return false;
+    }
+    return std::ranges::any_of(curves, [pixel](const QColor &curve) { return isSimilar(pixel, curve); });
+}
+
+/// The places in which the colours of curves may occur in one plot, px.
+struct PlotArea {
+    QRect axes;
+    QRect curves;        ///< the axes, and half the width of a line with its smoothing around them
+    QRect colouredTitle; ///< null if the title has no colours
+    int curvePixels = 0; ///< number of pixels in `curves` that have the colour of a curve
+};
+
+/// Returns the plots in the picture. The title of an error plot ends with the largest errors in the colours of their
+/// curves.
+inline std::vector<PlotArea> plotAreas(const QImage &picture, PictureSubject subject, double scale, int titleHeight)
+{
+    const int pen = static_cast<int>(2.0 * scale);
+    const bool isFigure = subject == PictureSubject::Figure;
+    std::vector<PlotArea> plots;
+    for (const QRect &axes : axesIn(picture, isFigure ? static_cast<int>(kPlotColumns) : 1)) {
+        PlotArea plot{.axes = axes, .curves = axes.adjusted(-pen, -pen, pen, pen), .colouredTitle = {}};
+        if (subject == PictureSubject::Errors || (isFigure && isErrorPlot(plots.size()))) {
+            plot.colouredTitle = axes.adjusted(0, -titleHeight, 0, -axes.height());
+        }
+        plots.push_back(plot);
+    }
+    return plots;
+}
+
 /// Describes what is wrong with the curves. Returns an empty text if each plot has curves and all curves are within
 /// their axes. `scale`: pixels of the picture per logical pixel.
 inline QString curveFault(const QImage &picture, PictureSubject subject, double scale)
 {
-    const int plots = describe(subject).plots;
-    const std::vector<QRect> axes = axesIn(picture, plots == 9 ? 3 : 1);
-    if (axes.size() != static_cast<std::size_t>(plots)) {
-        return QStringLiteral("%1 axes").arg(axes.size());
+    constexpr int kMinPixels = 50; // of the curves of a plot
+    const double titleHeight = 15.0 * scale;
+    const double legendHeight = 25.0 * scale;
+    std::vector<PlotArea> plots = plotAreas(picture, subject, scale, static_cast<int>(titleHeight));
+    if (plots.size() != static_cast<std::size_t>(describe(subject).plots)) {
+        return QStringLiteral("%1 axes").arg(plots.size());
     }
-    const int pen = static_cast<int>(2.0 * scale);    // half the width of a line and its smoothing
-    const int title = static_cast<int>(15.0 * scale); // height of the title above the axes
-    const SeriesColours colours = seriesColours(paletteFor(Theme::Light));
-    const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
-    std::vector<int> pixelsWithin(axes.size(), 0);
-    const int legend = static_cast<int>(25.0 * scale); // height of the legend above the title
+    const int top = std::max(static_cast<int>(legendHeight), plots.front().axes.top() - static_cast<int>(titleHeight));
     const int width = picture.width();
-    for (int y = std::max(legend, axes.front().top() - title); y < picture.height(); ++y) {
+    for (int y = top; y < picture.height(); ++y) {
         const auto *line = reinterpret_cast<const QRgb *>(picture.constScanLine(y));
         for (int x = 0; x < width; ++x) {
-            const QRgb colour = line[x];
-            const auto isDrawn = [&](const QColor &curve) { return isSimilar(colour, curve); };
-            if (colour == kWhite || isGrey(colour) || std::none_of(curves.begin(), curves.end(), isDrawn)) {
+            if (!hasCurveColour(line[x])) {
                 continue;
             }
             bool isExpected = false;
-            for (std::size_t i = 0; i < axes.size(); ++i) {
-                // The title of an error plot ends with the largest errors in the colours of their curves.
-                const bool hasColours =
-                    subject == PictureSubject::Errors || (subject == PictureSubject::Figure && i % 3 == 2);
-                const bool isWithin = axes[i].adjusted(-pen, -pen, pen, pen).contains(x, y);
-                const bool isTitle = hasColours && axes[i].adjusted(0, -title, 0, -axes[i].height()).contains(x, y);
-                pixelsWithin[i] += isWithin ? 1 : 0;
-                isExpected = isExpected || isWithin || isTitle;
+            for (PlotArea &plot : plots) {
+                const bool isCurve = plot.curves.contains(x, y);
+                plot.curvePixels += isCurve ? 1 : 0;
+                isExpected = isExpected || isCurve || plot.colouredTitle.contains(x, y);
             }
             if (!isExpected) {
                 return QStringLiteral("a curve at %1, %2").arg(x).arg(y);
             }
         }
     }
-    const auto empty = std::ranges::find_if(pixelsWithin, [](int pixels) { return pixels < 50; });
-    return empty == pixelsWithin.end() ? QString()
-                                       : QStringLiteral("no curve in plot %1").arg(empty - pixelsWithin.begin());
+    const auto empty = std::ranges::find_if(plots, [](const PlotArea &plot) { return plot.curvePixels < kMinPixels; });
+    return empty == plots.end() ? QString() : QStringLiteral("no curve in plot %1").arg(empty - plots.begin());
+}
+
+inline bool isPdf(const QString &path)
+{
+    return QFileInfo(path).suffix() == QLatin1String("pdf");
+}
+
+inline bool isSvg(const QString &path)
+{
+    return QFileInfo(path).suffix() == QLatin1String("svg");
+}
+
+/// Returns the pixels that printedPicture() makes of a logical pixel. `pngScale`: the same number for PNG files.
+inline double pixelsPerLogicalPixel(const QString &path, double pngScale)
+{
+    if (isPdf(path)) {
+        return 2.0;
+    }
+    return isSvg(path) ? 1.0 : pngScale;
+}
+
+/// Returns the texts of a PDF or SVG file without spaces, because a text may be stored in several pieces.
+inline QString textsWithoutSpaces(const QString &path)
+{
+    QString text;
+    if (isPdf(path)) {
+        text = QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {"-layout", path, "-"}));
+    } else {
+        static const QRegularExpression kTextElement(QStringLiteral("<text[^>]*>([^<]*)</text>"));
+        QRegularExpressionMatchIterator matches = kTextElement.globalMatch(QString::fromUtf8(contentOf(path)));
+        while (matches.hasNext()) {
+            text += matches.next().captured(1);
+        }
+    }
+    return text.remove(u' ');
+}
+
+/// Names a text of the subject that a PDF or SVG file lacks. Returns an empty text if it has all of them.
+inline QString textFault(const QString &path, PictureSubject subject)
+{
+    const QString texts = textsWithoutSpaces(path);
+    for (const QString &text : describe(subject).texts) {
+        if (!texts.contains(QString(text).remove(u' '))) {
+            return QStringLiteral("no \"%1\" in %2").arg(text, texts);
+        }
+    }
+    return {};
 }
 
 /// Describes what is wrong with the picture. Returns an empty text if it shows the subject and has that size (px at 96
-/// dpi).
-inline QString pictureFault(const QString &path, PictureSubject subject, const QSize &size, double scale)
+/// dpi). `pngScale`: pixels of a PNG file per logical pixel.
+inline QString pictureFault(const QString &path, PictureSubject subject, const QSize &size, double pngScale)
 {
-    const QString suffix = QFileInfo(path).suffix();
     const QImage picture = printedPicture(path);
-    const bool isPdf = suffix == QLatin1String("pdf");
-    const double pixels = isPdf ? 2.0 : suffix == QLatin1String("png") ? scale : 1.0;
-    const QSize difference = picture.size() - size * pixels;
-    const int rounding = isPdf ? 2 : 0; // because PDF pages are rounded to whole points
+    const double scale = pixelsPerLogicalPixel(path, pngScale);
+    const QSize difference = picture.size() - size * scale;
+    const int rounding = isPdf(path) ? 2 : 0; // because PDF pages are rounded to whole points
     if (std::max(std::abs(difference.width()), std::abs(difference.height())) > rounding) {
         return QStringLiteral("%1 x %2 pixels").arg(picture.width()).arg(picture.height());
     }
@@ -128,29 +209,11 @@ inline QString pictureFault(const QString &path, PictureSubject subject, const Q
         return QStringLiteral("blank");
     }
     if (describe(subject).plots > 0) {
-        if (const QString fault = curveFault(picture, subject, pixels); !fault.isEmpty()) {
+        if (const QString fault = curveFault(picture, subject, scale); !fault.isEmpty()) {
             return fault;
         }
     }
-    QString text;
-    if (isPdf) {
-        text = QString::fromUtf8(outputOf(QStringLiteral("pdftotext"), {"-layout", path, "-"}));
-    } else if (suffix == QLatin1String("svg")) {
-        static const QRegularExpression kTextElement(QStringLiteral("<text[^>]*>([^<]*)</text>"));
-        QRegularExpressionMatchIterator matches = kTextElement.globalMatch(QString::fromUtf8(contentOf(path)));
-        while (matches.hasNext()) {
-            text += matches.next().captured(1);
-        }
-    } else {
-        return {};
-    }
-    text.remove(u' '); // because a text may be stored in several pieces
-    for (const QString &word : describe(subject).texts) {
-        if (!text.contains(QString(word).remove(u' '))) {
-            return QStringLiteral("no \"%1\" in %2").arg(word, text);
-        }
-    }
-    return {};
+    return isPdf(path) || isSvg(path) ? textFault(path, subject) : QString();
 }
 
 } // namespace slidercrank

@@ -98,9 +98,9 @@ QStringList argumentsFor(const Save &save, const Place &place)
     return save.arguments + QStringList{"--output", place.path()};
 }
 
-/// Saves by the program itself. `sizeLimit`: largest size of a file, in bytes.
-Outcome startAt(const Place &place, const Save &save, const QProcessEnvironment &environment,
-                std::optional<rlim_t> sizeLimit = {})
+/// Starts the program to save the file at the place. `sizeLimit`: largest size of a file, in bytes.
+Outcome saveByProgram(const Place &place, const Save &save, const QProcessEnvironment &environment,
+                      std::optional<rlim_t> sizeLimit = {})
 {
     QProcess program;
     program.setProcessEnvironment(environment);
@@ -179,7 +179,7 @@ private slots:
         QFETCH(const int, index);
         const Save save = commands()[index];
         const auto attempt = [&](const Place &place, int call) {
-            Outcome outcome = startAt(place, save, environment(place.folder(), call));
+            Outcome outcome = saveByProgram(place, save, environment(place.folder(), call));
             outcome.isDisturbed = !outcome.isWritten;
             return outcome;
         };
@@ -214,7 +214,7 @@ private slots:
         QFETCH(const int, index);
         const Save save = commands()[index];
         tryEverySizeLimit(save, [&](const Place &place, std::optional<rlim_t> limit) {
-            return startAt(place, save, environment(), limit);
+            return saveByProgram(place, save, environment(), limit);
         });
     }
 
@@ -316,13 +316,14 @@ private slots:
     }
 
 private:
-    /// Adds a row for each command. If there is a selection, short test runs use only these commands.
+    /// Adds a row for each command. Unless tests are long, only the commands of the selection are used, if there is
+    /// one.
     void addCommands(const QByteArrayList &selection = {}) const
     {
         QTest::addColumn<int>("index");
         int index = 0;
         for (const Save &save : commands()) {
-            if (selection.isEmpty() || selection.contains(save.name) || runs(0, 1) == 1) {
+            if (selection.isEmpty() || selection.contains(save.name) || areTestsLong()) {
                 QTest::newRow(save.name) << index;
             }
             ++index;

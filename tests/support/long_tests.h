@@ -10,9 +10,16 @@
 namespace slidercrank
 {
 
+/// Returns whether SLIDERCRANK_LONG_TESTS asks for the long tests.
+inline bool areTestsLong()
+{
+    return qEnvironmentVariableIntValue("SLIDERCRANK_LONG_TESTS") > 0;
+}
+
+/// Returns the number of cases: `usual`, or `many` in long tests.
 inline int runs(int usual, int many)
 {
-    return qEnvironmentVariableIntValue("SLIDERCRANK_LONG_TESTS") > 0 ? many : usual;
+    return areTestsLong() ? many : usual;
 }
 
 /// Returns the number of cases of a numerical test. Sanitizer builds are many times slower and check memory, so they

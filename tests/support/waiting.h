@@ -40,7 +40,7 @@ inline void settle()
 }
 
 /// Waits until all background tasks have finished and their results have been delivered.
-inline void finishAside()
+inline void finishBackgroundTasks()
 {
     QVERIFY(QThreadPool::globalInstance()->waitForDone(kPatience));
     settle();

@@ -141,7 +141,7 @@ private slots:
         waiting.started->acquire();
         task.discard();
         QVERIFY(!task.isRunning());
-        finishAside();
+        finishBackgroundTasks();
         QCOMPARE(QList<QVariantList>(running), kStartedAndEnded);
     }
 
@@ -161,7 +161,7 @@ private slots:
         };
         task.start(two, next, kFail);
         AWAIT_COMPARE(value, 2);
-        finishAside();
+        finishBackgroundTasks();
         QCOMPARE(QList<QVariantList>(running), kStartedAndEnded);
     }
 
@@ -175,7 +175,7 @@ private slots:
         waiting.started->acquire();
         task.reset();
         QCOMPARE(captured.use_count(), 1L); // the callback is destroyed at once, in this thread
-        finishAside();
+        finishBackgroundTasks();
 
         auto *deletedTask = new BackgroundTask;
         const QPointer<BackgroundTask> guard(deletedTask);
@@ -217,7 +217,7 @@ private slots:
         shortTask.start([](const Stop &, const Progress &) { return 1; }, [&isDone](int) { isDone = true; }, kFail);
         AWAIT(isDone);
         longTasks.clear();
-        finishAside();
+        finishBackgroundTasks();
     }
 };
 

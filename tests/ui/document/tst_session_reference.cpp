@@ -242,7 +242,7 @@ private slots:
         QCOMPARE(busy.count(), 1);
         session.cancel();
         QVERIFY(session.identification() && session.identification()->found.stopped);
-        finishAside();
+        finishBackgroundTasks();
         letTimePass(session);
         QCOMPARE(busy.count(), 2);
         QVERIFY(session.identification()->found.stopped);
@@ -253,7 +253,7 @@ private slots:
         session.setParameter(Parameter::B, 70.0);
         letTimePass(session);
         session.setReference(nullptr);
-        finishAside();
+        finishBackgroundTasks();
         letTimePass(session);
         QVERIFY(!session.identification());
         session.useFoundMechanism();

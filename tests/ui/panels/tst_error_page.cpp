@@ -23,7 +23,7 @@ const Convention kDegrees{Convention::Kind::AngleUnit, {kTheta3}, kDegreesPerRad
 const Convention kLate{Convention::Kind::TimeShift, {}, 0.1};
 const std::vector<ConventionFinding> kConventions{{kDegrees, 98.0, 1e-3}, {kLate, 30.0, 1e-3}};
 
-ChannelComparison compared(Verdict verdict, double maxAbs = 2.0, Channel channel = kTheta3)
+ChannelComparison comparisonWith(Verdict verdict, double maxAbs = 2.0, Channel channel = kTheta3)
 {
     ChannelComparison comparison;
     comparison.channel = channel;
@@ -95,9 +95,10 @@ private slots:
         ChannelComparison missing;
         missing.channel = kTheta3;
         missing.missingModel = 201;
-        const Page page = errorPage(resultWith({compared(Verdict::Agrees, 0.00123456),
-                                                compared(Verdict::Close, 14.2345, {R4x, Order::Velocity}), missing}),
-                                    nullptr);
+        const Page page =
+            errorPage(resultWith({comparisonWith(Verdict::Agrees, 0.00123456),
+                                  comparisonWith(Verdict::Close, 14.2345, {R4x, Order::Velocity}), missing}),
+                      nullptr);
         QCOMPARE(rowTexts(page.tables.at(0)),
                  (QStringList{"θ³ coupler angle|✓ agrees|0.001235°|0.006173|0.5",
                               "v⁴ slider velocity|≈ close|14.23 mm/s|71.17|0.5", "θ³ coupler angle|✗ differs|–|–|–"}));
@@ -118,9 +119,9 @@ private slots:
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
         setNotation({.units = {LengthUnit::Inch, AngleUnit::Radian}});
-        const Page page = errorPage(
-            resultWith({compared(Verdict::Differs, 90.0), compared(Verdict::Close, 254.0, {R4x, Order::Velocity})}),
-            nullptr);
+        const Page page = errorPage(resultWith({comparisonWith(Verdict::Differs, 90.0),
+                                                comparisonWith(Verdict::Close, 254.0, {R4x, Order::Velocity})}),
+                                    nullptr);
         QCOMPARE(rowTexts(page.tables.at(0)), (QStringList{"θ³ coupler angle|✗ differs|1.571 rad|450.0|0.5",
                                                            "v⁴ slider velocity|≈ close|10.00 in/s|1270|0.5"}));
         QCOMPARE(page.tables[0].rows[1].cells[0].csv, "R4_x_diff [in/s]");
@@ -135,10 +136,11 @@ private slots:
             QChar mark;
             Tone tone;
         };
-        for (const Row &row : {Row{{compared(Verdict::Agrees), compared(Verdict::Agrees)}, u'✓', Tone::Good},
-                               Row{{compared(Verdict::Agrees), compared(Verdict::Close)}, u'≈', Tone::Fair},
-                               Row{{compared(Verdict::Differs), compared(Verdict::Agrees)}, u'✗', Tone::Bad},
-                               Row{{}, u'✗', Tone::Bad}}) {
+        for (const Row &row :
+             {Row{{comparisonWith(Verdict::Agrees), comparisonWith(Verdict::Agrees)}, u'✓', Tone::Good},
+              Row{{comparisonWith(Verdict::Agrees), comparisonWith(Verdict::Close)}, u'≈', Tone::Fair},
+              Row{{comparisonWith(Verdict::Differs), comparisonWith(Verdict::Agrees)}, u'✗', Tone::Bad},
+              Row{{}, u'✗', Tone::Bad}}) {
             const Result result = resultWith(row.comparison);
             const Page page = errorPage(result, nullptr);
             QCOMPARE(page.sentence.front(), row.mark);
@@ -151,7 +153,7 @@ private slots:
 
     void explainsTheDifferenceAndOffersOneRemedy()
     {
-        const Result result = resultWith({compared(Verdict::Differs)});
+        const Result result = resultWith({comparisonWith(Verdict::Differs)});
         QVERIFY(errorPage(result, nullptr).findings.empty()); // there is no identification yet
         ReferenceIdentification identification = identificationOf(result);
         const auto findings = [&] { return errorPage(result, &identification).findings; };
@@ -178,7 +180,7 @@ private slots:
             double b;
             bool offered;
         };
-        const Result result = resultWith({compared(Verdict::Differs)});
+        const Result result = resultWith({comparisonWith(Verdict::Differs)});
         for (const Row &row : {Row{Outcome::Identified, 60.0, true}, Row{Outcome::Approximate, 60.0, true},
                                Row{Outcome::Insufficient, 60.0, false}, Row{Outcome::None, 60.0, false},
                                Row{Outcome::Identified, 65.0, false}}) {
@@ -192,7 +194,7 @@ private slots:
 
     void saysWhatUsingTheMechanismChanges()
     {
-        const Result result = resultWith({compared(Verdict::Differs)});
+        const Result result = resultWith({comparisonWith(Verdict::Differs)});
         ReferenceIdentification identification = identificationOf(result);
         Identification &found = identification.found;
         found.conventions = kConventions;
@@ -205,7 +207,7 @@ private slots:
 
     void disablesTheRemediesUntilNewFindingsAreComputed()
     {
-        Result result = resultWith({compared(Verdict::Differs)});
+        Result result = resultWith({comparisonWith(Verdict::Differs)});
         const ReferenceIdentification identification = identificationOf(result);
         const Page page = errorPage(result, &identification);
         QVERIFY(!page.isSearching);
@@ -223,7 +225,7 @@ private slots:
     {
         Reference reference;
         reference.source.conventions = {kLate};
-        const Result result = resultWith({compared(Verdict::Agrees)}, reference);
+        const Result result = resultWith({comparisonWith(Verdict::Agrees)}, reference);
         for (const Page &page : {errorPage(result, nullptr), referencePage(result, nullptr)}) {
             QCOMPARE(page.findings.back().remedy, Remedy::ReadAsPrinted);
             QVERIFY(page.findings.back().sentence.contains("are shifted"));
@@ -237,7 +239,7 @@ private slots:
         reference.data.skipped = {{12, 3, "a<b", RowFault::NotANumber, 1}, {15, 1, "", RowFault::NoTime, 0}};
         reference.data.skippedCount = 2;
         reference.data.layout.columns.emplace_back().heading = "force";
-        const Result result = resultWith({compared(Verdict::Agrees)}, reference);
+        const Result result = resultWith({comparisonWith(Verdict::Agrees)}, reference);
         QCOMPARE(errorPage(result, nullptr).note,
                  "Rows that were skipped: 2. Columns that were not used: 1. See the tab Reference.");
         reference.data.skippedCount = 0;
@@ -308,7 +310,7 @@ private slots:
 
     void saysWhichMechanismWasFoundInTheFile()
     {
-        const Result result = resultWith({compared(Verdict::Differs)});
+        const Result result = resultWith({comparisonWith(Verdict::Differs)});
         const auto isSearching = [&result](const ReferenceIdentification *identification) {
             return referencePage(result, identification).findings[1].sentence.startsWith("Searching");
         };

@@ -136,7 +136,7 @@ struct ShownResponse {
     void finish()
     {
         settle(view);
-        finishAside();
+        finishBackgroundTasks();
     }
 
     Chart *chart(std::size_t limit) const { return child<Chart>(view, QStringLiteral("responseChart%1").arg(limit)); }
@@ -238,7 +238,7 @@ private slots:
         const auto *view = window.findChild<ResponseView *>();
         const auto shown = [&] {
             settle(window);
-            finishAside();
+            finishBackgroundTasks();
             return view->response().parameter;
         };
         QVERIFY(!view->isVisible());

@@ -114,7 +114,7 @@ private slots:
         QVERIFY2(said().contains("“d”"), qPrintable(said()));
     }
 
-    /// A table over the crank angle is exported in the tab Table.
+    /// The rows are the time steps, not crank angles: the tab Table exports those.
     void dataAreTheMotionAtTheTimeSteps()
     {
         m_window->exports().chooseData();

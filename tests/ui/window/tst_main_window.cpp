@@ -263,7 +263,7 @@ private slots:
         };
         QVERIFY(!says("form")); // closed form is the default and is not mentioned
         session().setSampling({0.0, 1.0, 1'000'000});
-        QVERIFY(!says(" ms")); // so many samples are not computed in advance
+        QVERIFY(!says(" ms")); // the samples of a long motion are not computed in advance
         session().setSampling({0.0, 1.0, 200});
         session().setSolver({Method::Newton, {.maxIterations = 2}});
         const std::size_t unsolved = session().result()->summary.count(Status::IterationLimit);
@@ -341,7 +341,7 @@ private slots:
         press(Qt::Key_Return);
         settle();
         QVERIFY(hasFocus());
-        finishAside();
+        finishBackgroundTasks();
         QVERIFY(hasFocus());
     }
 

@@ -33,7 +33,8 @@ int editAndWait(const QString &settings, const QString &scene)
     window.show();
     if (!scene.isEmpty()) {
         window.scene().open(scene);
-        finishAside(); // the recent files have been written: if killed while writing, it would leave a lock for 30 s
+        finishBackgroundTasks(); // the recent files have been written: if killed while writing, it would leave a lock
+                                 // for 30 s
     }
     window.session().setParameter(Parameter::B, 70.0);
     letTimePass(*window.findChild<Recovery *>());

@@ -38,8 +38,8 @@ Triple times(const Matrix &matrix, const Triple &vector)
     return product;
 }
 
-/// Returns the linear components of an sRGB colour.
-Triple linear(const QColor &colour)
+/// Returns the linearComponents components of an sRGB colour.
+Triple linearComponents(const QColor &colour)
 {
     const auto channel = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
     return {channel(colour.redF()), channel(colour.greenF()), channel(colour.blueF())};
@@ -48,9 +48,9 @@ Triple linear(const QColor &colour)
 constexpr Matrix kToXyz{
     {{0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}}};
 
-Triple labAsSeen(const QColor &colour, const Matrix &vision)
+Triple labComponents(const QColor &colour, const Matrix &vision)
 {
-    Triple seen = times(vision, linear(colour));
+    Triple seen = times(vision, linearComponents(colour));
     for (double &channel : seen) {
         channel = std::clamp(channel, 0.0, 1.0);
     }
@@ -64,15 +64,15 @@ Triple labAsSeen(const QColor &colour, const Matrix &vision)
 
 double distance(const QColor &first, const QColor &second, const Matrix &vision)
 {
-    const Triple a = labAsSeen(first, vision);
-    const Triple b = labAsSeen(second, vision);
+    const Triple a = labComponents(first, vision);
+    const Triple b = labComponents(second, vision);
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 double contrast(const QColor &first, const QColor &second)
 {
-    const double a = times(kToXyz, linear(first))[1] + 0.05;
-    const double b = times(kToXyz, linear(second))[1] + 0.05;
+    const double a = times(kToXyz, linearComponents(first))[1] + 0.05;
+    const double b = times(kToXyz, linearComponents(second))[1] + 0.05;
     return std::max(a, b) / std::min(a, b);
 }
 
@@ -87,14 +87,21 @@ private slots:
         constexpr double kInOneFigure = 20.0;
         for (const Theme theme : {Theme::Light, Theme::Dark}) {
             const SeriesColours colours = seriesColours(paletteFor(theme));
-            // Two curves that follow each other have the same axes.
-            const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
+            enum class Axes { Motion, Errors };
+            struct Curve {
+                QColor colour;
+                Axes axes;
+            };
+            const std::array<Curve, 4> curves{{{colours.model, Axes::Motion},
+                                               {colours.reference, Axes::Motion},
+                                               {colours.error, Axes::Errors},
+                                               {colours.errorOther, Axes::Errors}}};
             for (const Matrix &vision : {kNormal, kProtanopia, kDeuteranopia}) {
                 for (std::size_t i = 0; i < curves.size(); ++i) {
                     for (std::size_t j = 0; j < i; ++j) {
-                        const double apart = distance(curves[i], curves[j], vision);
-                        QVERIFY2(apart > (i / 2 == j / 2 ? kInTheSameAxes : kInOneFigure),
-                                 qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(apart)));
+                        const double apart = distance(curves[i].colour, curves[j].colour, vision);
+                        const double least = curves[i].axes == curves[j].axes ? kInTheSameAxes : kInOneFigure;
+                        QVERIFY2(apart > least, qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(apart)));
                     }
                 }
             }
