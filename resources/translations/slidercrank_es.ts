@@ -1383,7 +1383,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>With this time ratio the minimum transmission angle is largest, %1, for b/a = %2.</source>
-        <translation>Con esta relación de tiempos, el ángulo de transmisión mínimo es mayor, %1, con b/a = %2.</translation>
+        <translation>Con esta relación de tiempos, el ángulo de transmisión mínimo alcanza su máximo, %1, con b/a = %2.</translation>
     </message>
     <message>
         <source>Minimum transmission angle</source>
@@ -1613,7 +1613,7 @@ difiere: lo demás</translation>
     <name>slidercrank::ExplanationText</name>
     <message>
         <source>Over the crank angle, the file agrees with this mechanism.</source>
-        <translation>Según el ángulo de la manivela, el archivo coincide con este mecanismo.</translation>
+        <translation>En función del ángulo de la manivela, el archivo coincide con este mecanismo.</translation>
     </message>
     <message>
         <source>The other columns agree with this mechanism.</source>
@@ -2172,7 +2172,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>%1 The window shows the motion at the mean speed, %2 rad/s, because a changing speed is not modelled: compare the positions over the crank angle.</source>
-        <translation>%1 La ventana muestra el movimiento a la velocidad media, %2 rad/s, porque no se modela una velocidad variable: compare las posiciones según el ángulo de la manivela.</translation>
+        <translation>%1 La ventana muestra el movimiento a la velocidad media, %2 rad/s, porque no se modela una velocidad variable: compare las posiciones en función del ángulo de la manivela.</translation>
     </message>
 </context>
 <context>
@@ -4071,7 +4071,7 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>The rows are indexed by the crank angle; ω₂ and θ₂₀ give the time.</source>
-        <translation>Las filas están dadas según el ángulo de la manivela; ω₂ y θ₂₀ dan el tiempo.</translation>
+        <translation>Las filas están dadas en función del ángulo de la manivela; ω₂ y θ₂₀ dan el tiempo.</translation>
     </message>
 </context>
 <context>
