@@ -380,7 +380,7 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
                        CommandLine::tr("%1 describes a reference file: name the file with --reference."));
     }
     if (request.subject == Subject::Mechanism) {
-        scene.sampling.start = scene.time; // the mechanism can be drawn at any time
+        scene.sampling.start = scene.time; // a drawing may be asked for a time outside the time range
     }
     Choices choices{scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned};
     if (scene.reference) {

@@ -40,7 +40,7 @@ Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std:
     const auto [coordinate, order] = reference.channel;
     const auto inFileUnit = [&](double size) { return toFileUnit(reference.channel, size); };
     Scale scale;
-    ValueRange range; // of the model where the reference has a value
+    ValueRange range; // the values of the model where the reference has one
     for (std::size_t i = 0; i < model.size(); ++i) {
         if (std::isfinite(reference.values[i])) {
             range.include(model[i]);
@@ -62,7 +62,7 @@ Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std:
     return scale;
 }
 
-/// The effect of rounded time stamps: the exact motion half a rounding step earlier and later.
+/// The effect of rounded time stamps: the exact motion half a rounding step of the time earlier and later.
 struct RoundedTimeEffect {
     Trajectory early;
     Trajectory late;
@@ -92,8 +92,8 @@ Verdict judge(const ChannelComparison &channel)
     return mostWithin && noneFar ? Verdict::Agrees : Verdict::Close;
 }
 
-/// Updates the largest error and percentage with the error of one value.
-void measure(ChannelComparison &result, double time, double error, double magnitude, bool isZero)
+/// Updates the largest error and the largest percentage with the error of one value.
+void updateLargestErrors(ChannelComparison &result, double time, double error, double magnitude, bool isZero)
 {
     if (!result.maxAbs || error > *result.maxAbs) {
         result.maxAbs = error;
@@ -105,6 +105,18 @@ void measure(ChannelComparison &result, double time, double error, double magnit
     } else if (!result.maxPercent || percent > *result.maxPercent) {
         result.maxPercent = percent;
         result.timeOfMaxPercent = time;
+    }
+}
+
+/// Updates the measures of the verdict with the error of one value and its bound.
+void updateVerdictMeasures(ChannelComparison &result, double error, double bound, double halfRange)
+{
+    result.withinBound += error <= bound ? 1 : 0;
+    if (error > bound) {
+        result.excess = std::max(result.excess, (error - bound) / halfRange);
+    }
+    if (error > result.worstOver * bound) {
+        result.worstOver = error / bound;
     }
 }
 
@@ -163,19 +175,13 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
         const double error = errorOf(channel, model, value);
         const double halfStep = 0.5 * std::max(step, scale.smallestStep);
         squares += (error / unit) * (error / unit);
-        measure(result, reference.time[i], error, magnitude, magnitude <= halfStep);
+        updateLargestErrors(result, reference.time[i], error, magnitude, magnitude <= halfStep);
         double bound = halfStep + kUlpSlack * magnitude;
         if (effect != nullptr && error > bound) {
             bound += effect->drift(channel, i, model, scale.halfRange);
         }
         bound += std::min(bound + largestHalfStep - halfStep, errorOfFit);
-        result.withinBound += error <= bound ? 1 : 0;
-        if (error > bound) {
-            result.excess = std::max(result.excess, (error - bound) / scale.halfRange);
-        }
-        if (error > result.worstOver * bound) {
-            result.worstOver = error / bound;
-        }
+        updateVerdictMeasures(result, error, bound, scale.halfRange);
     }
     result.verdict = judge(result);
     if (series.rounding.rule != Rounding::Rule::Unknown && largestStep > 0.0) {
@@ -220,14 +226,14 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
                                        const ReferenceData &reference, const FittedMechanism &fitted)
 {
     const Clock clock = clockOf(reference.time, reference.timeRounding);
-    std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock);
-    std::vector<ChannelComparison> result(reference.series.size());
     const bool isLong = reference.time.size() > kMinTimeStampsForThreads;
-    const auto comparisonOf = [&](std::size_t i) {
+    const auto comparisonOf = [&](std::size_t i, const std::optional<RoundedTimeEffect> &effect) {
         return compareSeries(mechanism, model, reference, reference.series[i], effect ? &*effect : nullptr, fitted);
     };
+    std::vector<ChannelComparison> result(reference.series.size());
+    const std::optional<RoundedTimeEffect> shownEffect = effectOfRoundedTime(mechanism, reference, clock);
     inParallel(
-        result.size(), [&](std::size_t i) { result[i] = comparisonOf(i); }, isLong);
+        result.size(), [&](std::size_t i) { result[i] = comparisonOf(i, shownEffect); }, isLong);
 
     // A second attempt assumes that the time stamps were rounded although nothing shows it. It lowers an excess by at
     // most kExcessOfCloseness, and with evenly spaced time stamps the best verdict is `close`.
@@ -240,16 +246,16 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
     }
     Clock roundedClock = clock;
     roundedClock.rounded = true;
-    effect = effectOfRoundedTime(mechanism, reference, roundedClock);
-    if (!effect) {
+    std::optional<RoundedTimeEffect> assumedEffect = effectOfRoundedTime(mechanism, reference, roundedClock);
+    if (!assumedEffect) {
         return result;
     }
-    effect->largestDrift = kExcessOfCloseness;
+    assumedEffect->largestDrift = kExcessOfCloseness;
     const auto compareAgain = [&](std::size_t i) {
         if (!mayRise(result[i])) {
             return;
         }
-        const ChannelComparison again = comparisonOf(i);
+        const ChannelComparison again = comparisonOf(i, assumedEffect);
         if (again.verdict != Verdict::Differs) {
             result[i] = again;
             result[i].clockIsRounded = clock.even;

@@ -104,7 +104,7 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
 /// The comparison of every column of the file with the exact motion; incomplete if stopped.
 struct ExactComparison {
     std::vector<ChannelComparison> channels;
-    std::vector<Status> status; ///< of the motion, one per time stamp
+    std::vector<Status> status; ///< the status of the motion at each time stamp
 };
 
 ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop = {},

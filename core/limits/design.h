@@ -24,10 +24,12 @@ inline constexpr double kTimeRatioBound = 3.0;
 
 /// The mechanisms with one time ratio: one degree of freedom is left, the ratio b/a of coupler and crank.
 struct DesignRange {
-    double largestRatio = 1.0; ///< of b/a; infinite for the time ratio 1. Like the smallest one, 1, it is excluded,
-                               ///< because the transmission angle is 0 there
-    double bestRatio = 1.0;    ///< of b/a: has the largest minimum transmission angle; at most kLongestCoupler
-    double bestTransmissionAngle = 0.0;
+    /// The upper bound of b/a; infinite for the time ratio 1. Neither this bound nor the lower bound, 1, is in the
+    /// range, because the transmission angle is 0 there.
+    double largestRatio = 1.0;
+
+    double bestRatio = 1.0;             ///< b/a with the largest minimum transmission angle; at most kLongestCoupler
+    double bestTransmissionAngle = 0.0; ///< rad, minimum transmission angle with bestRatio
 };
 
 /// The largest ratio b/a that is proposed. For a time ratio near 1 the best coupler would be arbitrarily long.

@@ -25,20 +25,20 @@ struct LinearTerm {
     double sign = 1.0;
 };
 
-/// The terms of the joints' x rows. Those of y are the same with the next row and coordinate.
+/// The terms of the joints in the x rows. The y rows have the same terms, with the next row and the next coordinate.
 constexpr LinearTerm kJointTerms[] = {{GroundX, R1x},   {CrankPivotX, R2x}, {CrankPinX, R3x, -1.0},
                                       {CrankPinX, R2x}, {SliderPinX, R4x},  {SliderPinX, R3x, -1.0}};
 
 constexpr LinearTerm kOtherTerms[] = {
     {GroundAngle, Theta1}, {SliderAngle, Theta4}, {SliderAngle, Theta1, -1.0}, {SliderLine, R4y}, {CrankDrive, Theta2}};
 
-/// Crank or coupler. The vector from its end to its centre of mass occurs with a positive sign in the rows of the crank
-/// pin, and with a negative one in `negativeX` and the row after it.
+/// The crank or the coupler. The vector from an end to the centre of mass occurs in the rows of both of its joints:
+/// with a positive sign at the crank pin, and with a negative sign at the other joint.
 struct Link {
     Coordinate angle;
-    Constraint negativeX;
+    Constraint otherJointX;
 
-    /// Returns the vector: half the length times u(θ).
+    /// Returns that vector: half the length times u(θ).
     Eigen::Vector2d half(const Mechanism &mechanism, const Vector12 &q) const
     {
         const double length = angle == Theta2 ? mechanism.a() : mechanism.b();
@@ -62,7 +62,7 @@ Vector12 constraints(const Mechanism &mechanism, const Vector12 &q, double t)
     for (const Link &link : kLinks) {
         const Eigen::Vector2d half = link.half(mechanism, q);
         C.segment<2>(CrankPinX) += half;
-        C.segment<2>(link.negativeX) -= half;
+        C.segment<2>(link.otherJointX) -= half;
     }
     C[SliderLine] -= mechanism.c();
     C[CrankDrive] -= mechanism.omega2() * t + mechanism.theta20();
@@ -83,7 +83,7 @@ Matrix12 constraintJacobian(const Mechanism &mechanism, const Vector12 &q)
         const Eigen::Vector2d half = link.half(mechanism, q);
         const Eigen::Vector2d derivative{-half.y(), half.x()};
         Cq.block<2, 1>(CrankPinX, link.angle) = derivative;
-        Cq.block<2, 1>(link.negativeX, link.angle) = -derivative;
+        Cq.block<2, 1>(link.otherJointX, link.angle) = -derivative;
     }
     return Cq;
 }
@@ -104,7 +104,7 @@ Vector12 quadraticVelocityTerm(const Mechanism &mechanism, const Vector12 &q, co
     for (const Link &link : kLinks) {
         const Eigen::Vector2d term = qDot[link.angle] * qDot[link.angle] * link.half(mechanism, q);
         Qd.segment<2>(CrankPinX) += term;
-        Qd.segment<2>(link.negativeX) -= term;
+        Qd.segment<2>(link.otherJointX) -= term;
     }
     return Qd;
 }

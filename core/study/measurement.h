@@ -53,15 +53,15 @@ public:
     const std::vector<double> &timeStamps() const { return m_timeStamps; }
 
 private:
-    std::size_t roundCount(const StudyRequest &request) const; ///< of all methods
+    std::size_t roundCount(const StudyRequest &request) const; ///< number of rounds of all methods together
 
     Parameters m_parameters;
     std::vector<double> m_timeStamps;
     std::vector<Contender> m_contenders;
     JudgedMotion m_motion;
-    std::size_t m_judged = 0;   ///< number of time stamps
-    std::size_t m_prepared = 0; ///< number of methods
-    std::size_t m_timed = 0;    ///< number of rounds of all methods
+    std::size_t m_judged = 0;   ///< number of time stamps whose exact motion is known
+    std::size_t m_prepared = 0; ///< number of methods that have been prepared
+    std::size_t m_timed = 0;    ///< number of rounds that have been timed
 };
 
 /// Returns the worst status among those that occur. NotAssemblable is a property of the mechanism, the others are

@@ -26,15 +26,15 @@ constexpr int kSteps = 20'000;
 /// is one. `turn` has the crank angles as time stamps.
 std::optional<double> findExcess(const CriticalPoints &points, Channel channel, const Trajectory &turn)
 {
-    constexpr int kLook = 50; // number of angle steps per interval
+    constexpr int kStepsPerInterval = 50;
     const std::vector<double> &theta2 = turn.time;
     const std::vector<double> &values = turn[channel];
     double size = 0.0;
     for (const double value : values) {
         size = std::isfinite(value) ? std::max(size, std::abs(value)) : size;
     }
-    for (std::size_t from = 0; from + kLook < values.size(); from += kLook) {
-        const std::size_t to = from + kLook;
+    for (std::size_t from = 0; from + kStepsPerInterval < values.size(); from += kStepsPerInterval) {
+        const std::size_t to = from + kStepsPerInterval;
         double lower = std::min(values[from], values[to]);
         double upper = std::max(values[from], values[to]);
         bool isWhole = std::isfinite(values[from]) && std::isfinite(values[to]);

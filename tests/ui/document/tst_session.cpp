@@ -265,7 +265,7 @@ private slots:
         QCOMPARE(session.parameters().b, 65.0);
         dragTo({70.0, 65.0}); // back to the initial value
         QVERIFY(!session.undoStack().canUndo());
-        session.beginDrag(); // as of a design value, which changes several lengths
+        session.beginDrag(); // a drag in the design form changes several lengths
         session.setParameter(Parameter::A, 21.0);
         session.setParameters(withCoupler(66.0));
         session.endDrag();
