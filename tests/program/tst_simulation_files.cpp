@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string_view>
 
 using namespace slidercrank;
 
@@ -65,38 +67,59 @@ double exactValue(Channel channel, double time)
     return static_cast<double>(textbookValue(p, channel, p.omega2 * time + p.theta20));
 }
 
+/// The name and the values of a column that is used, and the exact value at a time (s).
+struct UsedColumn {
+    std::string_view name;
+    const std::vector<double> &values;
+    std::function<double(double)> exactAt;
+};
+
+UsedColumn usedColumn(const ReferenceData &data, const FileColumn &column)
+{
+    switch (column.role) {
+    case ColumnRole::Time: return {"time", data.time, [](double time) { return time; }};
+    case ColumnRole::CrankAngle:
+        return {"angle", data.crank->degrees, [](double time) { return exactValue({Theta2, Order::Position}, time); }};
+    case ColumnRole::Ignored:
+    case ColumnRole::Channel: break;
+    }
+    const Channel channel = column.channel;
+    return {nameOf(channel), data.find(channel)->values, [channel](double time) { return exactValue(channel, time); }};
+}
+
+/// Compares the values of a column with the exact ones. Returns "" if they are equal, "/1000" if they are in m instead
+/// of mm, and otherwise "!".
+QString differenceMark(const UsedColumn &column)
+{
+    constexpr double kTolerance = 1e-6; // relative to the peak
+    constexpr double kRowsPerSecond = 20.0;
+    double peak = 1e-9;
+    double error = 0.0;
+    double errorInMetres = 0.0;
+    for (std::size_t row = 0; row < column.values.size(); ++row) {
+        const double value = column.exactAt(static_cast<double>(row) / kRowsPerSecond);
+        peak = std::max(peak, std::abs(value));
+        error = std::max(error, std::abs(column.values[row] - value));
+        errorInMetres = std::max(errorInMetres, std::abs(1000.0 * column.values[row] - value));
+    }
+    if (error <= kTolerance * peak) {
+        return {};
+    }
+    return errorInMetres <= kTolerance * peak ? "/1000" : "!";
+}
+
 /// Describes the role and the unit of each column, and whether its values are those of the motion.
 QString describeColumns(const ReferenceData &data)
 {
-    constexpr double kLastRow = 20.0;
     QStringList columns;
     for (const FileColumn &column : data.layout.columns) {
         if (column.role == ColumnRole::Ignored) {
             columns += "-";
             continue;
         }
-        const bool isTime = column.role == ColumnRole::Time;
-        const bool isAngle = column.role == ColumnRole::CrankAngle;
-        const std::vector<double> &values = isTime    ? data.time
-                                            : isAngle ? data.crank->degrees
-                                                      : data.find(column.channel)->values;
-        const Channel channel = isAngle ? Channel{Theta2, Order::Position} : column.channel;
-        double peak = 1e-9;
-        double error = 0.0;
-        double errorInMetres = 0.0;
-        for (std::size_t row = 0; row < values.size(); ++row) {
-            const double time = static_cast<double>(row) / kLastRow;
-            const double value = isTime ? time : exactValue(channel, time);
-            peak = std::max(peak, std::abs(value));
-            error = std::max(error, std::abs(values[row] - value));
-            errorInMetres = std::max(errorInMetres, std::abs(1000.0 * values[row] - value));
-        }
-        const std::string_view name = isTime ? "time" : isAngle ? "angle" : nameOf(channel);
-        columns += QString::fromUtf8(name) + (isGuess(column.reason) ? "?[" : "[") +
-                   QString::fromStdString(column.unit) + ']' +
-                   (error <= 1e-6 * peak           ? ""
-                    : errorInMetres <= 1e-6 * peak ? "/1000"
-                                                   : "!");
+        const UsedColumn used = usedColumn(data, column);
+        columns += QString::fromUtf8(used.name) + (isGuess(column.reason) ? "?[" : "[") +
+                   QString::fromStdString(column.unit) + ']' + differenceMark(used);
     }
     return columns.join(' ');
 }

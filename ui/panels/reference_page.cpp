@@ -44,12 +44,15 @@ public:
         const FileColumn &read = data.layout.columns[column];
         const bool isAbscissa = read.role == ColumnRole::Time || read.role == ColumnRole::CrankAngle;
         const ReferenceSeries *series = read.role == ColumnRole::Channel ? data.find(read.channel) : nullptr;
-        TableRow row = textRow({headingAlone(data.layout, column), unitText(read), meaningText(read),
-                                series ? roundingText(series->rounding) : dash(),
-                                series       ? valueCountText(*series)
-                                : isAbscissa ? QString::number(data.time.size())
-                                             : dash(),
-                                reasonText(data.layout, column)});
+        QString valueCount = dash();
+        if (series) {
+            valueCount = valueCountText(*series);
+        } else if (isAbscissa) {
+            valueCount = QString::number(data.time.size());
+        }
+        TableRow row =
+            textRow({headingAlone(data.layout, column), unitText(read), meaningText(read),
+                     series ? roundingText(series->rounding) : dash(), valueCount, reasonText(data.layout, column)});
         row.explanation = reasonText(data.layout, column);
         for (TableCell &cell : row.cells) {
             cell.tone = read.role == ColumnRole::Ignored ? Tone::Muted : Tone::Normal;

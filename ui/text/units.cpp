@@ -75,9 +75,10 @@ double shownValue(Measure measure, double value, const Units &units)
 
 double fromFileUnit(Measure measure, double value, const Units &units)
 {
-    return isAngular(measure)  ? value * angleUnit(measure, units).perDefault
-           : isLinear(measure) ? value * lengthUnit(units).perDefault
-                               : value;
+    if (isAngular(measure)) {
+        return value * angleUnit(measure, units).perDefault;
+    }
+    return isLinear(measure) ? value * lengthUnit(units).perDefault : value;
 }
 
 double coreValue(Measure measure, double shown, const Units &units)

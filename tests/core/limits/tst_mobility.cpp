@@ -66,6 +66,16 @@ ExactState exactStateAt(Parameters p, double theta2)
     return exactState(ExactInput(p, 0.0));
 }
 
+/// Returns the number of ranges of crank angles at which the mechanism can be assembled.
+std::size_t rangeCount(const Parameters &p, Mobility mobility)
+{
+    if (mobility == Mobility::Impossible) {
+        return 0;
+    }
+    const bool hasTwoArcs = mobility == Mobility::Rocker && p.b < p.a - std::abs(p.c);
+    return hasTwoArcs ? 2 : 1;
+}
+
 /// Returns R4x or its derivative.
 double sliderMotion(const ExactState &exact, Order order = Order::Position)
 {
@@ -154,8 +164,7 @@ private slots:
         constexpr double kBesideAnEnd = 1e-9; // of b
         for (const auto &[p, limits] : subjects()) {
             const std::vector<CrankRange> &ranges = limits.ranges;
-            const bool hasTwoArcs = limits.mobility == Mobility::Rocker && p.b < p.a - std::abs(p.c);
-            VERIFY_FOR(p, ranges.size() == (limits.mobility == Mobility::Impossible ? 0U : hasTwoArcs ? 2U : 1U));
+            VERIFY_FOR(p, ranges.size() == rangeCount(p, limits.mobility));
             VERIFY_FOR(p,
                        limits.mobility != Mobility::FullTurn || near(ranges[0].to - ranges[0].from, kTurn, kTolerance));
             VERIFY_FOR(p, limits.mobility != Mobility::Locked || (ranges[0].from == ranges[0].to && !limits.inner));
@@ -224,8 +233,8 @@ private slots:
                 double least = kInfinity;
                 double most = -least;
                 double from = range.from;
-                for (const double square : {-0.5 * pi, 0.5 * pi, 1.5 * pi, 2.5 * pi, kTurn + range.to}) {
-                    const double to = std::clamp(square, range.from, range.to);
+                for (const double target : {-0.5 * pi, 0.5 * pi, 1.5 * pi, 2.5 * pi, kTurn + range.to}) {
+                    const double to = std::clamp(target, range.from, range.to);
                     for (int i = 0; i <= kSamples; ++i) {
                         const double along = denserAtEnds(denserAtEnds(static_cast<double>(i) / kSamples));
                         if (const auto motion = motionAt(p, from + along * (to - from))) {
