@@ -117,9 +117,9 @@ std::vector<Case> hardCases()
     return cases;
 }
 
-std::vector<double> perpendicularTimes(const Case &which)
+std::vector<double> perpendicularTimes(const Case &namedCase)
 {
-    const Mechanism mechanism(which.parameters);
+    const Mechanism mechanism(namedCase.parameters);
     if (mechanism.omega2() == 0.0) {
         return {};
     }
@@ -133,12 +133,13 @@ std::vector<double> perpendicularTimes(const Case &which)
     }
 
     constexpr int kMaxRevolutions = 10;
-    const double start = which.sampling.start;
+    const double start = namedCase.sampling.start;
     const double turnTime = kTurn / std::abs(mechanism.omega2());
     std::vector<double> result;
     for (const double angle : angles) {
         const std::optional<double> first = timeAtCrankAngle(mechanism, angle, start);
-        for (int k = 0; first && k < kMaxRevolutions && *first + turnTime * k <= start + which.sampling.duration; ++k) {
+        for (int k = 0; first && k < kMaxRevolutions && *first + turnTime * k <= start + namedCase.sampling.duration;
+             ++k) {
             result.push_back(*first + turnTime * k);
         }
     }
@@ -146,10 +147,10 @@ std::vector<double> perpendicularTimes(const Case &which)
     return result;
 }
 
-std::vector<double> timeStampsOf(const Case &which)
+std::vector<double> timeStampsOf(const Case &namedCase)
 {
-    std::vector<double> result = which.sampling.timeStamps();
-    std::ranges::copy(perpendicularTimes(which), std::back_inserter(result));
+    std::vector<double> result = namedCase.sampling.timeStamps();
+    std::ranges::copy(perpendicularTimes(namedCase), std::back_inserter(result));
     std::ranges::sort(result);
     result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;

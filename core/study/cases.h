@@ -29,9 +29,9 @@ std::vector<Case> hardCases();
 
 /// Returns the times (s) within the sampled time span at which the coupler is closest to perpendicular to the slider's
 /// line: θ2 an odd multiple of 90°, and the limit positions of a rocker. Covers the first ten revolutions; ascending.
-std::vector<double> perpendicularTimes(const Case &which);
+std::vector<double> perpendicularTimes(const Case &namedCase);
 
 /// Returns the time stamps of the sampling and perpendicularTimes(), ascending.
-std::vector<double> timeStampsOf(const Case &which);
+std::vector<double> timeStampsOf(const Case &namedCase);
 
 } // namespace slidercrank

@@ -197,9 +197,9 @@ bool Study::advance()
 double Study::progress() const
 {
     const State &state = *m_state;
-    const double ofNext = state.measurement ? state.measurement->progress(state.request) : 0.0;
-    const auto all = static_cast<double>(state.plans.size());
-    return state.plans.empty() ? 1.0 : (static_cast<double>(state.completed) + ofNext) / all;
+    const double progressOfNext = state.measurement ? state.measurement->progress(state.request) : 0.0;
+    const auto planCount = static_cast<double>(state.plans.size());
+    return state.plans.empty() ? 1.0 : (static_cast<double>(state.completed) + progressOfNext) / planCount;
 }
 
 StudyResult Study::result() const

@@ -178,12 +178,12 @@ private slots:
     void isExactOnNamedCases()
     {
         Worst worst;
-        for (const Case &which : allCases()) {
-            const Parameters &p = which.parameters;
+        for (const Case &namedCase : allCases()) {
+            const Parameters &p = namedCase.parameters;
             if (isRocker(p)) {
                 continue;
             }
-            const std::vector<double> times = timeStampsOf(which);
+            const std::vector<double> times = timeStampsOf(namedCase);
             const std::vector<ExactState> run = exactRun(p, times);
             const auto tolerances = scaled(channelSizes(p, run), kPromise);
             for (std::size_t i = 0; i < times.size(); ++i) {
@@ -201,13 +201,13 @@ private slots:
     void isExactNearNinetyDegrees()
     {
         Worst worst;
-        for (const Case &which : allCases()) {
-            if (isRocker(which.parameters)) {
+        for (const Case &namedCase : allCases()) {
+            if (isRocker(namedCase.parameters)) {
                 continue;
             }
             for (const double centre : {kQuarter, -kQuarter}) {
                 for (const double angle : {centre, std::nextafter(centre, 0.0), std::nextafter(centre, 2.0 * centre)}) {
-                    Parameters p = which.parameters;
+                    Parameters p = namedCase.parameters;
                     p.theta20 = angle;
                     const ExactState exact = exactState(p, 0.0);
                     const State got = ClosedForm{Mechanism(p)}.stateAt(0.0);
@@ -215,7 +215,7 @@ private slots:
                     worst.add(p,
                               worstDeviation(got, exact, 0.0, scaled(termSizes(p, exact), kRoundings * kUnitRoundoff)));
                 }
-                Parameters p = which.parameters;
+                Parameters p = namedCase.parameters;
                 p.omega2 = 1.0;
                 p.theta20 = centre;
                 for (double distance = 0.1; distance > 1e-16; distance *= 0.1) {
@@ -238,9 +238,9 @@ private slots:
     void isExactUpToARockersLimits_data()
     {
         QTest::addColumn<Parameters>("parameters");
-        for (const Case &which : hardCases()) {
-            if (isRocker(which.parameters)) {
-                QTest::newRow(std::string(which.name).c_str()) << which.parameters;
+        for (const Case &namedCase : hardCases()) {
+            if (isRocker(namedCase.parameters)) {
+                QTest::newRow(std::string(namedCase.name).c_str()) << namedCase.parameters;
             }
         }
         for (const NamedMechanism &rocker : difficultRockers()) {

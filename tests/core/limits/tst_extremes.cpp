@@ -109,11 +109,11 @@ private slots:
     {
         QTest::addColumn<Parameters>("p");
         std::set<std::array<double, 4>> seen;
-        for (const Case &which : allCases()) {
-            const Parameters &p = which.parameters;
+        for (const Case &namedCase : allCases()) {
+            const Parameters &p = namedCase.parameters;
             const std::array<double, 4> key{p.a, p.b, p.c, p.branch == Branch::Open ? 0.0 : 1.0};
             if (makesFullTurns(p) && seen.insert(key).second) {
-                QTest::newRow(std::string(which.name).c_str()) << p;
+                QTest::newRow(std::string(namedCase.name).c_str()) << p;
             }
         }
         RandomMechanisms random(71);

@@ -59,17 +59,17 @@ private slots:
         std::set<std::string_view> names;
         const std::vector<Case> cases = allCases();
         QCOMPARE(cases.size(), nominalCases().size() + hardCases().size());
-        for (const Case &which : cases) {
-            const Parameters &p = which.parameters;
-            const std::string name(which.name);
-            QVERIFY2(!findFault(p) && names.insert(which.name).second, name.c_str());
-            const std::vector<double> instants = timeStampsOf(which);
-            QVERIFY2(instants.size() > std::size_t(which.sampling.steps) && std::ranges::is_sorted(instants),
+        for (const Case &namedCase : cases) {
+            const Parameters &p = namedCase.parameters;
+            const std::string name(namedCase.name);
+            QVERIFY2(!findFault(p) && names.insert(namedCase.name).second, name.c_str());
+            const std::vector<double> times = timeStampsOf(namedCase);
+            QVERIFY2(times.size() > std::size_t(namedCase.sampling.steps) && std::ranges::is_sorted(times),
                      name.c_str());
-            QVERIFY2(instants.front() >= which.sampling.start, name.c_str());
-            QVERIFY2(instants.back() <= which.sampling.start + which.sampling.duration, name.c_str());
-            QVERIFY2(!perpendicularTimes(which).empty() || p.omega2 == 0.0, name.c_str());
-            for (const double t : perpendicularTimes(which)) {
+            QVERIFY2(times.front() >= namedCase.sampling.start, name.c_str());
+            QVERIFY2(times.back() <= namedCase.sampling.start + namedCase.sampling.duration, name.c_str());
+            QVERIFY2(!perpendicularTimes(namedCase).empty() || p.omega2 == 0.0, name.c_str());
+            for (const double t : perpendicularTimes(namedCase)) {
                 const double theta2 = p.omega2 * t + p.theta20;
                 const double tolerance = 1e-15 * (8.0 + std::abs(theta2)); // rad
                 const double height = std::abs(p.c - p.a * std::sin(theta2));

@@ -77,10 +77,10 @@ private slots:
     /// coupler is perpendicular to the slider's path.
     void errorIsWithinTwiceTheConditioning()
     {
-        for (const Case &which : allCases()) {
-            const Parameters &p = which.parameters;
-            const std::vector<double> times = timeStampsOf(which);
-            const std::vector<double> square = perpendicularTimes(which);
+        for (const Case &namedCase : allCases()) {
+            const Parameters &p = namedCase.parameters;
+            const std::vector<double> times = timeStampsOf(namedCase);
+            const std::vector<double> perpendicular = perpendicularTimes(namedCase);
             Deviation worst;
             std::vector<std::vector<NewtonTimeStep>> runs;
             for (const WarmStart start : {WarmStart::Previous, WarmStart::Taylor}) {
@@ -91,7 +91,8 @@ private slots:
                                             .elimination = Elimination::Structured}));
             }
             for (std::size_t i = 0; i < times.size(); ++i) {
-                const bool isJudged = i % 2 == 0 || std::binary_search(square.begin(), square.end(), times[i]);
+                const bool isJudged =
+                    i % 2 == 0 || std::binary_search(perpendicular.begin(), perpendicular.end(), times[i]);
                 if (!isJudged) {
                     continue;
                 }
@@ -136,13 +137,13 @@ private slots:
     void coldStartConvergesWithinItsLimit()
     {
         constexpr NewtonOptions kOneIteration{1, 0.0};
-        for (const Case &which : allCases()) {
-            const Mechanism mechanism(which.parameters);
-            for (const double t : timeStampsOf(which)) {
+        for (const Case &namedCase : allCases()) {
+            const Mechanism mechanism(namedCase.parameters);
+            for (const double t : timeStampsOf(namedCase)) {
                 const NewtonTimeStep timeStep = solve(mechanism, t, kOneIteration);
                 const bool exists = ClosedForm{mechanism}.motionAt(t).status != Status::NotAssemblable;
                 const Status expected = exists ? Status::Solved : Status::NotAssemblable;
-                QVERIFY2(timeStep.positionStatus == expected, qPrintable(describe(which.parameters, timeStep)));
+                QVERIFY2(timeStep.positionStatus == expected, qPrintable(describe(namedCase.parameters, timeStep)));
                 QVERIFY(timeStep.isColdStart == exists && timeStep.iterations <= kColdStartIterations);
             }
         }
@@ -250,12 +251,12 @@ private slots:
     {
         std::vector<NewtonOptions> combinations = optionCombinations(10, 1e-8);
         std::ranges::copy(optionCombinations(50, 0.0), std::back_inserter(combinations));
-        for (const Case &which : allCases()) {
-            const Parameters &p = which.parameters;
+        for (const Case &namedCase : allCases()) {
+            const Parameters &p = namedCase.parameters;
             const double reach = characteristicLength(p);
             for (const NewtonOptions &options : combinations) {
                 const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
-                for (const NewtonTimeStep &timeStep : solveInTurn(p, timeStampsOf(which), options)) {
+                for (const NewtonTimeStep &timeStep : solveInTurn(p, timeStampsOf(namedCase), options)) {
                     if (timeStep.positionStatus != Status::Solved) {
                         continue;
                     }

@@ -175,10 +175,10 @@ private slots:
         int solved = 0;
         for (int i = 0; i < kMechanisms; ++i) {
             const Parameters p = nearToggle(i, random);
-            const double square = (p.c >= 0.0 ? -0.5 : 0.5) * std::numbers::pi;
+            const double steepestAngle = (p.c >= 0.0 ? -0.5 : 0.5) * std::numbers::pi;
             const double offset =
                 std::pow(10.0, random.uniform(-8.0, -1.5)) * (random.uniform(-1.0, 1.0) < 0.0 ? -1 : 1);
-            const double t = (square + offset - p.theta20) / p.omega2;
+            const double t = (steepestAngle + offset - p.theta20) / p.omega2;
             const double before = t + 0.01 / p.omega2 * (offset < 0.0 ? -1.0 : 1.0);
             const ExactState exact = exactState(p, t);
             if (exact.status != Status::Solved) {
@@ -212,9 +212,9 @@ private slots:
     {
         using LongVector = Eigen::Matrix<long double, kCoordinateCount, 1>;
         const std::vector<Case> cases = allCases();
-        for (const Case &which : cases) {
-            const Mechanism mechanism(which.parameters);
-            for (const double t : timeStampsOf(which)) {
+        for (const Case &namedCase : cases) {
+            const Mechanism mechanism(namedCase.parameters);
+            for (const double t : timeStampsOf(namedCase)) {
                 const NewtonTimeStep answer = solve(mechanism, t);
                 if (answer.positionStatus == Status::NotAssemblable) {
                     continue;
@@ -238,7 +238,7 @@ private slots:
                         break; // no digit of the step is significant
                     }
                     const double bound = kUnitRoundoff * (kappa * step.norm() + q.norm());
-                    QVERIFY2(static_cast<double>(difference.norm()) <= bound, std::string(which.name).c_str());
+                    QVERIFY2(static_cast<double>(difference.norm()) <= bound, std::string(namedCase.name).c_str());
                     q += step;
                 }
             }

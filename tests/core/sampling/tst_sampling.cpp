@@ -85,11 +85,11 @@ private slots:
     /// time stamps are in any order, and one has no finite angle.
     void samplesEqualTheSolversResults()
     {
-        for (const Case &which : allCases()) {
-            const Mechanism mechanism(which.parameters);
+        for (const Case &namedCase : allCases()) {
+            const Mechanism mechanism(namedCase.parameters);
             const ClosedForm closedForm(mechanism);
-            std::vector<double> times = timeStampsOf(which);
-            times.insert(times.end(), {which.sampling.start, 1e308, 0.3, -3.3});
+            std::vector<double> times = timeStampsOf(namedCase);
+            times.insert(times.end(), {namedCase.sampling.start, 1e308, 0.3, -3.3});
             for (const SolverSettings &settings : {kClosedForm, kNewton}) {
                 const Trajectory all = sample(mechanism, times, allChannels(), settings);
                 QVERIFY(all.complete && all.time == times);
@@ -114,7 +114,7 @@ private slots:
                         values[index].push_back(toFileUnit(channel, valueOf(state, channel)));
                     }
                 }
-                QVERIFY2(all.summary == expected, std::string(which.name).c_str());
+                QVERIFY2(all.summary == expected, std::string(namedCase.name).c_str());
                 for (const ChannelSet &channels : {ChannelSet(), only(kSlider), only({R3y, Order::Acceleration}),
                                                    plottedChannels(), allChannels()}) {
                     const Trajectory part = sample(mechanism, times, channels, settings);
@@ -122,7 +122,7 @@ private slots:
                     for (std::size_t index = 0; index < kChannelCount; ++index) {
                         QVERIFY2(
                             isSame(part.values[index], channels.test(index) ? values[index] : std::vector<double>()),
-                            std::string(which.name).c_str());
+                            std::string(namedCase.name).c_str());
                     }
                 }
             }

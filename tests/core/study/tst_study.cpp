@@ -51,9 +51,9 @@ std::vector<CaseResult> studyResults(std::vector<Case> cases)
     return runStudy(quickRequest(std::move(cases))).cases;
 }
 
-CaseResult studyResult(const Case &which)
+CaseResult studyResult(const Case &namedCase)
 {
-    return studyResults({which}).front();
+    return studyResults({namedCase}).front();
 }
 
 const MethodResult *rowOf(const CaseResult &result, std::string_view method, std::optional<double> tolerance = {})
@@ -137,8 +137,8 @@ private slots:
     void differencesAreSecondOrderInTheStep()
     {
         std::vector<Case> cases(4, nominalCases()[0]);
-        for (int steps = 50; Case & which : cases) {
-            which.sampling.steps = steps;
+        for (int steps = 50; Case & namedCase : cases) {
+            namedCase.sampling.steps = steps;
             steps *= 2;
         }
         double before = 0.0;
@@ -210,14 +210,14 @@ private slots:
         const std::vector<CaseResult> results = studyResults(cases);
         QCOMPARE(results.size(), cases.size());
         for (std::size_t i = 0; i < cases.size(); ++i) {
-            const Case &which = cases[i];
+            const Case &namedCase = cases[i];
             const CaseResult &result = results[i];
-            const Mobility mobility = motionLimits(Mechanism(which.parameters)).mobility;
-            QCOMPARE(result.timeStamps, timeStampsOf(which).size());
+            const Mobility mobility = motionLimits(Mechanism(namedCase.parameters)).mobility;
+            QCOMPARE(result.timeStamps, timeStampsOf(namedCase).size());
             QCOMPARE(rowOf(result, "harmonic-2") != nullptr, mobility == Mobility::FullTurn);
             for (const MethodResult &row : result.methods) {
                 const bool isDifference = row.method.kind == MethodName::Kind::FiniteDifference;
-                const std::size_t states = isDifference ? std::size_t(which.sampling.steps) + 1 : result.timeStamps;
+                const std::size_t states = isDifference ? std::size_t(namedCase.sampling.steps) + 1 : result.timeStamps;
                 QCOMPARE(std::accumulate(row.counts.begin(), row.counts.end(), std::size_t{0}), states);
                 QCOMPARE(row.silentFailures.has_value(), row.maxError.has_value());
                 QCOMPARE(row.maxError.has_value(), row.counts[std::size_t(Status::Solved)] > 0);
@@ -228,7 +228,7 @@ private slots:
                 const bool isWrong = row.silentFailures.value_or(0) > 0;
                 QVERIFY2(isWrong == (mayBeWrong && row.maxError.value_or(0.0) > kSilentFraction),
                          qPrintable(QString("%1, %2, tolerance %3: %4 of %5 silently wrong, error %6")
-                                        .arg(which.name.c_str(), nameOf(row.method).c_str())
+                                        .arg(namedCase.name.c_str(), nameOf(row.method).c_str())
                                         .arg(row.tolerance.value_or(-1.0))
                                         .arg(row.silentFailures.value_or(0))
                                         .arg(result.timeStamps)
