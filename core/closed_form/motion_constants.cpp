@@ -32,8 +32,8 @@ MotionConstants::MotionConstants(const Mechanism &mechanism)
     , gamma(exactSum(a, b, -C))
     , reach(exactSum(a, b, C))
 {
-    constexpr double kNearFraction =
-        0x1p-10; // of the reach; above it a difference of doubles loses three digits at most
+    // If p or m is at least this fraction of the reach, a difference of doubles loses three digits at most.
+    constexpr double kNearFraction = 0x1p-10;
     nearLimit = epsilon < 0.0 ? kNearFraction * reach : 0.0;
 
     const bool isOpen = mechanism.branch() == Branch::Open;

@@ -123,7 +123,7 @@ public:
 
     bool advance();             ///< does the next piece; returns false if everything is done
     double progress() const;    ///< the part that is done, 0 … 1, in ascending order
-    StudyResult result() const; ///< with the cases that are completed
+    StudyResult result() const; ///< the results of the completed cases
 
 private:
     struct State;

@@ -263,10 +263,15 @@ private slots:
 
     void valueAxesFitTheTimeShown()
     {
-        for (const int steps : {0, 400, 8}) { // Newton-Raphson; 0 means closed form
-            PlotFigure &figure = figureOf({.reference = referenceOf(65.0),
-                                           .sampling = {0.0, 1.0, std::max(steps, 1)},
-                                           .method = steps > 0 ? Method::Newton : Method::ClosedForm});
+        struct Row {
+            Method method;
+            int steps;
+            double chord; ///< mm, largest distance of the drawn lines from the motion
+        };
+        for (const auto &[method, steps, chord] :
+             {Row{Method::ClosedForm, 1, 0.1}, Row{Method::Newton, 400, 0.1}, Row{Method::Newton, 8, 4.0}}) {
+            PlotFigure &figure =
+                figureOf({.reference = referenceOf(65.0), .sampling = {0.0, 1.0, steps}, .method = method});
             const Interval whole = *plotOf(figure, kSliderPosition).values;
             for (const Interval &time : {Interval{0.3, 0.4}, Interval{0.55, 0.62}, Interval{0.81, 0.83}}) {
                 double least = 1e9;
@@ -280,7 +285,6 @@ private slots:
                 }
                 figure.zoomTime(time);
                 const Interval seen = *plotOf(figure, kSliderPosition).values;
-                const double chord = steps == 8 ? 4.0 : 0.1; // mm between eight samples' lines and the motion
                 QVERIFY(seen.lower <= least + chord && seen.upper >= most - chord);
                 QVERIFY(seen.length() < 1.5 * (most - least) + 4.0 * chord && seen.length() < 0.8 * whole.length());
             }
