@@ -95,7 +95,7 @@ private slots:
             return shape.part == DrawnPart::Coupler && shape.path.intersects(box);
         };
         QVERIFY(std::ranges::any_of(drawn.sketch->shapes(), passes));
-        MechanismSketch scenery(drawn.scene, *drawn.sketch, paletteFor(Theme::Light), QFont());
+        MechanismSketch scenery(drawn.scene, drawn.sketch->projection(), paletteFor(Theme::Light), QFont());
         scenery.addScenery(); // is painted below the linkage
         const auto isName = [](const Label &label) { return label.text == u"inner"; };
         QVERIFY(std::ranges::none_of(scenery.labels(), isName));
