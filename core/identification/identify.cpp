@@ -63,7 +63,8 @@ ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Obse
 /// explains the lower and the higher derivatives together better. The second search is omitted if rounding explains the
 /// lower derivatives with their usual origins: then they were not changed. If rounding explains them only with a
 /// different origin, the first geometry may nevertheless be wrong, and each of the two is fitted to all these columns
-/// before they are compared.
+/// before they are compared; not in a file with θ2, because its higher derivatives depend on a speed that is not known
+/// yet.
 ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
     Indices columns = shapeColumns(searched);
@@ -71,7 +72,7 @@ ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observation
     const Indices next = shapeColumns(searched, 1);
     const bool isLowestExact = isExact(searched, lowest.fit);
     const bool hasUsualOrigins = std::ranges::all_of(lowest.fit.unknowns, &Unknown::isParameter);
-    if (next.empty() || (isLowestExact && hasUsualOrigins)) {
+    if (next.empty() || (isLowestExact && (hasUsualOrigins || searched.hasAngle()))) {
         return lowest;
     }
     ConstrainedFit other = findConstrainedGeometry(wholeFile, searched, next, given);

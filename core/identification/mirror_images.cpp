@@ -68,7 +68,8 @@ bool isOddHalfTurn(double angle)
 
 /// Orders the images: that with the lowest rank, compared member by member, is preferred.
 struct ImageRank {
-    int differences; ///< readings, and one more if the assembly is not that of the given mechanism
+    int differences;       ///< readings, and one more if the assembly is not that of the given mechanism
+    bool isOtherThanGiven; ///< the assembly or c is not that of the given mechanism
     int readings;
     double distance; ///< from the given mechanism: 0 … 1 for c, and kReversedCrank if it turns in the other direction
 
@@ -77,12 +78,29 @@ struct ImageRank {
 
 ImageRank rankImage(const Observations &observations, const Fit &fit, const Model &model, const Parameters &given)
 {
+    constexpr double kSameLength = 1e-3;   // of a
     constexpr double kReversedCrank = 1.5; // worse than the opposite c, for which the other term is 1
     const Parameters &m = model.mechanism;
     const int readings = readingCount(observations, fit, model);
+    const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
     const double distance = std::abs(m.c - given.c) / (std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a) +
                             (m.omega2 * given.omega2 < 0.0 ? kReversedCrank : 0.0);
-    return {readings + (m.branch != given.branch ? 1 : 0), readings, distance};
+    const bool isGivenAssembly = m.branch == given.branch;
+    return {readings + (isGivenAssembly ? 0 : 1), !(isGivenAssembly && isGivenC), readings, distance};
+}
+
+/// θ2 becomes half a turn minus θ2, at which θ3 is the same.
+Model withReflectedCrank(const Model &model, const Observations &observations)
+{
+    Model image = withReversedCrank(model, kHalfTurn);
+    for (Index k = 0; k < std::ssize(observations.columns); ++k) {
+        const Channel channel = observations.columns[k].channel;
+        if (channel.coordinate == Theta2) {
+            image.readings[k].origin += channel.order == Order::Position ? model.readings[k].factor * kHalfTurn : 0.0;
+            image.readings[k].factor = -model.readings[k].factor;
+        }
+    }
+    return image;
 }
 
 /// Whether two models read the file in the same way: each column that the fit uses, and the angle of the crank if they
@@ -178,9 +196,9 @@ std::vector<Model> findMirrorImages(const Observations &observations, const Fit 
     std::vector<Model> images{fit.model, mirroredInX(fit.model, observations)};
     images.push_back(mirroredInY(images[0], observations));
     images.push_back(mirroredInY(images[1], observations));
-    if (observations.containOnlyAngles(fit.columns)) { // θ3 is the same at θ2 and at half a turn minus θ2
+    if (observations.containOnlyAngles(fit.columns)) {
         for (std::size_t i = 0; i < 4; ++i) {
-            images.push_back(withReversedCrank(images[i], kHalfTurn));
+            images.push_back(withReflectedCrank(images[i], observations));
         }
     }
     std::ranges::stable_sort(images, {},
