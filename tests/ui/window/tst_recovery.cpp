@@ -96,6 +96,7 @@ private slots:
         scene.reference = ReferenceSource{{kSample}, {}, {}};
         scene.pinned = {Parameters()};
         scene.time = 0.25;
+        scene.table = MotionTableSettings{.step = TableStep::Time, .columns = {Channel{R4x, Order::Position}}};
         QCOMPARE(writeScene(scene, rig), std::nullopt);
         editElsewhere(rig);
         crash();
