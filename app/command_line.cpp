@@ -41,7 +41,7 @@ ExitStatus runCommand(const QStringList &arguments, const Streams &streams)
     if (!named && !name.isEmpty() && !name.startsWith('-')) {
         requireFile(name); // the window would refuse the options of a misspelt command first
     }
-    const CommandDescription &command = named ? *named : allCommands().front();
+    const CommandDescription &command = named ? *named : windowDescription();
     OptionReader options(command, arguments.mid(named ? 2 : 1));
     if (options.has("help")) {
         return writeOutput(streams, {}, helpText(command).toUtf8());

@@ -102,7 +102,7 @@ public:
     /// drawing, otherwise with the next one.
     void fillPage(DrawingObject &drawing, int type, int largestHeight)
     {
-        constexpr int kToSpare = 24;         // px, since the space between paragraphs depends on the page
+        constexpr int kReservedHeight = 24;  // px, because the space between paragraphs depends on the page
         constexpr double kMinDrawing = 0.45; // of the page
         for (QTextBlock block = m_document.begin(); block.isValid(); block = block.next()) {
             if (hasObject(block, type)) {
@@ -112,9 +112,10 @@ public:
                 const double top = boxOf(heading).top();
                 const double withNext = bottomOf(next.isValid() ? next : heading) - top;
                 const double withAll = boxOf(m_document.lastBlock()).bottom() - top;
-                const bool isSpaceForAll = m_page.height() - withAll - kToSpare >= kMinDrawing * m_page.height();
+                const bool isSpaceForAll = m_page.height() - withAll - kReservedHeight >= kMinDrawing * m_page.height();
                 const double others = isSpaceForAll ? withAll : withNext;
-                drawing.setHeight(std::min(largestHeight, static_cast<int>(m_page.height() - others) - kToSpare));
+                drawing.setHeight(
+                    std::min(largestHeight, static_cast<int>(m_page.height() - others) - kReservedHeight));
                 layOut();
                 return;
             }
