@@ -13,9 +13,9 @@ namespace
 {
 
 // Margins around the bounds, as fractions of their extent.
-constexpr double kMargin = 0.08;       // space for the slider and the names
-constexpr double kMinMargin = 0.03;    // with less, the frame is enlarged
-constexpr double kMarginToGrow = 0.22; // used when enlarging, since bounds that grow usually continue to grow
+constexpr double kMarginFraction = 0.08; // space for the slider and the names
+constexpr double kMinMargin = 0.03;      // with less, the frame is enlarged
+constexpr double kMarginToGrow = 0.22;   // used when enlarging, since bounds that grow usually continue to grow
 
 QRectF withMargin(const QRectF &bounds, double share)
 {
@@ -58,7 +58,7 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
 void MechanismFrame::follow(const QRectF &bounds)
 {
     constexpr double kFarTooLarge = 0.65; // the part of the frame that is used
-    const QRectF wanted = withMargin(bounds, kMargin);
+    const QRectF wanted = withMargin(bounds, kMarginFraction);
     if (m_fitted.isNull() ||
         (wanted.width() < kFarTooLarge * m_fitted.width() && wanted.height() < kFarTooLarge * m_fitted.height())) {
         m_fitted = wanted;
@@ -69,7 +69,7 @@ void MechanismFrame::follow(const QRectF &bounds)
 
 void MechanismFrame::fit(const QRectF &bounds)
 {
-    m_fitted = withMargin(bounds, kMargin);
+    m_fitted = withMargin(bounds, kMarginFraction);
 }
 
 MechanismProjection MechanismFrame::projection(const QSizeF &size) const
