@@ -1323,8 +1323,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>%1: difiere en vueltas enteras; %3 es el valor del archivo %2.</translation>
     </message>
     <message>
-        <source>%1: measured from a different origin; %3 is the value in the file %2.</source>
-        <translation>%1: medido desde un origen distinto; %3 es el valor del archivo %2.</translation>
+        <source>%1: measured from a different origin; the zero of the file is at %3 = %5.</source>
+        <translation>%1: medido desde un origen distinto; el cero del archivo está en %3 = %5.</translation>
     </message>
     <message>
         <source>%1: the angle of the coupler seen from B, as textbooks draw θ₃; %3 is the value in the file %2.</source>

@@ -34,7 +34,7 @@ public:
     };
 
     /// %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 the symbol of the first column, %4 "in radians, but read as
-    /// degrees".
+    /// degrees", %5 "5 mm" or "−5 mm".
     struct Row {
         Kind key;
         const char *name; ///< in files and JSON
@@ -51,7 +51,7 @@ public:
         {Kind::WholeTurns, "whole-turns", Amount::Degrees,
          QT_TR_NOOP("%1: off by whole turns; %3 is the value in the file %2.")},
         {Kind::ZeroPoint, "zero-point", Amount::OfChannel,
-         QT_TR_NOOP("%1: measured from a different origin; %3 is the value in the file %2.")},
+         QT_TR_NOOP("%1: measured from a different origin; the zero of the file is at %3 = %5.")},
         {Kind::SwappedColumns, "swapped-columns", Amount::None, QT_TR_NOOP("%1: the headings are swapped.")},
         {Kind::Branch, "branch", Amount::None,
          QT_TR_NOOP("The mechanism that produced the file has the other assembly: its slider is on the other side "
@@ -153,12 +153,12 @@ QString explanationText(const Convention &convention)
 {
     const Channel channel = convention.channels.empty() ? Channel() : convention.channels.front();
     const double amount = convention.amount;
-    const QString number = numberText(std::abs(amount));
     const QString unit = convention.kind == Kind::TimeShift ? " s" : unitBehind(channel);
     return sentenceOf(convention)
+        .replace("%5", numberText(amount) + unit)
         .replace("%4", misreadUnitText(convention))
         .replace("%3", symbolText(channel))
-        .replace("%2", (amount < 0.0 ? "− " : "+ ") + number + unit)
+        .replace("%2", (amount < 0.0 ? "− " : "+ ") + numberText(std::abs(amount)) + unit)
         .replace("%1", columnNames(convention.channels));
 }
 
