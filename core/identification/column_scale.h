@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// By which factor a column that a fit does not use differs from the prediction of its model: its unit and its sign.
+// Compares a column that a fit does not use with the prediction of the fitted model. The factor between the two shows
+// the unit and the sign of the column.
 
 #include "core/identification/fit.h"
 
@@ -11,7 +12,7 @@
 namespace slidercrank
 {
 
-/// What a column of angles may have to be multiplied by because radians and degrees were confused.
+/// The factors that correct a column of angles: 1, or a conversion if radians and degrees were confused.
 inline constexpr std::array kAngleUnits{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
 
 /// The largest residual with which a mechanism explains a further column: rms, relative to the range of the column. If
@@ -24,10 +25,11 @@ std::span<const double> unitFactors(Channel channel);
 /// The sign with which a coordinate is counted: that of the first of its columns in the fit, or 1 if there is none.
 double signOfCoordinate(const Observations &observations, const Fit &fit, Coordinate coordinate);
 
-/// The factor with which a prediction fits a column best, and what remains.
+/// The factor by which a prediction has to be multiplied to fit a column best, and whether it then explains the column.
 struct ColumnScale {
-    double factor = kNone;    ///< negative if the column is counted in the opposite sense to its coordinate in the fit
-    bool isExplained = false; ///< the residuals of the prediction times the factor are rounding or small
+    /// Negative if the column has the opposite sign to the columns of the same coordinate that the fit uses.
+    double factor = kNone;
+    bool isExplained = false; ///< after multiplication by the factor, the residuals are rounding or small
 };
 
 /// Compares a column that `fit` does not use with the prediction of `model`, which is that of the fit at the same or at

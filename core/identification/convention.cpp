@@ -32,8 +32,8 @@ void shift(std::vector<double> &values, Rounding &rounding, double amount)
     }
 }
 
-/// Changes the values of a column, the time stamps, or the angles of a file by crank angle. `timePower`: of the unit of
-/// time in their unit.
+/// Changes the values of a column, the time stamps, or the angles of a table over the crank angle. `timePower`: the
+/// exponent of the unit of time in the unit of the values: -2 for an acceleration, 1 for the time stamps.
 void change(const Convention &convention, int timePower, std::vector<double> &values, Rounding &rounding)
 {
     const Kind kind = convention.kind;
@@ -110,7 +110,7 @@ std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles)
     if (!movesAlongY(data)) {
         return std::nullopt;
     }
-    Convention axis{Kind::Axis, {}, 1.0};
+    Convention axis{.kind = Kind::Axis, .channels = {}};
     for (const ReferenceSeries &series : data.series) {
         const Channel channel = series.channel;
         const bool isOfSlider = channel.coordinate == R4x || channel.coordinate == R4y;

@@ -81,7 +81,8 @@ struct Convention {
     friend bool operator==(const Convention &, const Convention &) = default;
 };
 
-/// The exchange of axes if the slider moves along y and not along x, with or without the angles; nullopt otherwise.
+/// The exchange of axes if the slider moves along y and not along x; nullopt otherwise. `withAngles`: whether it also
+/// changes the angles, which are then measured from the new x axis.
 std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles);
 
 /// Applies a convention to the data. Branch changes nothing. Crank angles are changed without their time stamps.
@@ -97,7 +98,7 @@ struct ConventionFinding {
     double before = 0.0;
     double after = 0.0;
 
-    std::optional<double> standardError{}; ///< of the amount of a ZeroPoint, in its unit
+    std::optional<double> standardError{}; ///< standard error of the amount of a ZeroPoint, in its unit
 };
 
 /// Whether the convention changes a channel.

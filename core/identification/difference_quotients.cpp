@@ -14,7 +14,7 @@ namespace
 /// A difference quotient: the factors of the values before, in and after a row.
 struct Stencil {
     std::array<double, 3> factors;
-    int order; ///< of the derivative
+    int order; ///< order of the derivative that the quotient approximates
 };
 constexpr Stencil kSecondDifference{{1.0, -2.0, 1.0}, 2};
 constexpr std::array<Stencil, 4> kStencils{{{{-0.5, 0.0, 0.5}, 1}, // central
@@ -65,7 +65,8 @@ bool containsDifferences(const Observations &observations, const ObservedColumn 
     for (const ObservedColumn &lower : observations.columns) {
         const int order = static_cast<int>(column.channel.order) - static_cast<int>(lower.channel.order);
         for (const Stencil &stencil : kStencils) {
-            if (lower.channel.coordinate == column.channel.coordinate && stencil.order == order &&
+            const bool isOfSameCoordinate = lower.channel.coordinate == column.channel.coordinate;
+            if (isOfSameCoordinate && stencil.order == order &&
                 containsQuotients(stencil, observations.abscissa(), column, lower)) {
                 return true;
             }

@@ -8,12 +8,14 @@
 namespace slidercrank
 {
 
-/// Marks columns of all rows of a file:
-/// - Columns of derivatives that contain central, forward or backward difference quotients of a lower column within
-///   the rounding of both, apart from a constant factor: the speed of the crank, in a table over its angle.
-/// - Columns that were interpolated linearly between fewer rows, or hold the last of fewer values: nearly half of the
-///   values or more repeat the one before or lie on the straight line through their neighbours, within rounding,
-///   although the other values show that the column is curved.
+/// Sets `isDifference` and `isInterpolated` of each column. The observations must have all rows of the file, because
+/// only neighbouring rows show how a column was computed.
+/// - isDifference: a derivative that contains central, forward or backward difference quotients of a lower column of
+///   the same coordinate, within the rounding of both columns. A constant factor may lie between them: in a table over
+///   the crank angle, the quotients are taken by the angle and have to be multiplied by the speed of the crank.
+/// - isInterpolated: a column that was interpolated linearly between fewer rows, or holds the last of fewer values. At
+///   least nearly half of its values lie on the straight line through their neighbours, within rounding, or repeat the
+///   value before, although the other values show that the column is curved.
 Observations withComputedColumnsMarked(Observations observations);
 
 } // namespace slidercrank

@@ -23,7 +23,8 @@ struct Polynomial {
     bool explainsAngles = false; ///< the residuals are rounding, or they are small and change their sign like noise
 };
 
-/// Fits a polynomial with a number of terms. `halfStep`: half of the rounding step of the angles, rad.
+/// Fits a polynomial with `terms` coefficients, the constant first. `halfStep`: half of the rounding step of the
+/// angles, rad.
 Polynomial fitPolynomial(const Observations &observations, const Values &angles, double halfStep, Index terms)
 {
     constexpr double kMaxBounds = 2.5;   // the largest error, in bounds of rounding: an encoder truncates
@@ -41,7 +42,7 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
     const Values errors = fit.residuals.abs();
     // Half a rounding step of the angle, and the motion of the crank during half a step of the time.
     const double bound = halfStep + std::abs(fit.coefficients[1]) / halfSpan * observations.timeHalfStep + kArithmetic;
-    const double variance = errors.square().mean() + bound * bound / 3.0; // of the residuals and of rounding
+    const double variance = errors.square().mean() + bound * bound / 3.0; // that of the residuals plus that of rounding
     const double percentWithin = 100.0 * (errors <= bound).cast<double>().mean();
     const bool isRounding =
         percentWithin >= static_cast<double>(kPercentWithinBound) && errors.maxCoeff() < kMaxBounds * bound;
@@ -58,15 +59,17 @@ Values slopes(const Values &values, const Values &abscissa, Index step)
     return (values.tail(count) - values.head(count)) / (abscissa.tail(count) - abscissa.head(count));
 }
 
-/// The drive whose angle is a parabola of the time. `timeOrigin`: the time of the file at which the time of the
-/// parabola is zero.
+/// The drive whose angle is a parabola of the time t of the observations, with the standard errors of angle and speed
+/// at time 0 of the file, which is t = -timeOrigin.
 Drive runUp(const Polynomial &parabola, double timeOrigin)
 {
     Drive drive{.kind = Drive::Kind::RunUp,
                 .theta20 = parabola.coefficients[0],
                 .omega2 = parabola.coefficients[1],
                 .alpha2 = 2.0 * parabola.coefficients[2]};
-    // The errors of the three coefficients are taken as independent.
+    // The errors of the coefficients are taken as independent. As t is zero in the middle of the file, only those of
+    // the constant and of t² depend on each other. Their covariance is negative: without it, the error of the angle
+    // becomes too large, and not too small.
     const Eigen::Vector3d errors = parabola.standardErrors;
     drive.speedError = std::hypot(errors[1], 2.0 * errors[2] * timeOrigin);
     drive.angleError = std::hypot(errors[0], errors[1] * timeOrigin, errors[2] * timeOrigin * timeOrigin);
@@ -78,20 +81,24 @@ Drive runUp(const Polynomial &parabola, double timeOrigin)
 Drive findDrive(const Observations &observations, const Model &model)
 {
     constexpr Index kSlopeStep = 4; // rows: over five rows, the rounding of the angle hardly shows in the speed
+    constexpr Index kLineTerms = 2;
+    constexpr Index kParabolaTerms = 3;
     if (!observations.hasAngle()) {
         return {.kind = Drive::Kind::OverTime};
     }
-    if (!observations.hasTime() || observations.size() < kSlopeStep + 2) { // too few rows for two slopes
+    const bool hasSeveralSlopes = observations.size() >= kSlopeStep + 2; // a single one cannot show a change of speed
+    if (!observations.hasTime() || !hasSeveralSlopes) {
         return {.kind = Drive::Kind::OverAngle};
     }
     const Values angles = model.angleFactor * observations.angle + model.mechanism.theta20;
     const double halfStep = std::abs(model.angleFactor) * observations.angleHalfStep;
-    const Polynomial line = fitPolynomial(observations, angles, halfStep, 2);
+    const Polynomial line = fitPolynomial(observations, angles, halfStep, kLineTerms);
     if (line.explainsAngles) {
         return {.kind = Drive::Kind::Constant, .theta20 = line.coefficients[0], .omega2 = line.coefficients[1]};
     }
-    const Polynomial parabola = fitPolynomial(observations, angles, halfStep, 3);
-    const double meanSpeed = slopes(angles, observations.time, observations.size() - 1)[0];
+    const Polynomial parabola = fitPolynomial(observations, angles, halfStep, kParabolaTerms);
+    const Index fromFirstToLastRow = observations.size() - 1;
+    const double meanSpeed = slopes(angles, observations.time, fromFirstToLastRow)[0];
     Drive drive = parabola.explainsAngles ? runUp(parabola, observations.timeOrigin)
                                           : Drive{.kind = Drive::Kind::Uneven, .omega2 = meanSpeed};
     const Values speeds = slopes(angles, observations.time, kSlopeStep);

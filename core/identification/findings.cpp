@@ -38,7 +38,8 @@ void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, d
                  double error)
 {
     constexpr double kHalfTurn = 180.0;
-    constexpr double kArithmetic = 2e-7; // ° or mm: rounding errors of a usual amount
+    // ° or mm: far above the rounding errors of an amount that is usual, far below an origin that matters.
+    constexpr double kArithmetic = 2e-7;
     const double usual = isAngle(channel.coordinate) ? kHalfTurn * std::rint(amount / kHalfTurn) : 0.0;
     const bool areWholeTurns = std::fmod(usual, 2.0 * kHalfTurn) == 0.0;
     if (std::abs(amount - usual) > kArithmetic) {

@@ -21,7 +21,8 @@ std::vector<ConventionFinding> listConventions(const LastFit &lastFit);
 ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, ReferenceData data);
 
 /// Compares a mechanism with a file to which all conventions have been applied. If the speed of the crank is not
-/// constant, positions are compared as in a table over the crank angle, and derivatives are not compared.
+/// constant, positions are compared as in a table over the crank angle, and derivatives are not compared. `fitted`: how
+/// the mechanism was fitted to the file; {} if it was not.
 std::vector<ChannelComparison> compareReadFile(const Parameters &mechanism, const ReferenceData &data,
                                                Drive::Kind drive, const FittedMechanism &fitted,
                                                const std::stop_token &stop);

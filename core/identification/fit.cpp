@@ -72,7 +72,7 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
         const auto [byA, byB, byC, byAngle] = std::array{prediction.derivatives()[0], prediction.derivatives()[1],
                                                          prediction.derivatives()[2], prediction.derivatives()[3]};
         double bySpeed = byAngle * angleBySpeed;
-        if (column.isDerivative()) { // of order n: ωⁿ is also a factor of the motion (see motionAtSpeed())
+        if (column.isDerivative()) { // ωⁿ, n the order, is also a factor of the motion (see motionAtSpeed())
             const double order = static_cast<double>(column.channel.order);
             bySpeed += order * std::pow(speed, order - 1.0) * motion.valueAt(column.channel).value();
         }
@@ -99,8 +99,8 @@ double columnMisfitSlope(const ObservedColumn &column, double meanSquare, double
     return column.isConstant() ? 1.0 / column.variance : count / (meanSquare + column.variance);
 }
 
-/// Adds the part that a column contributes to the misfit and to its derivatives by the unknowns. `sums`: of this
-/// column.
+/// Adds the part that a column contributes to the misfit and to its derivatives by the unknowns. `sums`: the
+/// sums of this column.
 void addColumn(LocalShape &shape, const ColumnSums &sums, const Observations &observations, Index columnIndex,
                const Unknowns &unknowns)
 {

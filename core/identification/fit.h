@@ -30,12 +30,13 @@ struct Unknown {
         C,
         Omega2,
         CrankAngle, ///< θ20 of the model
-        Origin      ///< of a column
+        Origin      ///< the origin of a column
     };
     Kind kind = Kind::A;
     Index column = 0; ///< the column of the observations whose origin it is; 0 for the other kinds
 
-    bool isParameter() const { return kind != Kind::Origin; } ///< of the mechanism
+    /// Whether it is a parameter of the mechanism.
+    bool isParameter() const { return kind != Kind::Origin; }
     friend bool operator==(const Unknown &, const Unknown &) = default;
 };
 using Unknowns = std::vector<Unknown>;
@@ -77,7 +78,7 @@ struct Fit {
     Unknowns unknowns{}; ///< the numbers of the model that were free
     Eigen::ArrayXXd
         residuals{};           ///< value - prediction: a row for each row, a column for each of `columns`; NaN in gaps
-    std::vector<double> rms{}; ///< of the residuals, for each of `columns`
+    std::vector<double> rms{}; ///< root mean square of the residuals, for each of `columns`
     std::vector<double> counts{}; ///< number of values, for each of `columns`
     double misfit = kInfinity;    ///< S; infinite if the mechanism cannot be assembled in a row that has values
     Eigen::VectorXd gradient{};   ///< first derivatives of S by the unknowns
@@ -87,7 +88,7 @@ struct Fit {
     bool isFinite() const { return std::isfinite(misfit); }
     bool usesColumn(Index column) const;
     bool isFree(Unknown unknown) const;
-    Index indexOf(Unknown unknown) const; ///< in `unknowns`; unknowns.size() if it is not free
+    Index indexOf(Unknown unknown) const; ///< its index in `unknowns`; unknowns.size() if it is not free
     double valueCount() const;            ///< number of values in all columns
 
     /// Replaces the model and its residuals by those of another fit of the same columns. The unknowns, the gradient and

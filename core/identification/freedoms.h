@@ -12,10 +12,12 @@ namespace slidercrank
 /// uncertain.
 struct ConstrainedFit {
     Fit fit;
-    ParameterErrors shifts{}; ///< how far each parameter has moved when such freedoms were taken back
+    ParameterErrors shifts{}; ///< how far each parameter moved when freedoms that may exist were taken back
 };
 
-/// Reads θ3 in its usual unit and R4_x with its usual sign if a very long coupler hides the difference.
+/// If the coupler is very long, a different length of it looks like another unit of θ3, and a reversed crank like the
+/// opposite sign of R4_x. Returns the fit with the usual unit and the usual sign if this explains the columns, too;
+/// otherwise the same fit. If the model follows the angle in the file, θ20 is in (-π, π].
 Fit withUsualReadings(const Observations &observations, Fit fit);
 
 /// Sets each origin to its nearest usual value, one after the other, and fits the other unknowns again: the angle of

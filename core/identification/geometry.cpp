@@ -97,7 +97,7 @@ struct Candidate {
 
 /// Chooses the size of a mechanism with a = 1 mm and the readings of the columns, so that its motion fits them best.
 /// Returns the model with these readings and lengths and, in a table over the crank angle, with the speed that follows
-/// from the derivatives. `moments`: of each column and its motion.
+/// from the derivatives. `moments`: those of each column and its motion.
 Candidate scaleToColumns(Model model, const Observations &observations, const Indices &columns,
                          const std::vector<Moments> &moments, const Parameters &given, Origins origins)
 {

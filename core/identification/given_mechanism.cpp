@@ -55,10 +55,10 @@ Model modelWithGivenLengths(const Fit &best, const Parameters &given)
     return model;
 }
 
-/// The unknowns of `best` without the lengths.
-Unknowns withoutLengths(const Fit &best)
+/// The unknowns of a fit, except for the lengths.
+Unknowns unknownsExceptLengths(const Fit &fit)
 {
-    Unknowns unknowns = best.unknowns;
+    Unknowns unknowns = fit.unknowns;
     std::erase_if(unknowns, [](Unknown unknown) { return unknown.kind <= Unknown::Kind::C; });
     return unknowns;
 }
@@ -84,7 +84,8 @@ WholeFileChange findChangeTowards(const Parameters &given, const Parameters &fou
     return change;
 }
 
-/// Appends the conventions that, together, are a change of the whole file. `branch`: of the mechanism found.
+/// Appends the conventions that, together, are a change of the whole file. `branch`: the assembly of the
+/// mechanism found.
 void appendConventions(std::vector<ConventionFinding> &conventions, const WholeFileChange &change,
                        const ReferenceData &data, Branch branch)
 {
@@ -149,7 +150,7 @@ double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, 
     const double error = std::sqrt(dependence(fit) * computeCovariance(fit)(position, position));
     Model model = fit.model;
     valueOf(model.mechanism, length) = roundLength(value, error, lengthUnit).value;
-    const Fit rounded = fitModel(observations, model, fit.columns, withoutLengths(fit));
+    const Fit rounded = fitModel(observations, model, fit.columns, unknownsExceptLengths(fit));
     return explainsAsWell(observations, rounded, best) ? valueOf(model.mechanism, length) : value;
 }
 
@@ -157,7 +158,8 @@ double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, 
 
 Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const Parameters &given)
 {
-    return fitModel(observations, modelWithGivenLengths(best, given), best.columns, withoutLengths(best));
+    const Model start = modelWithGivenLengths(best, given);
+    return fitModel(observations, start, best.columns, unknownsExceptLengths(best));
 }
 
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best)
@@ -172,7 +174,7 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
     for (const Parameter length : kLengths) {
         Model changed = modelWithGivenLengths(best, given);
         valueOf(changed.mechanism, length) = valueOf(best.model.mechanism, length);
-        Unknowns unknowns = withoutLengths(best);
+        Unknowns unknowns = unknownsExceptLengths(best);
         unknowns.push_back(toUnknown(length));
         const Fit fit = fitModel(observations, changed, best.columns, unknowns);
         if (explainsAsWell(observations, fit, best)) {

@@ -57,7 +57,7 @@ struct ColumnResidual {
 /// The speed of the crank in a file that contains both θ2 and the time, if it is not constant.
 struct UnevenDrive {
     double omega2 = 0.0;            ///< rad/s: at t = 0 of a run-up, otherwise the mean speed
-    double standardError = kNone;   ///< of omega2
+    double standardError = kNone;   ///< standard error of omega2, rad/s
     double least = 0.0;             ///< the smallest speed in the file, rad/s
     double greatest = 0.0;          ///< the largest speed
     std::optional<double> alpha2{}; ///< angular acceleration, rad/s², if the speed changes evenly (run-up, run-down)
@@ -126,13 +126,13 @@ struct Identification {
     // These belong to Identified and Approximate only.
     std::vector<ConventionFinding> conventions{}; ///< how the file has to be read, in the order of application
     std::vector<AlternativeMechanism> alternatives{};
-    std::vector<ChannelComparison>
-        channels{}; ///< of the used columns, read with the conventions, without excluded rows
+    /// Comparisons of the used columns with the mechanism found, read with the conventions, without excluded rows.
+    std::vector<ChannelComparison> channels{};
     std::optional<UnevenDrive> drive{};
     std::optional<LengthChange> change{}; ///< set only if the given mechanism does not explain the file
     bool agreesWithGiven = false; ///< read with the conventions, no used column differs from the given mechanism
 
-    std::vector<ColumnResidual> residuals{}; ///< of the used columns; None: of the best attempt
+    std::vector<ColumnResidual> residuals{}; ///< residuals of the used columns; None: those of the best attempt
     std::vector<LeftOutColumn> leftOut{};
     std::vector<std::size_t> excludedRows{}; ///< outliers: their lines in the file, counted from 1
 
@@ -155,7 +155,7 @@ struct Identification {
     };
     Misfit misfit = Misfit::LargeResiduals;
 
-    int iterations = 0; ///< of the last fit
+    int iterations = 0; ///< number of iterations of the last fit
 
     /// How much worse the last fit determines one combination of its (scaled) unknowns than another: the square root of
     /// the condition number of its normal matrix, scaled to a unit diagonal. 0 without a fit.

@@ -45,7 +45,7 @@ Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
             return fit;
         }
     }
-    return alone; // of the last column: shapeColumns() lists R4_x after θ3
+    return alone; // the fit of the last column, R4_x: shapeColumns() lists it after θ3
 }
 
 /// The geometry of some columns, without the freedoms that they do not need. `searched`: selected rows of `wholeFile`.
@@ -245,7 +245,8 @@ void chooseExpectedDescription(Findings &findings, const Observations &searched,
     compareWithGivenLengths(findings, searched, given);
 }
 
-/// Runs all steps for a table. `change`: of its axes, headings or clock, which is applied before; nullopt: none.
+/// Runs all steps for a table. `change`: a change of its axes, headings or clock that is applied first; nullopt if the
+/// table is read as it is.
 Identification identifyTable(const ReferenceData &original, const std::optional<Convention> &change,
                              const Parameters &given, const std::stop_token &stop)
 {

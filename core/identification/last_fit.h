@@ -17,7 +17,7 @@ struct LastFit {
     Fit fit{};
     Indices excludedRows{};  ///< rows of the observations with an outlier
     bool isExact = false;    ///< rounding explains the residuals of every column
-    double dependence = 1.0; ///< of the residuals; 1 if they are rounding
+    double dependence = 1.0; ///< dependence of the residuals (noise.h); 1 if they are rounding
 
     /// Standard errors of the parameters at t = 0 of the file; NaN or infinite if the fit does not determine them.
     ParameterErrors standardError{kNone, kNone, kNone, kNone, kNone};

@@ -10,7 +10,7 @@ namespace slidercrank
 
 struct LinearFit {
     Eigen::VectorXd coefficients;
-    Eigen::ArrayXd variances; ///< of the coefficients, for values whose errors have the variance 1
+    Eigen::ArrayXd variances; ///< variances of the coefficients if the errors of the values have the variance 1
     Eigen::ArrayXd residuals; ///< values - basis · coefficients
 };
 

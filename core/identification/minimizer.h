@@ -36,7 +36,7 @@ struct Minimum {
     };
     Status status = Status::IterationLimit;
     Eigen::VectorXd point;
-    LocalShape shape; ///< of the function at the point
+    LocalShape shape; ///< the function near the point
     int iterations = 0;
 };
 

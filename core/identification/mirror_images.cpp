@@ -60,7 +60,7 @@ Model mirroredInY(const Model &model, const Observations &observations)
     return image;
 }
 
-/// Whether a multiple of half a turn, with some error, is an odd one: half a turn and any number of whole turns.
+/// Whether an angle that is a multiple of half a turn, apart from rounding errors, is an odd multiple.
 bool isOddHalfTurn(double angle)
 {
     return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
@@ -70,7 +70,7 @@ bool isOddHalfTurn(double angle)
 struct ImageRank {
     int differences;       ///< readings, and one more if the assembly is not that of the given mechanism
     bool isOtherThanGiven; ///< the assembly or c is not that of the given mechanism
-    int readings;
+    int readings;          ///< readingCount() of the image
     double distance; ///< from the given mechanism: 0 … 1 for c, and kReversedCrank if it turns in the other direction
 
     friend auto operator<=>(const ImageRank &, const ImageRank &) = default;
@@ -78,15 +78,19 @@ struct ImageRank {
 
 ImageRank rankImage(const Observations &observations, const Fit &fit, const Model &model, const Parameters &given)
 {
-    constexpr double kSameLength = 1e-3;   // of a
-    constexpr double kReversedCrank = 1.5; // worse than the opposite c, for which the other term is 1
+    constexpr double kSameLength = 1e-3;   // fraction of a: the c of a fit is never exactly the given one
+    constexpr double kReversedCrank = 1.5; // more than the distance of the opposite c, which is 1
     const Parameters &m = model.mechanism;
     const int readings = readingCount(observations, fit, model);
-    const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
-    const double distance = std::abs(m.c - given.c) / (std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a) +
-                            (m.omega2 * given.omega2 < 0.0 ? kReversedCrank : 0.0);
     const bool isGivenAssembly = m.branch == given.branch;
-    return {readings + (isGivenAssembly ? 0 : 1), !(isGivenAssembly && isGivenC), readings, distance};
+    const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
+    const bool isReversed = m.omega2 * given.omega2 < 0.0;
+    const double sumOfOffsets = std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a; // not 0, even if both offsets are
+    const double distanceOfC = std::abs(m.c - given.c) / sumOfOffsets;
+    return {.differences = readings + (isGivenAssembly ? 0 : 1),
+            .isOtherThanGiven = !(isGivenAssembly && isGivenC),
+            .readings = readings,
+            .distance = distanceOfC + (isReversed ? kReversedCrank : 0.0)};
 }
 
 /// θ2 becomes half a turn minus θ2, at which θ3 is the same.
@@ -138,15 +142,18 @@ struct SignCount {
     }
 };
 
-/// The number of unusual readings of the angle in the file, if the model follows it: clockwise, and half a turn off.
+/// The number of unusual readings of θ2 in the file: one if it is counted clockwise, and one if it is half a turn off.
+/// 0 if the model does not follow it.
 int crankReadingCount(const Fit &fit, const Model &model)
 {
     if (!model.followsAngle) {
         return 0;
     }
-    const bool hasUsualOrigin = !fit.isFree({Unknown::Kind::CrankAngle});
-    const int clockwise = model.angleFactor < 0.0 ? 1 : 0;
-    return clockwise + (hasUsualOrigin && isOddHalfTurn(model.mechanism.theta20) ? 1 : 0);
+    const bool isClockwise = model.angleFactor < 0.0;
+    // An origin that is not free is a multiple of half a turn (see withoutFreedoms()).
+    const bool isOriginFixed = !fit.isFree({Unknown::Kind::CrankAngle});
+    const bool isHalfTurnOff = isOriginFixed && isOddHalfTurn(model.mechanism.theta20);
+    return (isClockwise ? 1 : 0) + (isHalfTurnOff ? 1 : 0);
 }
 
 /// Whether the file has a column R4_y that is not c.

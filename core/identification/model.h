@@ -6,7 +6,8 @@
 //     value in the file = factor · motion + origin.
 //
 // The angle of the crank follows from the time, θ2 = ω2 t + θ20, or from the angle in the file, θ2 = factor · angle +
-// θ20. The speed of the crank is ω2 + α2 t. Lengths are in mm, angles in rad, time in s; t is zero in the middle of the
+// θ20. Its speed, which derivatives need, is ω2 + α2 t. Only a run-up has an angular acceleration α2 other than 0, and
+// its angle is always that in the file. Lengths are in mm, angles in rad, time in s; t is zero in the middle of the
 // file.
 
 #include "core/identification/observations.h"
@@ -34,7 +35,7 @@ struct Model {
     bool followsAngle = false;             ///< θ2 follows from the angle in the file
     double angleFactor = 1.0;              ///< ±1 times a unit conversion
     double alpha2 = 0.0;                   ///< angular acceleration of the crank, rad/s²
-    std::vector<ColumnReading> readings{}; ///< of each column of the observations
+    std::vector<ColumnReading> readings{}; ///< reading of each column of the observations
 
     /// The angle (rad) and the speed (rad/s) of the crank in a row.
     double crankAngle(const Observations &observations, Index row) const

@@ -15,7 +15,7 @@ namespace slidercrank
 /// average; more for systematic residuals, which keep their sign for some rows.
 inline double dependence(const Values &residuals)
 {
-    double runs = 1.0; // of residuals with the same sign
+    double runs = 1.0; // number of series of residuals with the same sign
     double count = 0.0;
     double last = 0.0;
     for (const double residual : residuals) {

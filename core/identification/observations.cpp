@@ -19,8 +19,9 @@ namespace slidercrank
 namespace
 {
 
-/// Whether the channel is zero in every mechanism.
-bool isAlwaysZero(Channel channel)
+/// Whether the channel tells nothing about the mechanism: it is zero in every mechanism, or it is α2, which belongs to
+/// the drive. (The acceleration of a run-up is found from θ2.)
+bool isUninformative(Channel channel)
 {
     const Coordinate coordinate = channel.coordinate;
     const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
@@ -36,8 +37,8 @@ bool statesUnit(const FileLayout &layout, Channel channel)
     });
 }
 
-/// Half of the rounding step of each value, in mm or rad. `unit`: that of the file in mm or rad; `size`: the largest
-/// magnitude of the values, in mm or rad.
+/// Half of the rounding step of each value, in mm or rad. `unit`: the unit of the file in mm or rad; `size`: the
+/// largest magnitude of the values, in mm or rad.
 Values computeHalfSteps(const std::vector<double> &valuesInFile, const Rounding &rounding, const Indices &rows,
                         double unit, double size)
 {
@@ -77,8 +78,9 @@ ObservedColumn readColumn(const ReferenceData &data, const ReferenceSeries &seri
     return column;
 }
 
-/// Sets the range of a column to 0 unless it changes by more than its rounding, and by more than the rounding errors of
-/// the program that computed it. A constant column is at least as inexact as such a program. `span`: of the abscissa.
+/// Sets the range of a column to 0 if it changes by no more than its rounding, or by no more than the rounding errors
+/// of the program that computed it. The rounding steps of such a column become at least as large as these errors.
+/// `span`: the span of the abscissa.
 void markIfConstant(ObservedColumn &column, double span)
 {
     constexpr double kZero = 1e-8; // mm or rad, change of the position in the whole file
@@ -90,19 +92,23 @@ void markIfConstant(ObservedColumn &column, double span)
     }
 }
 
-/// The rows with any value, and with the angle of the crank unless most rows lack it.
+/// The rows with a value in any informative column. They must also have a value of θ2 if the file has a column θ2 in
+/// which more than half of the values are present.
 Indices rowsWithValues(const ReferenceData &data)
 {
     const ReferenceSeries *const crank = data.find(kCrankAngle);
     const auto isKnown = [](double value) { return std::isfinite(value); };
     const bool needsAngle = crank && 2 * std::ranges::count_if(crank->values, isKnown) > std::ssize(data.time);
+    const auto hasValue = [&](Index row) {
+        return std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
+            return isKnown(series.values[row]) && !isUninformative(series.channel);
+        });
+    };
     Indices rows;
     rows.reserve(data.time.size());
     for (Index row = 0; row < std::ssize(data.time); ++row) {
-        if ((!needsAngle || isKnown(crank->values[row])) &&
-            std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
-                return isKnown(series.values[row]) && !isAlwaysZero(series.channel);
-            })) {
+        const bool lacksAngle = needsAngle && !isKnown(crank->values[row]);
+        if (!lacksAngle && hasValue(row)) {
             rows.push_back(row);
         }
     }
@@ -118,7 +124,7 @@ Values evenlySpaced(const Values &printed, const Values &halfSteps)
     const Index last = printed.size() - 1;
     const Values differences = printed.tail(last) - printed.head(last);
     const double spacing = median(differences);
-    Values fractions = Values::Zero(printed.size()); // of the duration
+    Values fractions = Values::Zero(printed.size()); // fractions of the duration of the grid
     for (Index i = 0; i < last; ++i) {
         fractions[i + 1] = fractions[i] + std::rint(differences[i] / spacing);
     }
@@ -243,15 +249,15 @@ Observations observe(const ReferenceData &data, std::stop_token stop)
     if (observations.rows.empty()) {
         return observations;
     }
-    if (data.crank) {
+    if (data.crank) { // a table over the crank angle: its time stamps were computed from θ2
         observeTableAngle(observations, *data.crank);
     } else {
         observeTime(observations, data);
         observeAngleColumn(observations, data);
     }
     for (const ReferenceSeries &series : data.series) {
-        if (isAlwaysZero(series.channel) || series.channel == kCrankAngle) {
-            continue;
+        if (isUninformative(series.channel) || series.channel == kCrankAngle) {
+            continue; // θ2 has been observed as the angle above
         }
         ObservedColumn column = readColumn(data, series, observations.rows);
         markIfConstant(column, observations.span());

@@ -18,7 +18,7 @@ namespace slidercrank
 
 using Eigen::Index;
 using Values = Eigen::ArrayXd;
-using Indices = std::vector<Index>; ///< of rows or columns of the observations
+using Indices = std::vector<Index>; ///< indices of rows or columns of the observations
 
 inline constexpr Channel kSliderLine{R4y, Order::Position};
 
@@ -26,16 +26,16 @@ struct ObservedColumn {
     Channel channel{};
     Values values{};         ///< NaN in a gap
     Values halfSteps{};      ///< half of the rounding step of each value
-    double variance = 0.0;   ///< of the rounding errors: the mean of step²/12
+    double variance = 0.0;   ///< variance of the rounding errors: the mean of step²/12
     double range = 0.0;      ///< largest minus smallest value; 0 if they differ by no more than rounding
     bool statesUnit = false; ///< the file states the unit
-    bool hadJumps = false;   ///< by whole turns, which are removed
+    bool hadJumps = false;   ///< it had jumps by whole turns, which have been removed
 
     // Set by withComputedColumnsMarked().
     bool isDifference = false;   ///< it contains difference quotients of a lower column
     bool isInterpolated = false; ///< it was interpolated linearly, or holds the last of fewer values
 
-    bool containsAngles() const { return isAngle(channel.coordinate); } ///< or their derivatives
+    bool containsAngles() const { return isAngle(channel.coordinate); } ///< angles, or derivatives of angles
     bool isDerivative() const { return channel.order != Order::Position; }
     bool isConstant() const { return range == 0.0; } ///< it repeats one value with one rounding error
 };
@@ -47,7 +47,7 @@ struct Observations {
     Values printedAngle;        ///< the rounded `angle` of a table if `angle` is evenly spaced before rounding
     double timeOrigin = 0.0;    ///< time of the file at which `time` is zero, s
     double timeHalfStep = 0.0;  ///< half of the rounding step of the time stamps, s; 0 if they are evenly spaced
-    double angleHalfStep = 0.0; ///< the same of `angle`, rad
+    double angleHalfStep = 0.0; ///< half of the rounding step of `angle`, rad
     Indices rows;               ///< index in the file of each row
     std::vector<ObservedColumn> columns; ///< without θ2 and without those that tell nothing
     std::stop_token stop;                ///< requests the end of every computation with these observations
@@ -70,8 +70,9 @@ struct Observations {
     }
 };
 
-/// Reads the observations from a file. Rows without any value, and columns that tell nothing about the mechanism, are
-/// left out: those that are zero in every mechanism, and those that change by no more than rounding errors.
+/// Reads the observations from a file. Rows without any value are left out, and so are columns that tell nothing about
+/// the mechanism: those that are zero in every mechanism, α2, and empty ones. A column that changes by no more than
+/// rounding errors is kept, with a range of 0.
 Observations observe(const ReferenceData &data, std::stop_token stop);
 
 /// Selects at most `count` rows, evenly spread. If some are left out, the distances of the others vary, so that a

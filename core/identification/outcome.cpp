@@ -28,9 +28,13 @@ using UnknownKind = Unknown::Kind;
 
 // Larger errors leave a parameter open. They are relative to the parameter; for c, to the larger of a and |c|; for θ20,
 // to a radian.
-constexpr double kMaxError = 0.2;           // a larger standard error makes a statement useless
-constexpr double kMaxErrorOfCrank = 0.03;   // standard error of a: with a larger one, linear theory underestimates all
-constexpr double kMaxSystematicError = 0.1; // of any parameter, by systematic residuals (see largestErrors())
+// - Standard error of a parameter other than a: a value that is less certain is of no use.
+constexpr double kMaxError = 0.2;
+// - Standard error of a. Standard errors are computed as if the motion were a linear function of the unknowns. If a is
+//   less certain than this, the motion is not, and the standard errors of all parameters are too small.
+constexpr double kMaxErrorOfCrank = 0.03;
+// - Change of any parameter by systematic residuals (see largestErrors()).
+constexpr double kMaxSystematicError = 0.1;
 
 /// The residual of fit.columns[k] in the units of files.
 ColumnResidual describeResidual(const Observations &observations, const Fit &fit, Index k)
@@ -74,7 +78,7 @@ bool hasOneCoordinate(const LastFit &lastFit)
         used, [&](Index k) { return columns[k].channel.coordinate == columns[used.front()].channel.coordinate; });
 }
 
-/// Which unknown parameters the file leaves open. `errors`: those of largestErrors().
+/// Which unknown parameters the file leaves open. `errors`: the result of largestErrors().
 std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const ParameterErrors &errors,
                                                  bool isSystematic)
 {
@@ -132,8 +136,8 @@ std::optional<Misfit> findMisfit(const Findings &findings)
     return std::nullopt;
 }
 
-/// Replaces the parameters that are not determined by those of the given mechanism. `isDetermined`: of each parameter,
-/// at indexOf(Parameter).
+/// Replaces the parameters that are not determined by those of the given mechanism. `isDetermined`: whether
+/// a parameter is determined, at indexOf(Parameter).
 Parameters completedByGiven(Parameters found, const std::array<bool, kParameterCount> &isDetermined,
                             const Parameters &given)
 {
@@ -160,7 +164,7 @@ std::optional<UnevenDrive> describeUnevenDrive(const Drive &drive, const Paramet
 }
 
 /// Sets the parameters that an insufficient file determines, and their errors. The others are those of the given
-/// mechanism. `errors`: those of largestErrors().
+/// mechanism. `errors`: the result of largestErrors().
 void setDetermined(Identification &result, const Findings &findings, const ParameterErrors &errors,
                    const Parameters &given)
 {
@@ -240,8 +244,9 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
     }
 }
 
-/// The file without excluded rows and without the columns that the fit does not use. `change`: of the headings or axes,
-/// after which the columns have the names that the fit knows.
+/// The file with gaps in the excluded rows, and without the columns that the fit does not use. `change`: the change of
+/// the axes, headings or clock with which the file was read for the fit. It is applied only to find out which columns
+/// the fit uses; the columns returned are as they are in the file.
 ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention> &change, const LastFit &lastFit)
 {
     const Observations &observations = lastFit.observations;
@@ -319,8 +324,8 @@ void compareWithMechanismFound(Identification &result, const ReferenceData &read
     }
 }
 
-/// Replaces the residuals of the columns as they are in the file by those after the conventions are applied. In percent
-/// of the range they remain, because a column and its range are converted by the same factor.
+/// Replaces the residuals of the columns as they are in the file by those after the conventions are applied. Their
+/// percentages of the range remain, because a column and its range are converted by the same factor.
 void takeResidualsFromComparison(Identification &result)
 {
     for (const ChannelComparison &channel : result.channels) {
@@ -391,9 +396,10 @@ void addConventions(Identification &result, const ReferenceData &data, const std
                     const Findings &findings, const Parameters &given)
 {
     const Drive::Kind drive = findings.drive.kind;
+    const std::stop_token &stop = findings.lastFit.observations.stop;
     const ReferenceData used = keepUsedColumns(data, change, findings.lastFit);
     result.conventions = listConventions(findings.lastFit);
-    if (change) {
+    if (change) { // the other conventions belong to the file after it
         result.conventions.insert(result.conventions.begin(), {*change});
     }
     addWholeFileConventions(result, used, given);
@@ -403,8 +409,9 @@ void addConventions(Identification &result, const ReferenceData &data, const std
     compareWithMechanismFound(result, read, findings);
     takeResidualsFromComparison(result);
     const auto differs = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; };
-    result.agreesWithGiven =
-        std::ranges::none_of(compareReadFile(given, read, drive, {}, findings.lastFit.observations.stop), differs);
+    const FittedMechanism notFitted{};
+    const std::vector<ChannelComparison> withGiven = compareReadFile(given, read, drive, notFitted, stop);
+    result.agreesWithGiven = std::ranges::none_of(withGiven, differs);
 }
 
 } // namespace slidercrank

@@ -18,10 +18,10 @@ struct Findings {
     Drive drive;
     LastFit lastFit;
     std::vector<LeftOutColumn> leftOut;
-    std::vector<double> speeds;         ///< that a table over the crank angle allows
+    std::vector<double> speeds;         ///< the values of ω2 that a table over the crank angle allows, rad/s
     std::vector<Model> otherImages;     ///< other mechanisms that need the same reading of the file
-    std::optional<LengthChange> change; ///< of the given mechanism
-    double lengthUnit = 1.0;            ///< of the lengths in the file, mm
+    std::optional<LengthChange> change; ///< the one wrong length of the given mechanism
+    double lengthUnit = 1.0;            ///< the unit of the lengths in the file, mm
 };
 
 /// The outcome without conventions and comparisons: first whether the file determines the mechanism, then whether the
@@ -30,7 +30,8 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
 
 /// Adds the conventions of an identified or approximate mechanism, and the comparisons of the used columns with it and
 /// with the given mechanism. An identified mechanism becomes approximate if a used column does not agree with it.
-/// `change`: of the whole table `data` before the observations were read from it; it becomes the first convention.
+/// `data`: the table as it is in the file. `change`: the change of its axes, headings or clock after which the
+/// observations were read from it, if there was one; it becomes the first convention.
 void addConventions(Identification &result, const ReferenceData &data, const std::optional<Convention> &change,
                     const Findings &findings, const Parameters &given);
 

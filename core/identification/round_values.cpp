@@ -72,15 +72,15 @@ RoundNumber roundInUsualUnits(Unknown unknown, double value, double standardErro
 struct EstimatedUnknown {
     Unknown unknown;
     std::optional<Parameter> parameter{}; ///< the parameter whose value at t = 0 of the file it is; nullopt for origins
-    double size = 1.0;                    ///< with which its error is compared
-    bool isFixed = false;                 ///< at a number that was chosen
+    double size = 1.0;                    ///< the size with which its error is compared
+    bool isFixed = false;                 ///< its value has been chosen, see fixUnknown()
 };
 
 /// What is known about the unknowns of the last fit: their values, normally distributed with a covariance.
 struct Estimate {
     std::vector<EstimatedUnknown> unknowns;
-    Eigen::VectorXd values;     ///< of each unknown
-    Eigen::MatrixXd covariance; ///< of the values
+    Eigen::VectorXd values;     ///< the value of each unknown
+    Eigen::MatrixXd covariance; ///< covariance of the values
 
     double standardError(Index k) const
     {

@@ -8,9 +8,9 @@
 namespace slidercrank
 {
 
-/// The largest residuals (rms, of the range of a column) with which a mechanism explains the column approximately:
-/// noise, and systematic residuals, which a curve of another kind leaves, too: that of a four-bar linkage 0.8 % and
-/// more.
+/// The largest residuals (rms, relative to the range of a column) with which a mechanism explains the column
+/// approximately. The limit is lower for systematic residuals than for noise, because a motion of another kind leaves
+/// them as well: 0.8 % and more if a slider-crank is fitted to a four-bar linkage.
 inline constexpr double kLargestNoise = 0.02;
 inline constexpr double kLargestSystematicResidual = 0.007;
 

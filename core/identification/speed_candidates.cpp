@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace slidercrank
 {
@@ -30,7 +31,7 @@ int countMiddleCrossings(const ObservedColumn &column)
     const double low = sorted[tail];
     const double high = sorted[sorted.size() - 1 - tail];
     const double middle = 0.5 * (low + high);
-    int side = 0; // of the last value that was clearly on one side: -1 below, 1 above
+    int side = 0; // where the last value lay that was clearly off the middle: -1 below, 1 above
     int count = 0;
     for (const double value : column.values) {
         if (std::abs(value - middle) > kHysteresis * (high - low)) {
@@ -102,7 +103,7 @@ bool isConsistent(double turns, double crossingPairs)
 
 /// The numbers of turns that the crank may have made in the file, according to the number of crossings, at equal
 /// distances. If there are so few rows that crossings may fall between them, these are all numbers up to half a turn
-/// per row: a faster crank gives the same positions as one of these. `coverage`: that of the file (see above).
+/// per row: a faster crank gives the same positions as one of these. `coverage`: the result of coverage().
 std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 {
     constexpr double kSpacing = 0.1;         // a tenth of the width of a minimum of the periodogram
@@ -128,30 +129,60 @@ std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
     return possible;
 }
 
-} // namespace
-
-std::vector<double> findSpeedCandidates(const Observations &observations, const Indices &columns)
+/// The largest number of crossings in a column.
+int countMaxCrossings(const Observations &observations, const Indices &columns)
 {
-    constexpr Index kRows = 400;           // limit the time of the periodogram
-    constexpr std::size_t kCandidates = 4; // each costs a search of the geometry
-    constexpr int kCrossingsOfOneTurn = 2;
-    constexpr double kLongestArc = 1.5;   // turns that may have no more crossings than one
-    constexpr double kShortestArc = 0.05; // turns: a shorter arc has no recognizable shape
-    constexpr double kRatio = 1.3;        // of neighbouring speeds; a fit finds the speed between them
-    const double speedOfOneTurn = kTurn / observations.span();
     int maxCrossings = 0;
     for (const Index column : columns) {
         maxCrossings = std::max(maxCrossings, countMiddleCrossings(observations.columns[column]));
     }
+    return maxCrossings;
+}
+
+/// The speed at which the crank makes one turn in the file, rad/s.
+double findSpeedOfOneTurn(const Observations &observations)
+{
+    return kTurn / observations.span();
+}
+
+/// The periodogram at the speeds that a number of crossings allows.
+std::vector<Trial> computePeriodogram(const Observations &observations, const Indices &columns, int crossings)
+{
+    constexpr Index kRows = 400; // limits the time that the periodogram of a long file takes
+    const double speedOfOneTurn = findSpeedOfOneTurn(observations);
     const Observations selected = selectRows(observations, kRows);
     std::vector<Trial> trials;
-    for (const double turns : possibleTurns(maxCrossings, coverage(observations), observations.size())) {
+    for (const double turns : possibleTurns(crossings, coverage(observations), observations.size())) {
         if (!selected.stop.stop_requested()) {
             const double speed = turns * speedOfOneTurn;
             trials.push_back({speed, misfitOfHarmonics(selected, columns, speed)});
         }
     }
-    const bool mayBeArc = maxCrossings <= kCrossingsOfOneTurn;
+    return trials;
+}
+
+/// Speeds (rad/s) of a crank that makes about one turn in the file, or only a part of one; the highest first.
+std::vector<double> arcSpeeds(const Observations &observations)
+{
+    constexpr double kMaxTurns = 1.5;  // one and a half turns may have only the two crossings of a single turn
+    constexpr double kMinTurns = 0.05; // a shorter arc has no recognizable shape
+    constexpr double kRatio = 1.3;     // ratio of neighbouring speeds: a fit finds the speeds between them
+    std::vector<double> speeds;
+    for (double turns = kMaxTurns; turns > kMinTurns; turns /= kRatio) {
+        speeds.push_back(turns * findSpeedOfOneTurn(observations));
+    }
+    return speeds;
+}
+
+} // namespace
+
+std::vector<double> findSpeedCandidates(const Observations &observations, const Indices &columns)
+{
+    constexpr std::size_t kCandidates = 4; // each costs a search of the geometry
+    constexpr int kCrossingsOfOneTurn = 2;
+    const int crossings = countMaxCrossings(observations, columns);
+    const bool mayBeArc = crossings <= kCrossingsOfOneTurn;
+    std::vector<Trial> trials = computePeriodogram(observations, columns, crossings);
     std::vector<Trial> best = findLocalMinima(trials);
     if (best.empty() && !mayBeArc) { // the misfit rises or falls from the first trial to the last
         best = std::move(trials);
@@ -162,9 +193,7 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
         speeds.push_back(best[i].speed);
     }
     if (mayBeArc) {
-        for (double turns = kLongestArc; turns > kShortestArc; turns /= kRatio) {
-            speeds.push_back(turns * speedOfOneTurn);
-        }
+        std::ranges::copy(arcSpeeds(observations), std::back_inserter(speeds));
     }
     return speeds;
 }

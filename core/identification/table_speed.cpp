@@ -32,7 +32,7 @@ bool haveSameSize(double speed, double other)
 std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
 {
     Model model = fit.model;
-    model.mechanism.omega2 = 1.0;
+    model.mechanism.omega2 = 1.0; // then the scale of a derivative of order n is ω2ⁿ times its unit
     const bool areExact = isExact(observations, fit);
     std::vector<Vote> votes;
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
@@ -59,8 +59,8 @@ std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
 struct Support {
     /// rad/s. It is that of a velocity if there is one among the columns, because only a velocity shows the sign.
     double speed = 0.0;
-    int columns = 0;
-    int contradictedUnits = 0; ///< those of these columns whose stated unit is a different one
+    int columns = 0;           ///< how many columns vote for the speed
+    int contradictedUnits = 0; ///< how many of these columns state a unit other than that of their vote
 
     /// The speed with the highest rank is preferred: that with the most columns, then with the fewest contradictions.
     auto rank() const { return std::pair(columns, -contradictedUnits); }
