@@ -53,8 +53,8 @@ inline constexpr std::array kTimeFactors{1.0, 1e-3};
 /// a unit, may be in one of `units`, and those in one of `units` may be in the default unit.
 double nearestFactor(std::span<const double> units, double wanted, double unitOfHeading);
 
-/// A convention and the columns that it changes. In a file by crank angle, AngleUnit, Sign and ZeroPoint of θ2 change
-/// the abscissa.
+/// A convention and the columns that it changes. In a table over the crank angle, AngleUnit, Sign and ZeroPoint of θ2
+/// change the abscissa.
 struct Convention {
     enum class Kind {
         AngleUnit,      ///< angles are multiplied by amount

@@ -157,8 +157,10 @@ std::vector<ChannelComparison> compareReadFile(const Parameters &mechanism, cons
 void measureConventions(std::vector<ConventionFinding> &conventions, const Parameters &mechanism,
                         const ReferenceData &data, Drive::Kind drive)
 {
+    const FittedMechanism notFitted{}; // the percentages do not depend on how the mechanism was fitted
+    const std::stop_token neverStopped{};
     const auto compareWith = [&](const std::vector<ConventionFinding> &applied, const Parameters &parameters) {
-        return compareReadFile(parameters, applyAll(applied, data), drive, {}, {});
+        return compareReadFile(parameters, applyAll(applied, data), drive, notFitted, neverStopped);
     };
     const std::vector<ChannelComparison> after =
         conventions.empty() ? std::vector<ChannelComparison>() : compareWith(conventions, mechanism);

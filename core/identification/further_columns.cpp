@@ -157,10 +157,11 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
     const Channel channel = observations.columns[k].channel;
     const bool isDerivative = channel.order != Order::Position;
     const bool isDifference = observations.columns[k].isDifference;
+    const bool isSpeedOpen = drive == Drive::Kind::OverAngle && !result.fit.isFree({Unknown::Kind::Omega2});
     LeftOutColumn column{channel, isDifference ? Reason::FiniteDifferences : Reason::Unknown};
     if (isDerivative && drive == Drive::Kind::Uneven) {
         column.reason = Reason::UnevenSpeed;
-    } else if (isDerivative && drive == Drive::Kind::OverAngle && !result.fit.isFree({Unknown::Kind::Omega2})) {
+    } else if (isDerivative && isSpeedOpen) {
         column.reason = isDifference ? Reason::FiniteDifferences : Reason::OpenSpeed;
         const ColumnScale scale = fitScale(observations, result.fit, result.fit.model, k, othersAreExact);
         const double sign = signOfCoordinate(observations, result.fit, channel.coordinate);

@@ -64,8 +64,11 @@ Moments computeMoments(const Values &motion, const Values &values)
 /// Fits the reading of a column by least squares. `fixedFactor`: nullopt if the factor may be any number.
 Regression fitReading(const Moments &m, std::optional<double> fixedFactor, ColumnOrigin columnOrigin)
 {
-    const double mean = columnOrigin == ColumnOrigin::Any ? 1.0 / m.n : 0.0;
-    const double factor = fixedFactor.value_or((m.fy - mean * m.f * m.y) / (m.ff - mean * m.f * m.f));
+    // If the origin may be any number, the factor follows from the deviations of motion and values from their means.
+    const double weightOfMeans = columnOrigin == ColumnOrigin::Any ? 1.0 / m.n : 0.0;
+    const double sumOfProducts = m.fy - weightOfMeans * m.f * m.y;
+    const double sumOfSquares = m.ff - weightOfMeans * m.f * m.f;
+    const double factor = fixedFactor.value_or(sumOfProducts / sumOfSquares);
     double origin = columnOrigin == ColumnOrigin::Zero ? 0.0 : (m.y - factor * m.f) / m.n;
     if (columnOrigin == ColumnOrigin::HalfTurns) {
         origin = std::numbers::pi * factor * std::rint(origin / (std::numbers::pi * factor));

@@ -33,9 +33,9 @@ struct WholeFileReading {
 };
 
 /// A different length unit, times per millisecond, the other sense of rotation, a late start and the other assembly
-/// cannot be distinguished from another mechanism. They are reported only if the mechanism found then is the given one.
-/// `data` has been read with the other conventions. Returns no conventions if none is necessary, or more than two; in a
-/// file with θ2, more than one.
+/// cannot be distinguished from another mechanism. Returns such conventions only if the mechanism found is the given
+/// one after they are applied, and only if one or two of them are sufficient (in a file with θ2: one). Otherwise
+/// returns no conventions, and `found`. `data`: the file after all other conventions were applied.
 WholeFileReading findWholeFileReading(const ReferenceData &data, const Parameters &found,
                                       const ParameterErrors &standardError, const Parameters &given);
 

@@ -140,7 +140,7 @@ struct Identification {
     enum class Lack {
         FewValues,      ///< too few values or rows for the number of unknowns
         NothingMoves,   ///< all values of each column are equal
-        FewRowsPerTurn, ///< by time, positions only: other speeds give the same values at the same times
+        FewRowsPerTurn, ///< a file over the time with positions only: other speeds give the same values in all rows
         OpenParameters, ///< the file does not determine openParameters
         Nothing         ///< the outcome is not Insufficient
     };

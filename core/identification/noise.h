@@ -36,8 +36,10 @@ inline bool changeSignLikeNoise(const Values &residuals)
     const auto product = residuals.head(pairs) * residuals.tail(pairs); // NaN beside a gap
     const double changes = static_cast<double>((product < 0.0).count());
     const double pairsWithValues = changes + static_cast<double>((product >= 0.0).count());
-    // The number of changes has a binomial distribution with the probability 1/2.
-    return changes > 0.5 * pairsWithValues - 3.0 * 0.5 * std::sqrt(pairsWithValues);
+    // The number of changes of independent errors has a binomial distribution with the probability 1/2.
+    const double expectedChanges = 0.5 * pairsWithValues;
+    const double standardDeviation = 0.5 * std::sqrt(pairsWithValues);
+    return changes > expectedChanges - 3.0 * standardDeviation;
 }
 
 } // namespace slidercrank

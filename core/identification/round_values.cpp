@@ -51,7 +51,8 @@ std::optional<Decimal> shortestDecimal(double value, double tolerance, double mi
     return std::nullopt;
 }
 
-/// Rounds a value of an unknown in the units in which a person may have chosen it.
+/// Rounds a value of an unknown in the units in which a person may have chosen it. The first of these is also the unit
+/// in which a number that nobody has chosen is rounded.
 RoundNumber roundInUsualUnits(Unknown unknown, double value, double standardError, double lengthUnit)
 {
     constexpr double kDegree = std::numbers::pi / 180.0;
