@@ -27,9 +27,9 @@ namespace slidercrank
 namespace
 {
 
-constexpr Index kSearchedRows = 400; // all steps but the last fit use at most so many rows
+constexpr Index kSearchedRows = 400; // the largest number of rows that any step but the last fit uses
 
-/// The columns of a fit of θ3 and R4_x may belong to two mechanisms, each of which explains one column exactly. Then
+/// The columns of a fit of θ3 and R4_x may come from two mechanisms, each of which explains one column exactly. Then
 /// returns the fit of R4_x alone; otherwise the same fit.
 Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
 {

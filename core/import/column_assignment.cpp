@@ -43,10 +43,11 @@ bool areSameTimes(const Values &x, const Values &y)
     });
 }
 
-/// Returns whether time stamps without a unit are no seconds: whole numbers that begin near zero and become so large.
+/// Returns whether time stamps without a unit are in a smaller unit than seconds: whole numbers that begin below the
+/// longest time of an experiment and exceed it.
 bool areOfSmallUnit(const RawColumn &column)
 {
-    constexpr double kLongestTime = 1e8; // s: three years
+    constexpr double kLongestTime = 1e8; // s, three years
     const ValueRange range = rangeOf(column.values);
     const auto isWhole = [](double value) { return !std::isfinite(value) || value == std::rint(value); };
     return column.use.unit.empty() && range.low < kLongestTime && range.high >= kLongestTime &&
