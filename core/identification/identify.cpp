@@ -63,8 +63,8 @@ ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Obse
 /// explains the lower and the higher derivatives together better. The second search is omitted if rounding explains the
 /// lower derivatives with their usual origins: then they were not changed. If rounding explains them only with a
 /// different origin, the first geometry may nevertheless be wrong, and each of the two is fitted to all these columns
-/// before they are compared; not in a file with θ2, because its higher derivatives depend on a speed that is not known
-/// yet.
+/// before they are compared. In a file with θ2, the higher derivatives depend on a speed that is not known yet, so that
+/// the two cannot be compared: the second geometry is used if rounding explains it, but not the first one.
 ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
     Indices columns = shapeColumns(searched);
@@ -76,6 +76,9 @@ ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observation
         return lowest;
     }
     ConstrainedFit other = findConstrainedGeometry(wholeFile, searched, next, given);
+    if (searched.hasAngle()) {
+        return isExact(searched, other.fit) ? other : lowest;
+    }
     columns.insert(columns.end(), next.begin(), next.end());
     if (isLowestExact) {
         const double misfit = misfitOfRepeatedFit(searched, lowest.fit, columns);
