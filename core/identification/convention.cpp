@@ -87,7 +87,6 @@ bool movesAlongY(const ReferenceData &data)
 
 double nearestFactor(std::span<const double> units, double wanted, double unitOfHeading)
 {
-    constexpr double kSameUnit = 1e-9; // relative error of a factor that conventions have changed
     const auto distance = [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); };
     double nearest = 1.0;
     for (const double unit : units) {

@@ -49,6 +49,9 @@ inline constexpr std::array kAngleFactors{1.0, kDegreesPerRadian};
 inline constexpr std::array kLengthFactors{1.0, 10.0, 25.4, 1000.0};
 inline constexpr std::array kTimeFactors{1.0, 1e-3};
 
+/// Relative rounding error of a unit that conventions have changed.
+inline constexpr double kSameUnit = 1e-9;
+
 /// The factor nearest to |wanted| that corrects a wrong unit: values in the default unit, which includes those without
 /// a unit, may be in one of `units`, and those in one of `units` may be in the default unit.
 double nearestFactor(std::span<const double> units, double wanted, double unitOfHeading);

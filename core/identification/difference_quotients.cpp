@@ -79,7 +79,7 @@ bool containsDifferences(const Observations &observations, const ObservedColumn 
 /// at the other values.
 bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn &column)
 {
-    constexpr double kMinFraction = 0.45; // of the rows: nearly every second one
+    constexpr double kMinFraction = 0.45; // of the rows: between any two values at least one is computed
     constexpr double kMinCurvature = 3.0; // at the other rows (median), relative to what rounding can simulate
     const Quotients curvature = computeQuotients(kSecondDifference, observations.abscissa(), column);
     const Index rows = curvature.values.size();

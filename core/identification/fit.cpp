@@ -245,13 +245,13 @@ Fit evaluateModel(const Observations &observations, Model model, Indices columns
     Fit fit{.model = std::move(model), .columns = std::move(columns)};
     fit.residuals = -predictValues(fit.model, observations, fit.columns);
     fit.misfit = hasPositiveLinks(fit.model.mechanism) ? 0.0 : kInfinity;
-    for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        const ObservedColumn &column = observations.columns[fit.columns[k]];
-        fit.residuals.col(k) += column.values;
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        const ObservedColumn &column = observations.columns[fit.columns[place]];
+        fit.residuals.col(place) += column.values;
         const double count = static_cast<double>(column.values.isFinite().count());
         // The predictions are NaN where the mechanism cannot be assembled.
-        const bool isAssembled = static_cast<double>(fit.residuals.col(k).isFinite().count()) == count;
-        const double meanSquare = gapsAsZeros(fit.residuals.col(k)).square().sum() / std::max(count, 1.0);
+        const bool isAssembled = static_cast<double>(fit.residuals.col(place).isFinite().count()) == count;
+        const double meanSquare = gapsAsZeros(fit.residuals.col(place)).square().sum() / std::max(count, 1.0);
         fit.counts.push_back(count);
         fit.rms.push_back(std::sqrt(meanSquare));
         fit.misfit += isAssembled ? columnMisfit(column, meanSquare, count) : kInfinity;
@@ -295,16 +295,16 @@ bool isShortArc(const Observations &observations, const Model &model)
 double dependence(const Fit &fit)
 {
     double largest = 1.0;
-    for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        largest = std::max(largest, dependence(fit.residuals.col(k)));
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        largest = std::max(largest, dependence(fit.residuals.col(place)));
     }
     return largest;
 }
 
 bool isNoise(const Fit &fit)
 {
-    for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        if (!changeSignLikeNoise(fit.residuals.col(k))) {
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        if (!changeSignLikeNoise(fit.residuals.col(place))) {
             return false;
         }
     }

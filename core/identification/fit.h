@@ -72,6 +72,8 @@ double parameterSize(Parameter parameter, const Parameters &parameters);
 /// Two fits whose misfits differ by less are equally good: the ratio of their likelihoods is less than exp(10).
 inline constexpr double kSameMisfit = 20.0;
 
+/// A fitted model. Where a function has a parameter `place`, it is about the column fit.columns[place] and its
+/// residuals fit.residuals.col(place); a parameter `k` is the index of a column of the observations.
 struct Fit {
     Model model;
     Indices columns;     ///< those of the observations to which the model was fitted

@@ -50,23 +50,28 @@ bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown u
     Model moved = fit.model;
     valueOf(moved, unknown) = value;
     const Eigen::ArrayXXd change = evaluateModel(observations, moved, fit.columns).residuals - fit.residuals;
-    bool isSmall = true;
-    for (Index k = 0; isSmall && k < change.cols(); ++k) {
-        const double squaredStep = 12.0 * observations.columns[fit.columns[k]].variance;
-        isSmall = gapsAsZeros(change.col(k)).square().sum() <= squaredStep * fit.counts[k];
+    for (Index place = 0; place < change.cols(); ++place) {
+        const double squaredStep = 12.0 * observations.columns[fit.columns[place]].variance;
+        if (!(gapsAsZeros(change.col(place)).square().sum() <= squaredStep * fit.counts[place])) {
+            return false;
+        }
     }
-    return isSmall;
+    return true;
 }
 
 /// Whether the residuals of every column are as small as those that a filter or an interpolation leaves.
 bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 {
-    constexpr double kMaxFraction = 0.01; // of the size of the column (rms)
-    bool isSmall = fit.isFinite();
-    for (Index k = 0; isSmall && k < fit.residuals.cols(); ++k) {
-        isSmall = fit.rms[k] < kMaxFraction * columnSize(observations, fit, k);
+    constexpr double kMaxFraction = 0.01; // of the size of a column (rms): a moving average of R4_x leaves that much
+    if (!fit.isFinite()) {
+        return false;
     }
-    return isSmall;
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        if (!(fit.rms[place] < kMaxFraction * columnSize(observations, fit, place))) {
+            return false;
+        }
+    }
+    return true;
 }
 
 /// Whether an origin is so close to its usual value that a filter may have shifted the curve by as much.

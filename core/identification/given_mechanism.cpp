@@ -19,13 +19,16 @@ namespace
 
 using Kind = Convention::Kind;
 
+/// Parameters of an exact file, whose standard errors are tiny, may differ by this fraction of their size from those
+/// that a person has typed with few digits. For angles, it is 0.1°.
+constexpr double kTypedDifference = 2e-3;
+
 /// Whether two mechanisms have the same lengths and speed, within three standard errors or 0.2 %.
 bool areNear(const Parameters &found, const Parameters &given, const ParameterErrors &errors)
 {
-    constexpr double kRelativeTolerance = 2e-3; // of exact files, whose standard errors are tiny
     return std::ranges::all_of(kAllParameters, [&](Parameter parameter) {
         const double error = errors[indexOf(parameter)];
-        const double tolerance = std::max(kRelativeTolerance * parameterSize(parameter, given),
+        const double tolerance = std::max(kTypedDifference * parameterSize(parameter, given),
                                           std::isfinite(error) ? kStandardErrors * error : 0.0);
         return parameter == Parameter::Theta20 ||
                std::abs(valueOf(found, parameter) - valueOf(given, parameter)) <= tolerance;
@@ -127,11 +130,11 @@ WholeFileReading addChange(WholeFileReading reading, const WholeFileChange &chan
 /// If the crank is not at the given angle at t = 0, appends a late start, and turns the mechanism found accordingly.
 void appendLateStart(WholeFileReading &reading, const Parameters &given)
 {
-    constexpr double kSameAngle = 2e-3; // rad: 0.1°, of exact files, whose standard errors are tiny
     Parameters &p = reading.parameters;
     const double angle = std::remainder(p.theta20 - given.theta20, kTurn);
     const double error = reading.standardError[indexOf(Parameter::Theta20)];
-    const double tolerance = std::isfinite(error) ? std::max(kSameAngle, kStandardErrors * error) : kSameAngle;
+    const double tolerance =
+        std::isfinite(error) ? std::max(kTypedDifference, kStandardErrors * error) : kTypedDifference;
     if (std::abs(angle) > tolerance) {
         const double late =
             roundToFewestDigits(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0}).value;

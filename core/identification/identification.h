@@ -20,6 +20,9 @@
 namespace slidercrank
 {
 
+/// A statement about each parameter, at indexOf(Parameter): whether it is true of this parameter.
+using ParameterFlags = std::array<bool, kParameterCount>;
+
 /// Another mechanism whose motion is the same in all columns of the file, read in the same way.
 struct AlternativeMechanism {
     enum class Symmetry {
@@ -71,11 +74,11 @@ struct LengthChange {
 };
 
 struct Identification {
-    enum class Outcome {
-        Identified,   ///< every used column is within its rounding
-        Approximate,  ///< a mechanism explains every used column with residuals (rms) below 2 % of its range
-        Insufficient, ///< the file does not determine the mechanism: see `lack`
-        None          ///< no mechanism explains the file: see `misfit`
+    enum class Outcome { // the best first
+        Identified,      ///< every used column is within its rounding
+        Approximate,     ///< a mechanism explains every used column with residuals (rms) below 2 % of its range
+        Insufficient,    ///< the file does not determine the mechanism: see `lack`
+        None             ///< no mechanism explains the file: see `misfit`
     };
     Outcome outcome = Outcome::None;
     bool stopped = false; ///< the search was stopped, and nothing else is known
@@ -103,7 +106,7 @@ struct Identification {
     std::array<double, kParameterCount> standardError{kNone, kNone, kNone, kNone, kNone};
 
     /// Whether the file can contain the parameter and determines it. All false unless hasMechanism().
-    std::array<bool, kParameterCount> identifiable{};
+    ParameterFlags identifiable{};
 
     /// What determines the scale of the lengths. If it is not the file, only b/a and c/a are found, and none of the
     /// three lengths is identifiable.
@@ -145,7 +148,7 @@ struct Identification {
         Nothing         ///< the outcome is not Insufficient
     };
     Lack lack = Lack::Nothing;
-    std::array<bool, kParameterCount> openParameters{};
+    ParameterFlags openParameters{};
 
     /// The reason for None.
     enum class Misfit {

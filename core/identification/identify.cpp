@@ -3,6 +3,7 @@
 
 #include "core/identification/difference_quotients.h"
 #include "core/identification/drive.h"
+#include "core/identification/file_reading.h"
 #include "core/identification/findings.h"
 #include "core/identification/freedoms.h"
 #include "core/identification/further_columns.h"
@@ -58,35 +59,39 @@ ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Obse
     return fit.isFinite() ? withoutFreedoms(searched, withUsualReadings(searched, std::move(fit))) : ConstrainedFit{};
 }
 
+/// Whether the geometry from higher derivatives explains these and the lower ones together better than the geometry
+/// from the lower ones does. `lowest`, `higher`: fits of the two. `columns`: all these derivatives.
+bool isBetterGeometry(const Observations &searched, const Fit &higher, const Fit &lowest, const Indices &columns)
+{
+    if (searched.hasAngle()) {
+        // The higher derivatives depend on a speed that is not known yet, so that the misfits cannot be compared.
+        return isExact(searched, higher) && !isExact(searched, lowest);
+    }
+    if (isExact(searched, lowest)) {
+        // Its origins may be wrong nevertheless. Each of the two is fitted to all columns before they are compared.
+        const double misfitOfLowest = misfitOfRepeatedFit(searched, lowest, columns);
+        return misfitOfRepeatedFit(searched, higher, columns) + kSameMisfit < misfitOfLowest;
+    }
+    return misfitWithFreeOrigins(searched, higher, columns) < misfitWithFreeOrigins(searched, lowest, columns);
+}
+
 /// Finds the geometry from the lowest derivatives of R4_x and θ3 in the file (usually their positions), and again from
-/// the next higher ones, because a filter or a sensor may have changed the lower ones. Returns the geometry that
-/// explains the lower and the higher derivatives together better. The second search is omitted if rounding explains the
-/// lower derivatives with their usual origins: then they were not changed. If rounding explains them only with a
-/// different origin, the first geometry may nevertheless be wrong, and each of the two is fitted to all these columns
-/// before they are compared. In a file with θ2, the higher derivatives depend on a speed that is not known yet, so that
-/// the two cannot be compared: the second geometry is used if rounding explains it, but not the first one.
+/// the next higher ones, because a filter or a sensor may have changed the lower ones. Returns the better geometry. If
+/// rounding explains the lower derivatives with their usual origins, nothing has changed them, and the second search is
+/// omitted; also if rounding explains them with any origins in a file with θ2, where positions need no speed.
 ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
     Indices columns = shapeColumns(searched);
+    const Indices higherColumns = shapeColumns(searched, 1);
     ConstrainedFit lowest = findConstrainedGeometry(wholeFile, searched, columns, given);
-    const Indices next = shapeColumns(searched, 1);
-    const bool isLowestExact = isExact(searched, lowest.fit);
     const bool hasUsualOrigins = std::ranges::all_of(lowest.fit.unknowns, &Unknown::isParameter);
-    if (next.empty() || (isLowestExact && (hasUsualOrigins || searched.hasAngle()))) {
+    const bool isUnchanged = isExact(searched, lowest.fit) && (hasUsualOrigins || searched.hasAngle());
+    if (isUnchanged || higherColumns.empty()) {
         return lowest;
     }
-    ConstrainedFit other = findConstrainedGeometry(wholeFile, searched, next, given);
-    if (searched.hasAngle()) {
-        return isExact(searched, other.fit) ? other : lowest;
-    }
-    columns.insert(columns.end(), next.begin(), next.end());
-    if (isLowestExact) {
-        const double misfit = misfitOfRepeatedFit(searched, lowest.fit, columns);
-        return misfitOfRepeatedFit(searched, other.fit, columns) + kSameMisfit < misfit ? other : lowest;
-    }
-    return misfitWithFreeOrigins(searched, other.fit, columns) < misfitWithFreeOrigins(searched, lowest.fit, columns)
-               ? other
-               : lowest;
+    ConstrainedFit higher = findConstrainedGeometry(wholeFile, searched, higherColumns, given);
+    columns.insert(columns.end(), higherColumns.begin(), higherColumns.end());
+    return isBetterGeometry(searched, higher.fit, lowest.fit, columns) ? higher : lowest;
 }
 
 /// A fit with the observations to which it belongs.
@@ -248,8 +253,45 @@ void chooseExpectedDescription(Findings &findings, const Observations &searched,
     compareWithGivenLengths(findings, searched, given);
 }
 
-/// Runs all steps for a table. `change`: a change of its axes, headings or clock that is applied first; nullopt if the
-/// table is read as it is.
+/// Adds θ2 to the columns that are left out if the file contains it but the observations do not: then the crank may
+/// make any number of turns between two rows.
+void leaveOutSparseAngle(std::vector<LeftOutColumn> &leftOut, const ReferenceData &data,
+                         const Observations &observations)
+{
+    if (data.find(kCrankAngle) && !observations.hasAngle()) {
+        leftOut.push_back({kCrankAngle, LeftOutColumn::Reason::OpenSpeed});
+    }
+}
+
+/// Runs the steps from the observations to the last fit and its description. `wholeFile`: the observations of `data`.
+Findings findMechanism(const ReferenceData &data, Observations wholeFile, const Parameters &given)
+{
+    Findings findings;
+    findings.lengthUnit = findLengthUnit(data);
+    const Observations clean = withoutSpikes(wholeFile);
+    Observations searched = selectRows(clean, kSearchedRows);
+    ConstrainedFit geometry = findBestGeometry(clean, searched, given);
+    if (!geometry.fit.isFinite()) {
+        return findings;
+    }
+    ObservedFit current = withBestAbscissa({std::move(wholeFile), std::move(searched), std::move(geometry.fit)});
+    current.fit = fitSimplestImage(current.searched, std::move(current.fit), given);
+    findings.drive = findDrive(current.wholeFile, current.fit.model);
+    current = withDrive(std::move(current), findings.drive);
+    FurtherColumns further = withFurtherColumns(current.searched, current.fit, findings.drive, given);
+    findings.leftOut = std::move(further.leftOut);
+    leaveOutSparseAngle(findings.leftOut, data, current.wholeFile);
+    findings.speeds = std::move(further.speeds);
+    const ConstrainedFit all = withoutFreedoms(current.searched, std::move(further.fit), geometry.shifts);
+    findings.lastFit = fitAllRows(std::move(current.wholeFile), all.fit, all.shifts, findings.drive);
+    if (findings.lastFit.fit.isFinite()) {
+        chooseExpectedDescription(findings, current.searched, given);
+    }
+    return findings;
+}
+
+/// Identifies the mechanism of a table. `change`: a change of its axes, headings or clock that is applied first;
+/// nullopt if the table is read as it is.
 Identification identifyTable(const ReferenceData &original, const std::optional<Convention> &change,
                              const Parameters &given, const std::stop_token &stop)
 {
@@ -258,32 +300,10 @@ Identification identifyTable(const ReferenceData &original, const std::optional<
     if (const Identification::Lack lack = findLack(wholeFile); lack != Identification::Lack::Nothing) {
         return {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack};
     }
-    const Observations clean = withoutSpikes(wholeFile);
-    Observations searched = selectRows(clean, kSearchedRows);
-    ConstrainedFit constrained = findBestGeometry(clean, searched, given);
-    Findings findings;
-    findings.lengthUnit = findLengthUnit(data);
-    if (!constrained.fit.isFinite()) {
-        return judge(data, findings, given);
-    }
-    ObservedFit current = withBestAbscissa({std::move(wholeFile), std::move(searched), std::move(constrained.fit)});
-    current.fit = fitSimplestImage(current.searched, std::move(current.fit), given);
-    findings.drive = findDrive(current.wholeFile, current.fit.model);
-    current = withDrive(std::move(current), findings.drive);
-    FurtherColumns further = withFurtherColumns(current.searched, current.fit, findings.drive, given);
-    findings.leftOut = std::move(further.leftOut);
-    if (data.find(kCrankAngle) && !current.wholeFile.hasAngle()) { // the turns between two rows are unknown
-        findings.leftOut.push_back({kCrankAngle, LeftOutColumn::Reason::OpenSpeed});
-    }
-    findings.speeds = std::move(further.speeds);
-    constrained = withoutFreedoms(current.searched, std::move(further.fit), constrained.shifts);
-    findings.lastFit = fitAllRows(std::move(current.wholeFile), constrained.fit, constrained.shifts, findings.drive);
-    if (findings.lastFit.fit.isFinite()) {
-        chooseExpectedDescription(findings, current.searched, given);
-    }
+    const Findings findings = findMechanism(data, std::move(wholeFile), given);
     Identification result = judge(data, findings, given);
     if (result.hasMechanism()) {
-        addConventions(result, original, change, findings, given);
+        addReading(result, original, change, findings, given);
     }
     return result;
 }
@@ -313,14 +333,17 @@ std::vector<Convention> possibleChanges(const ReferenceData &data, const Identif
     std::vector<Convention> changes;
     const auto isDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };
     if (!data.crank && std::ranges::any_of(result.leftOut, isDerivative)) {
-        const double unit = data.timeRounding.unitFactor; // of the heading
-        changes.push_back({Convention::Kind::TimeUnit, {}, unit == 1.0 ? kTimeFactors.back() : 1.0 / unit});
+        // A clock whose heading says seconds may count milliseconds, and one whose heading says these may count
+        // seconds.
+        const double unit = data.timeRounding.unitFactor;
+        const double factor = unit == 1.0 ? kTimeFactors.back() : 1.0 / unit;
+        changes.push_back({.kind = Convention::Kind::TimeUnit, .channels = {}, .amount = factor});
     }
     const std::vector<Channel> doubtful = findDoubtfulHeadings(result);
     for (std::size_t i = 0; i < doubtful.size(); ++i) {
         for (std::size_t j = i + 1; j < doubtful.size(); ++j) {
             if (data.find(doubtful[i]) && data.find(doubtful[j])) {
-                changes.push_back({Convention::Kind::SwappedColumns, {doubtful[i], doubtful[j]}, 1.0});
+                changes.push_back({.kind = Convention::Kind::SwappedColumns, .channels = {doubtful[i], doubtful[j]}});
             }
         }
     }

@@ -26,16 +26,16 @@ Values largestChangeToNeighbours(const Values &values)
     return largest;
 }
 
-/// Which rows have an outlier in fit.columns[k]: a residual that is far from those of the other rows, and larger than
-/// rounding or a row that is a little late could make it.
-Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fit, Index k)
+/// Which rows have an outlier in fit.columns[place]: a residual that is far from those of the other rows, and larger
+/// than rounding or a row that is a little late could make it.
+Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fit, Index place)
 {
-    constexpr double kDeviations = 8.0; // robust standard deviations
+    constexpr double kDeviations = 8.0; // robust standard deviations: noise does not reach them in any file
     constexpr double kNormal = 1.4826;  // standard deviation of noise, in medians of its absolute values
     constexpr double kRoundings = 2.0;  // bounds of rounding: the fit has errors, too
     constexpr double kLateness = 0.2;   // intervals between rows by which a row may be late or early
-    const ObservedColumn &column = observations.columns[fit.columns[k]];
-    const Values residuals = fit.residuals.col(k);
+    const ObservedColumn &column = observations.columns[fit.columns[place]];
+    const Values residuals = fit.residuals.col(place);
     const Values errors = residuals.abs();
     const double limit = kDeviations * std::max(kNormal * median(errors), std::sqrt(column.variance));
     // Residuals from row to row jump at outliers. Systematic residuals may be as large, but rise and fall slowly.
@@ -43,9 +43,9 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
     if (!(gapsAsZeros(residuals.tail(pairs) - residuals.head(pairs)).abs() > limit).any()) {
         return Eigen::ArrayX<bool>::Constant(residuals.size(), false);
     }
-    const Values predictions = predictValues(fit.model, observations, {fit.columns[k]}).col(0);
+    const Values predictions = predictValues(fit.model, observations, {fit.columns[place]}).col(0);
     const Values harmless =
-        (kRoundings * roundingBounds(observations, fit, k)).max(kLateness * largestChangeToNeighbours(predictions));
+        (kRoundings * roundingBounds(observations, fit, place)).max(kLateness * largestChangeToNeighbours(predictions));
     return errors > limit && errors > harmless;
 }
 
@@ -54,8 +54,8 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
     constexpr double kMaxOutlierFraction = 0.05; // of the rows: more are no accidents
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
-    for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        isFarOff = isFarOff || findOutliers(observations, fit, k);
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        isFarOff = isFarOff || findOutliers(observations, fit, place);
     }
     Indices rows;
     for (Index row = 0; row < isFarOff.size(); ++row) {

@@ -159,7 +159,7 @@ int crankReadingCount(const Fit &fit, const Model &model)
 /// Whether the file has a column R4_y that is not c.
 bool isSliderLineShifted(const Observations &observations, const Model &model)
 {
-    constexpr double kTolerance = 0.02; // fraction of a, for rounding and noise
+    constexpr double kTolerance = 0.02; // fraction of a: the error of c in a noisy file
     const auto isOtherLine = [&](const ObservedColumn &column) {
         return column.channel == kSliderLine &&
                std::abs(column.values[0] - model.mechanism.c) > kTolerance * model.mechanism.a;

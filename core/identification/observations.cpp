@@ -2,6 +2,7 @@
 #include "core/identification/observations.h"
 
 #include "core/comparison/comparison.h"
+#include "core/identification/convention.h"
 #include "core/import/clock.h"
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
@@ -284,7 +285,6 @@ Observations selectRows(const Observations &observations, Index count)
 
 double findLengthUnit(const ReferenceData &data)
 {
-    constexpr double kSameUnit = 1e-9; // relative error of a factor that conventions have changed
     std::optional<double> unit;
     for (const ReferenceSeries &series : data.series) {
         const double factor = series.rounding.unitFactor;
@@ -308,8 +308,8 @@ double median(const Values &values)
 
 Observations withoutSpikes(Observations observations)
 {
-    constexpr Index kWindow = 7;              // rows
-    constexpr double kDeviations = 12.0;      // typical distances from the median of the window
+    constexpr Index kWindow = 7;              // rows: a value and three on either side
+    constexpr double kDeviations = 12.0;      // typical distances from the median of the window: motions stay below
     constexpr double kFractionOfSpread = 0.3; // of the column: a smaller deviation does not mislead the search
     for (ObservedColumn &column : observations.columns) {
         Values distances = Values::Zero(column.values.size());

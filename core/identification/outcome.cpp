@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/outcome.h"
 
-#include "core/identification/findings.h"
 #include "core/identification/geometry.h"
-#include "core/identification/given_mechanism.h"
 #include "core/identification/minimizer.h"
 #include "core/identification/noise.h"
 #include "core/identification/round_values.h"
 #include "core/identification/rounding_test.h"
 
-#include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -36,14 +33,14 @@ constexpr double kMaxErrorOfCrank = 0.03;
 // - Change of any parameter by systematic residuals (see largestErrors()).
 constexpr double kMaxSystematicError = 0.1;
 
-/// The residual of fit.columns[k] in the units of files.
-ColumnResidual describeResidual(const Observations &observations, const Fit &fit, Index k)
+/// The residual of fit.columns[place] in the units of files.
+ColumnResidual describeResidual(const Observations &observations, const Fit &fit, Index place)
 {
-    const ObservedColumn &column = observations.columns[fit.columns[k]];
-    const double largest = gapsAsZeros(fit.residuals.col(k)).abs().maxCoeff();
+    const ObservedColumn &column = observations.columns[fit.columns[place]];
+    const double largest = gapsAsZeros(fit.residuals.col(place)).abs().maxCoeff();
     const bool hasRange = !column.isConstant() && column.channel != kSliderLine; // R4_y is constant apart from noise
     return {.channel = column.channel,
-            .rms = toFileUnit(column.channel, fit.rms[k]),
+            .rms = toFileUnit(column.channel, fit.rms[place]),
             .max = toFileUnit(column.channel, largest),
             .percentOfRange = hasRange ? 100.0 * largest / column.range : 0.0};
 }
@@ -79,8 +76,7 @@ bool hasOneCoordinate(const LastFit &lastFit)
 }
 
 /// Which unknown parameters the file leaves open. `errors`: the result of largestErrors().
-std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const ParameterErrors &errors,
-                                                 bool isSystematic)
+ParameterFlags openParameters(const LastFit &lastFit, const ParameterErrors &errors, bool isSystematic)
 {
     const Fit &fit = lastFit.fit;
     const Parameters &m = fit.model.mechanism;
@@ -91,7 +87,7 @@ std::array<bool, kParameterCount> openParameters(const LastFit &lastFit, const P
     // other coordinate confirms that it is the one that moved.
     const bool isEverythingOpen =
         isSystematic && isShortArc(lastFit.observations, fit.model) && hasOneCoordinate(lastFit);
-    std::array<bool, kParameterCount> open{};
+    ParameterFlags open{};
     for (const Unknown unknown : fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = indexOf(toParameter(unknown));
@@ -128,8 +124,8 @@ std::optional<Misfit> findMisfit(const Findings &findings)
         return Misfit::SliderLine;
     }
     const LastFit &lastFit = findings.lastFit;
-    for (Index k = 0; k < lastFit.fit.residuals.cols(); ++k) {
-        if (!isExplained(lastFit.observations, lastFit.fit, k)) {
+    for (Index place = 0; place < lastFit.fit.residuals.cols(); ++place) {
+        if (!isExplained(lastFit.observations, lastFit.fit, place)) {
             return Misfit::LargeResiduals;
         }
     }
@@ -138,8 +134,7 @@ std::optional<Misfit> findMisfit(const Findings &findings)
 
 /// Replaces the parameters that are not determined by those of the given mechanism. `isDetermined`: whether
 /// a parameter is determined, at indexOf(Parameter).
-Parameters completedByGiven(Parameters found, const std::array<bool, kParameterCount> &isDetermined,
-                            const Parameters &given)
+Parameters completedByGiven(Parameters found, const ParameterFlags &isDetermined, const Parameters &given)
 {
     for (const Parameter parameter : kAllParameters) {
         if (!isDetermined[indexOf(parameter)]) {
@@ -169,7 +164,7 @@ void setDetermined(Identification &result, const Findings &findings, const Param
                    const Parameters &given)
 {
     const LastFit &lastFit = findings.lastFit;
-    std::array<bool, kParameterCount> determined{};
+    ParameterFlags determined{};
     for (const Unknown unknown : lastFit.fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = indexOf(toParameter(unknown));
@@ -183,10 +178,10 @@ void setDetermined(Identification &result, const Findings &findings, const Param
 }
 
 /// Which parameters the file can contain and determines.
-std::array<bool, kParameterCount> identifiableParameters(const Findings &findings)
+ParameterFlags identifiableParameters(const Findings &findings)
 {
     const Fit &fit = findings.lastFit.fit;
-    std::array<bool, kParameterCount> identifiable{};
+    ParameterFlags identifiable{};
     for (const Parameter length : kLengths) {
         identifiable[indexOf(length)] = determineLengths(findings.lastFit.observations, fit.columns);
     }
@@ -197,8 +192,8 @@ std::array<bool, kParameterCount> identifiableParameters(const Findings &finding
 
 /// Adds the mechanisms of the other mirror images. `isFromFit`: which of their parameters are those of the fit; the
 /// others are those of the given mechanism.
-void addAlternatives(Identification &result, const Findings &findings,
-                     const std::array<bool, kParameterCount> &isFromFit, const Parameters &given)
+void addAlternatives(Identification &result, const Findings &findings, const ParameterFlags &isFromFit,
+                     const Parameters &given)
 {
     using Symmetry = AlternativeMechanism::Symmetry;
     const Observations &observations = findings.lastFit.observations;
@@ -226,7 +221,7 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
     if (!result.hasSystematicResiduals) {
         result.standardError = lastFit.standardError;
     }
-    std::array<bool, kParameterCount> isFromFit = result.identifiable;
+    ParameterFlags isFromFit = result.identifiable;
     for (const Parameter length : kLengths) {
         isFromFit[indexOf(length)] = true; // if only their ratios are identifiable, the fit has kept the given a or ω2
     }
@@ -240,99 +235,6 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
     if (findings.speeds.size() > 1) {
         for (const double speed : findings.speeds) {
             result.possibleSpeeds.push_back(std::abs(speed));
-        }
-    }
-}
-
-/// The file with gaps in the excluded rows, and without the columns that the fit does not use. `change`: the change of
-/// the axes, headings or clock with which the file was read for the fit. It is applied only to find out which columns
-/// the fit uses; the columns returned are as they are in the file.
-ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention> &change, const LastFit &lastFit)
-{
-    const Observations &observations = lastFit.observations;
-    const ReferenceData changed = change ? applied(*change, data) : data;
-    std::vector<ReferenceSeries> used;
-    for (std::size_t i = 0; i < data.series.size(); ++i) {
-        const Channel channel = changed.series[i].channel;
-        const auto isChannel = [&](Index k) { return observations.columns[k].channel == channel; };
-        if (std::ranges::any_of(lastFit.fit.columns, isChannel)) {
-            used.push_back(std::move(data.series[i]));
-            for (const Index row : lastFit.excludedRows) {
-                used.back().values[observations.rows[row]] = kNone;
-            }
-        } else if (lastFit.fit.model.followsAngle && channel == kCrankAngle) {
-            used.push_back(std::move(data.series[i]));
-        }
-    }
-    data.series = std::move(used);
-    return data;
-}
-
-/// Removes the whole turns that are added to θ3 before and again after a change of its sign: together they change
-/// nothing.
-void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
-{
-    const auto isTurn = [](const ConventionFinding &finding) {
-        const Convention &convention = finding.convention;
-        return convention.kind == Convention::Kind::WholeTurns && convention.amount == kTurn * kDegreesPerRadian;
-    };
-    if (std::ranges::count_if(conventions, isTurn) == 2) {
-        std::erase_if(conventions, isTurn);
-    }
-}
-
-/// Appends the conventions of the whole file after which the mechanism found is the given one, if there are such, and
-/// changes the mechanism accordingly. `used`: the file before any convention is applied.
-void addWholeFileConventions(Identification &result, const ReferenceData &used, const Parameters &given)
-{
-    if (result.lengthScale == Identification::LengthScale::GivenCrank || result.drive) {
-        return;
-    }
-    const WholeFileReading reading =
-        findWholeFileReading(applyAll(result.conventions, used), result.rounded, result.standardError, given);
-    if (reading.conventions.empty()) {
-        return;
-    }
-    std::ranges::copy(reading.conventions, std::back_inserter(result.conventions));
-    removeCancellingTurns(result.conventions);
-    result.parameters = reading.parameters;
-    result.rounded = reading.parameters;
-    result.standardError = reading.standardError;
-    result.alternatives.clear();
-}
-
-/// Compares the file, to which all conventions have been applied, with the mechanism found. If a column does not agree
-/// with it, the comparison with the rounded parameters is taken if all columns agree with these (R4_y = 12 mm may agree
-/// with the rounded c only). Otherwise the outcome becomes approximate.
-void compareWithMechanismFound(Identification &result, const ReferenceData &read, const Findings &findings)
-{
-    const std::stop_token &stop = findings.lastFit.observations.stop;
-    const FittedMechanism fitted = findings.lastFit.fit.fittedMechanism();
-    const auto allAgree = [](const std::vector<ChannelComparison> &channels) {
-        return std::ranges::all_of(channels,
-                                   [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
-    };
-    result.channels = compareReadFile(result.parameters, read, findings.drive.kind, fitted, stop);
-    if (allAgree(result.channels)) {
-        return;
-    }
-    std::vector<ChannelComparison> rounded = compareReadFile(result.rounded, read, findings.drive.kind, fitted, stop);
-    if (allAgree(rounded)) {
-        result.channels = std::move(rounded);
-    } else {
-        result.outcome = Outcome::Approximate;
-    }
-}
-
-/// Replaces the residuals of the columns as they are in the file by those after the conventions are applied. Their
-/// percentages of the range remain, because a column and its range are converted by the same factor.
-void takeResidualsFromComparison(Identification &result)
-{
-    for (const ChannelComparison &channel : result.channels) {
-        const auto residual = std::ranges::find(result.residuals, channel.channel, &ColumnResidual::channel);
-        if (residual != result.residuals.end()) {
-            residual->rms = channel.rms.value_or(0.0);
-            residual->max = channel.maxAbs.value_or(0.0);
         }
     }
 }
@@ -358,8 +260,8 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
         result.misfit = Misfit::CannotBeAssembled;
         return result;
     }
-    for (Index k = 0; k < fit.residuals.cols(); ++k) {
-        result.residuals.push_back(describeResidual(observations, fit, k));
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        result.residuals.push_back(describeResidual(observations, fit, place));
     }
     result.iterations = fit.iterations;
     result.conditionNumber = conditionNumber(fit);
@@ -390,28 +292,6 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
     }
     setMechanism(result, findings, given);
     return result;
-}
-
-void addConventions(Identification &result, const ReferenceData &data, const std::optional<Convention> &change,
-                    const Findings &findings, const Parameters &given)
-{
-    const Drive::Kind drive = findings.drive.kind;
-    const std::stop_token &stop = findings.lastFit.observations.stop;
-    const ReferenceData used = keepUsedColumns(data, change, findings.lastFit);
-    result.conventions = listConventions(findings.lastFit);
-    if (change) { // the other conventions belong to the file after it
-        result.conventions.insert(result.conventions.begin(), {*change});
-    }
-    addWholeFileConventions(result, used, given);
-    measureConventions(result.conventions, result.parameters, used, drive);
-    const ReferenceData read = applyAll(result.conventions, used);
-    result.lengthUnit = findLengthUnit(read);
-    compareWithMechanismFound(result, read, findings);
-    takeResidualsFromComparison(result);
-    const auto differs = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; };
-    const FittedMechanism notFitted{};
-    const std::vector<ChannelComparison> withGiven = compareReadFile(given, read, drive, notFitted, stop);
-    result.agreesWithGiven = std::ranges::none_of(withGiven, differs);
 }
 
 } // namespace slidercrank

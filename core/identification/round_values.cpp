@@ -208,12 +208,12 @@ Model withParameters(Model model, const Parameters &parameters, const Observatio
     return model;
 }
 
-/// Whether nearly all residuals of fit.columns[k] are within the bounds of rounding.
-bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit, Index k)
+/// Whether nearly all residuals of fit.columns[place] are within the bounds of rounding.
+bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit, Index place)
 {
-    const Values errors = gapsAsZeros(fit.residuals.col(k)).abs();
-    const auto beyond = static_cast<double>((errors > roundingBounds(observations, fit, k)).count());
-    return 100.0 * (fit.counts[k] - beyond) >= static_cast<double>(kPercentWithinBound) * fit.counts[k];
+    const Values errors = gapsAsZeros(fit.residuals.col(place)).abs();
+    const auto beyond = static_cast<double>((errors > roundingBounds(observations, fit, place)).count());
+    return 100.0 * (fit.counts[place] - beyond) >= static_cast<double>(kPercentWithinBound) * fit.counts[place];
 }
 
 /// Whether rounded parameters explain the file as well as the fit from which they were rounded: the misfit is hardly
@@ -223,12 +223,13 @@ bool isAsGood(const Observations &observations, const Fit &rounded, const Fit &f
     // The misfit of the true values of five parameters is higher than that of the fit by 5 on average, and seldom
     // by 10.
     constexpr double kMaxGrowth = 10.0;
-    bool isGood = rounded.misfit - fit.misfit < kMaxGrowth;
-    for (Index k = 0; isGood && k < fit.residuals.cols(); ++k) {
-        isGood =
-            areNearlyAllWithinRounding(observations, rounded, k) || !areNearlyAllWithinRounding(observations, fit, k);
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        if (areNearlyAllWithinRounding(observations, fit, place) &&
+            !areNearlyAllWithinRounding(observations, rounded, place)) {
+            return false;
+        }
     }
-    return isGood;
+    return rounded.misfit - fit.misfit < kMaxGrowth;
 }
 
 } // namespace

@@ -10,10 +10,10 @@
 namespace slidercrank
 {
 
-Values roundingBounds(const Observations &observations, const Fit &fit, Index k)
+Values roundingBounds(const Observations &observations, const Fit &fit, Index place)
 {
     constexpr double kTies = 1.0 + 1e-6; // a value in the middle of two printable ones is not exact in binary
-    const ObservedColumn &column = observations.columns[fit.columns[k]];
+    const ObservedColumn &column = observations.columns[fit.columns[place]];
     const double shift = fit.model.followsAngle ? std::abs(fit.model.angleFactor) * observations.angleHalfStep
                                                 : std::abs(fit.model.mechanism.omega2) * observations.timeHalfStep;
     Values motion = Values::Zero(column.values.size()); // during half a step of the abscissa
@@ -23,45 +23,51 @@ Values roundingBounds(const Observations &observations, const Fit &fit, Index k)
         }
         Model shifted = fit.model;
         shifted.mechanism.theta20 += side;
-        const Values residuals = column.values - predictValues(shifted, observations, {fit.columns[k]}).col(0);
-        motion = motion.max(gapsAsZeros((residuals - fit.residuals.col(k)).abs()));
+        const Values residuals = column.values - predictValues(shifted, observations, {fit.columns[place]}).col(0);
+        motion = motion.max(gapsAsZeros((residuals - fit.residuals.col(place)).abs()));
     }
     return kTies * column.halfSteps + motion;
 }
 
-double columnSize(const Observations &observations, const Fit &fit, Index k)
+double columnSize(const Observations &observations, const Fit &fit, Index place)
 {
-    const ObservedColumn &column = observations.columns[fit.columns[k]];
+    const ObservedColumn &column = observations.columns[fit.columns[place]];
     return column.channel == kSliderLine ? fit.model.mechanism.a : column.range;
 }
 
-bool isWithinRounding(const Observations &observations, const Fit &fit, Index k)
+bool isWithinRounding(const Observations &observations, const Fit &fit, Index place)
 {
-    const ObservedColumn &column = observations.columns[fit.columns[k]];
-    Values bound = roundingBounds(observations, fit, k);
+    const ObservedColumn &column = observations.columns[fit.columns[place]];
+    Values bound = roundingBounds(observations, fit, place);
     // Each bound grows by the error of the fitted mechanism, but at most by the bound of a value with the largest
     // rounding step: a fit of many values is no less exact than the least exact of them.
-    bound += (bound + (column.halfSteps.maxCoeff() - column.halfSteps)).min(fit.fittedMechanism().errorOf(fit.rms[k]));
-    const Values errors = gapsAsZeros(fit.residuals.col(k)).abs();
-    const double within = fit.counts[k] - static_cast<double>((errors > bound).count());
-    return 100.0 * within >= static_cast<double>(kPercentWithinBound) * fit.counts[k] &&
+    bound +=
+        (bound + (column.halfSteps.maxCoeff() - column.halfSteps)).min(fit.fittedMechanism().errorOf(fit.rms[place]));
+    const Values errors = gapsAsZeros(fit.residuals.col(place)).abs();
+    const double within = fit.counts[place] - static_cast<double>((errors > bound).count());
+    return 100.0 * within >= static_cast<double>(kPercentWithinBound) * fit.counts[place] &&
            (errors <= kBoundsOfAgreement * bound).all() &&
            (errors - bound).maxCoeff() <= kExcessOfAgreement * 0.5 * column.range;
 }
 
-bool isExplained(const Observations &observations, const Fit &fit, Index k)
+bool isExplained(const Observations &observations, const Fit &fit, Index place)
 {
-    const double largest = changeSignLikeNoise(fit.residuals.col(k)) ? kLargestNoise : kLargestSystematicResidual;
-    return fit.rms[k] < largest * columnSize(observations, fit, k) || isWithinRounding(observations, fit, k);
+    const double largest = changeSignLikeNoise(fit.residuals.col(place)) ? kLargestNoise : kLargestSystematicResidual;
+    return fit.rms[place] < largest * columnSize(observations, fit, place) ||
+           isWithinRounding(observations, fit, place);
 }
 
 bool isExact(const Observations &observations, const Fit &fit)
 {
-    bool isExact = fit.isFinite();
-    for (Index k = 0; isExact && k < fit.residuals.cols(); ++k) {
-        isExact = isWithinRounding(observations, fit, k);
+    if (!fit.isFinite()) {
+        return false;
     }
-    return isExact;
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        if (!isWithinRounding(observations, fit, place)) {
+            return false;
+        }
+    }
+    return true;
 }
 
 bool isSystematic(const Observations &observations, const Fit &fit)

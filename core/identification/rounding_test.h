@@ -14,21 +14,21 @@ namespace slidercrank
 inline constexpr double kLargestNoise = 0.02;
 inline constexpr double kLargestSystematicResidual = 0.007;
 
-/// How far the values of fit.columns[k] may be off by their rounding: half a rounding step of the value, plus the
+/// How far the values of fit.columns[place] may be off by their rounding: half a rounding step of the value, plus the
 /// motion during half a rounding step of the abscissa.
-Values roundingBounds(const Observations &observations, const Fit &fit, Index k);
+Values roundingBounds(const Observations &observations, const Fit &fit, Index place);
 
-/// The size with which the residuals of fit.columns[k] are compared: the range of the column; for R4_y, which is
+/// The size with which the residuals of fit.columns[place] are compared: the range of the column; for R4_y, which is
 /// constant, the length of the crank.
-double columnSize(const Observations &observations, const Fit &fit, Index k);
+double columnSize(const Observations &observations, const Fit &fit, Index place);
 
-/// Whether at least 95 % of the residuals of fit.columns[k] are within a bound, none is beyond ten bounds, and none
+/// Whether at least 95 % of the residuals of fit.columns[place] are within a bound, none is beyond ten bounds, and none
 /// exceeds the bound by more than 0.5 % of half the range. The bound is that of rounding, plus the error of the fit
 /// itself (see FittedMechanism).
-bool isWithinRounding(const Observations &observations, const Fit &fit, Index k);
+bool isWithinRounding(const Observations &observations, const Fit &fit, Index place);
 
-/// Whether rounding explains the residuals of fit.columns[k], or they are noise or systematic and small.
-bool isExplained(const Observations &observations, const Fit &fit, Index k);
+/// Whether rounding explains the residuals of fit.columns[place], or they are noise or systematic and small.
+bool isExplained(const Observations &observations, const Fit &fit, Index place);
 
 /// Whether rounding explains the residuals of all columns of the fit.
 bool isExact(const Observations &observations, const Fit &fit);

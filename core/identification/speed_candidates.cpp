@@ -19,7 +19,7 @@ namespace
 int countMiddleCrossings(const ObservedColumn &column)
 {
     constexpr double kHysteresis = 0.15;          // of the range: noise crosses nothing
-    constexpr std::size_t kValuesPerOutlier = 50; // one value in 50, at either end of the range
+    constexpr std::size_t kValuesPerOutlier = 50; // one value in 50, at either end of the range, may be one
     std::vector<double> sorted;
     sorted.reserve(static_cast<std::size_t>(column.values.size()));
     std::ranges::copy_if(column.values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
@@ -95,7 +95,7 @@ constexpr double kMaxIncompleteTurns = 1.0;
 /// crosses the middle of its range equally often in every turn, and as often upwards as downwards.
 bool isConsistent(double turns, double crossingPairs)
 {
-    constexpr double kMaxMiscounted = 0.005; // fraction of the pairs
+    constexpr double kMaxMiscounted = 0.005; // fraction of the pairs that noise may add or hide
     const double pairsPerTurn = std::max(1.0, std::rint(crossingPairs / turns));
     const double expectedTurns = crossingPairs / pairsPerTurn;
     return std::abs(expectedTurns - turns) <= kMaxIncompleteTurns + kMaxMiscounted * crossingPairs;

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/file_reading.h"
+
+#include "core/identification/given_mechanism.h"
+#include "core/identification/reading_conventions.h"
+
+#include "core/import/crank_angles.h"
+#include "core/mechanism/turn.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// The positions of a file as a table over the crank angle, sorted by its θ2. Of rows with the same θ2, the first.
+ReferenceData tableOverAngle(const ReferenceData &data)
+{
+    const ReferenceSeries &crank = *data.find(kCrankAngle);
+    std::vector<double> degrees = crank.values;
+    removeJumps(degrees, 360.0);
+    std::vector<std::size_t> rows(degrees.size());
+    std::iota(rows.begin(), rows.end(), std::size_t{0});
+    std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return degrees[row]; });
+    const auto isRepeated = [&](std::size_t row, std::size_t next) { return degrees[row] == degrees[next]; };
+    rows.erase(std::unique(rows.begin(), rows.end(), isRepeated), rows.end());
+    const auto inTable = [&](const std::vector<double> &values) {
+        std::vector<double> sorted(rows.size());
+        std::ranges::transform(rows, sorted.begin(), [&](std::size_t row) { return values[row]; });
+        return sorted;
+    };
+    ReferenceData table;
+    table.crank = CrankAngles{.degrees = inTable(degrees), .rounding = crank.rounding};
+    for (const ReferenceSeries &series : data.series) {
+        if (series.channel.order == Order::Position && series.channel != kCrankAngle) {
+            table.series.push_back({series.channel, inTable(series.values), series.rounding});
+        }
+    }
+    return table;
+}
+
+/// Applies conventions in their order.
+ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, ReferenceData data)
+{
+    for (const ConventionFinding &finding : conventions) {
+        data = applied(finding.convention, std::move(data));
+    }
+    return data;
+}
+
+/// Compares a mechanism with a file to which all conventions have been applied. If the speed of the crank is not
+/// constant, positions are compared as in a table over the crank angle, and derivatives are not compared. `fitted`: how
+/// the mechanism was fitted to the file; {} if it was not.
+std::vector<ChannelComparison> compareReadFile(const Parameters &mechanism, const ReferenceData &data,
+                                               const Findings &findings, const FittedMechanism &fitted)
+{
+    const Drive &drive = findings.drive;
+    const bool overAngle = drive.hasChangingSpeed() || (drive.kind == Drive::Kind::OverAngle && !data.crank);
+    // A table over the angle is compared as if the crank turned by one radian per second from 0.
+    constexpr double kUnitSpeed = 1.0;
+    constexpr double kStartAngle = 0.0;
+    const Mechanism timed = overAngle ? withDrive(Mechanism(mechanism), kUnitSpeed, kStartAngle) : Mechanism(mechanism);
+    const std::optional<ReferenceData> reference = timedBy(timed, overAngle ? tableOverAngle(data) : data);
+    const std::stop_token &stop = findings.lastFit.observations.stop;
+    return reference ? compareExactly(timed, *reference, stop, fitted).channels : std::vector<ChannelComparison>();
+}
+
+/// The largest error of the columns that a convention changes, in percent of the peaks; of all columns if it changes
+/// the times, the axes or the model.
+double largestPercent(const std::vector<ChannelComparison> &comparisons, const Convention &convention)
+{
+    const bool concernsAll = convention.kind == Convention::Kind::TimeUnit ||
+                             convention.kind == Convention::Kind::Axis || convention.channels.empty() ||
+                             concerns(convention, kCrankAngle);
+    double largest = 0.0;
+    for (const ChannelComparison &comparison : comparisons) {
+        if (concernsAll || concerns(convention, comparison.channel)) {
+            largest = std::max(largest, comparison.percentOfPeak.value_or(0.0));
+        }
+    }
+    return largest;
+}
+
+/// Sets `before` and `after` of the conventions of a mechanism. `used`: the file before any convention is applied.
+void measureConventions(std::vector<ConventionFinding> &conventions, const Parameters &mechanism,
+                        const ReferenceData &used, const Findings &findings)
+{
+    const FittedMechanism notFitted{}; // the percentages do not depend on how the mechanism was fitted
+    if (conventions.empty()) {
+        return;
+    }
+    const std::vector<ChannelComparison> withAll =
+        compareReadFile(mechanism, applyAll(conventions, used), findings, notFitted);
+    for (std::size_t i = 0; i < conventions.size(); ++i) {
+        const Convention &convention = conventions[i].convention;
+        std::vector<ConventionFinding> others = conventions;
+        others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+        Parameters without = mechanism;
+        if (convention.kind == Convention::Kind::Branch) {
+            without.branch = oppositeBranch(mechanism.branch);
+        }
+        const std::vector<ChannelComparison> withOthers =
+            compareReadFile(without, applyAll(others, used), findings, notFitted);
+        conventions[i].before = largestPercent(withOthers, convention);
+        conventions[i].after = largestPercent(withAll, convention);
+    }
+}
+
+/// The file with gaps in the excluded rows, and without the columns that the fit does not use. `change`: the change of
+/// the axes, headings or clock with which the file was read for the fit. It is applied only to find out which columns
+/// the fit uses; the columns returned are as they are in the file.
+ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention> &change, const LastFit &lastFit)
+{
+    const Observations &observations = lastFit.observations;
+    const ReferenceData changed = change ? applied(*change, data) : data;
+    std::vector<ReferenceSeries> used;
+    for (std::size_t i = 0; i < data.series.size(); ++i) {
+        const Channel channel = changed.series[i].channel;
+        const auto isChannel = [&](Index k) { return observations.columns[k].channel == channel; };
+        if (std::ranges::any_of(lastFit.fit.columns, isChannel)) {
+            used.push_back(std::move(data.series[i]));
+            for (const Index row : lastFit.excludedRows) {
+                used.back().values[observations.rows[row]] = kNone;
+            }
+        } else if (lastFit.fit.model.followsAngle && channel == kCrankAngle) {
+            used.push_back(std::move(data.series[i]));
+        }
+    }
+    data.series = std::move(used);
+    return data;
+}
+
+/// Removes the whole turns that are added to θ3 before and again after a change of its sign: together they change
+/// nothing.
+void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
+{
+    const auto isTurn = [](const ConventionFinding &finding) {
+        const Convention &convention = finding.convention;
+        return convention.kind == Convention::Kind::WholeTurns && convention.amount == kTurn * kDegreesPerRadian;
+    };
+    if (std::ranges::count_if(conventions, isTurn) == 2) {
+        std::erase_if(conventions, isTurn);
+    }
+}
+
+/// Appends the conventions of the whole file after which the mechanism found is the given one, if there are such, and
+/// changes the mechanism accordingly. `used`: the file before any convention is applied.
+void addWholeFileConventions(Identification &result, const ReferenceData &used, const Parameters &given)
+{
+    if (result.lengthScale == Identification::LengthScale::GivenCrank || result.drive) {
+        return;
+    }
+    const WholeFileReading reading =
+        findWholeFileReading(applyAll(result.conventions, used), result.rounded, result.standardError, given);
+    if (reading.conventions.empty()) {
+        return;
+    }
+    std::ranges::copy(reading.conventions, std::back_inserter(result.conventions));
+    removeCancellingTurns(result.conventions);
+    result.parameters = reading.parameters;
+    result.rounded = reading.parameters;
+    result.standardError = reading.standardError;
+    result.alternatives.clear();
+}
+
+bool allAgree(const std::vector<ChannelComparison> &channels)
+{
+    return std::ranges::all_of(channels,
+                               [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
+}
+
+/// Compares the file, to which all conventions have been applied, with the mechanism found. If a column does not agree
+/// with it, the comparison with the rounded parameters is taken if all columns agree with these (R4_y = 12 mm may agree
+/// with the rounded c only). Otherwise the outcome becomes approximate.
+void compareWithMechanismFound(Identification &result, const ReferenceData &read, const Findings &findings)
+{
+    const FittedMechanism fitted = findings.lastFit.fit.fittedMechanism();
+    result.channels = compareReadFile(result.parameters, read, findings, fitted);
+    if (allAgree(result.channels)) {
+        return;
+    }
+    std::vector<ChannelComparison> rounded = compareReadFile(result.rounded, read, findings, fitted);
+    if (allAgree(rounded)) {
+        result.channels = std::move(rounded);
+    } else {
+        result.outcome = Identification::Outcome::Approximate;
+    }
+}
+
+/// Replaces the residuals of the columns as they are in the file by those after the conventions are applied. Their
+/// percentages of the range remain, because a column and its range are converted by the same factor.
+void takeResidualsFromComparison(Identification &result)
+{
+    for (const ChannelComparison &channel : result.channels) {
+        const auto residual = std::ranges::find(result.residuals, channel.channel, &ColumnResidual::channel);
+        if (residual != result.residuals.end()) {
+            residual->rms = channel.rms.value_or(0.0);
+            residual->max = channel.maxAbs.value_or(0.0);
+        }
+    }
+}
+
+} // namespace
+
+void addReading(Identification &result, const ReferenceData &data, const std::optional<Convention> &change,
+                const Findings &findings, const Parameters &given)
+{
+    const ReferenceData used = keepUsedColumns(data, change, findings.lastFit);
+    result.conventions = listConventions(findings.lastFit);
+    if (change) { // the other conventions belong to the file after it
+        result.conventions.insert(result.conventions.begin(), {*change});
+    }
+    addWholeFileConventions(result, used, given);
+    measureConventions(result.conventions, result.parameters, used, findings);
+    const ReferenceData read = applyAll(result.conventions, used);
+    result.lengthUnit = findLengthUnit(read);
+    compareWithMechanismFound(result, read, findings);
+    takeResidualsFromComparison(result);
+    const FittedMechanism notFitted{};
+    const std::vector<ChannelComparison> withGiven = compareReadFile(given, read, findings, notFitted);
+    result.agreesWithGiven = std::ranges::none_of(
+        withGiven, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
+}
+
+} // namespace slidercrank

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/reading_conventions.h"
+
+#include "core/import/crank_angles.h"
+#include "core/mechanism/turn.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Kind = Convention::Kind;
+
+/// Adds a column to the convention of this kind and amount; appends a new convention if there is none. Origins are
+/// never combined, because each has its own standard error.
+void append(std::vector<ConventionFinding> &conventions, Kind kind, Channel channel, double amount)
+{
+    for (ConventionFinding &finding : conventions) {
+        Convention &convention = finding.convention;
+        if (convention.kind == kind && convention.amount == amount && kind != Kind::ZeroPoint) {
+            convention.channels.push_back(channel);
+            return;
+        }
+    }
+    conventions.push_back({{kind, {channel}, amount}});
+}
+
+/// Appends the convention that adds `amount` (° or mm) to a column. `hadJumps`: jumps by whole turns have to be removed
+/// from it. `error`: standard error of an amount that is not usual.
+void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, double amount, bool hadJumps,
+                 double error)
+{
+    constexpr double kHalfTurn = 180.0;
+    // ° or mm: far above the rounding errors of an amount that is usual, far below an origin that matters.
+    constexpr double kArithmetic = 2e-7;
+    const double usual = isAngle(channel.coordinate) ? kHalfTurn * std::rint(amount / kHalfTurn) : 0.0;
+    const bool areWholeTurns = std::fmod(usual, 2.0 * kHalfTurn) == 0.0;
+    if (std::abs(amount - usual) > kArithmetic) {
+        if (hadJumps) {
+            append(conventions, Kind::WholeTurns, channel, 0.0);
+        }
+        append(conventions, Kind::ZeroPoint, channel, amount);
+        conventions.back().standardError = error;
+    } else if (!areWholeTurns) {
+        append(conventions, Kind::HalfTurn, channel, usual);
+    } else if (channel != kCrankAngle && (usual != 0.0 || hadJumps)) { // crank angles are compared up to whole turns
+        append(conventions, Kind::WholeTurns, channel, usual);
+    }
+}
+
+/// Appends the conventions that turn a column into `channel`: value = factor · motion + origin, so that the motion is
+/// value / factor - origin / factor. `error`: standard error of the origin, in the unit of files.
+void appendReading(std::vector<ConventionFinding> &conventions, Channel channel, const ColumnReading &reading,
+                   bool hadJumps, double error)
+{
+    const double unit = std::abs(reading.factor);
+    if (unit != 1.0) {
+        append(conventions, isAngle(channel.coordinate) ? Kind::AngleUnit : Kind::LengthUnit, channel, 1.0 / unit);
+    }
+    if (reading.factor < 0.0) {
+        append(conventions, Kind::Sign, channel, -1.0);
+    }
+    appendShift(conventions, channel, toFileUnit(channel, -reading.origin / reading.factor), hadJumps, error);
+}
+
+} // namespace
+
+std::vector<ConventionFinding> listConventions(const LastFit &lastFit)
+{
+    const Observations &observations = lastFit.observations;
+    const Fit &fit = lastFit.fit;
+    const Model &model = fit.model;
+    std::vector<ConventionFinding> conventions;
+    if (model.followsAngle) {
+        // θ2 = factor · angle + origin
+        const ColumnReading reading{1.0 / model.angleFactor, -wrapToPi(model.mechanism.theta20) / model.angleFactor};
+        const double error = lastFit.standardErrorOf({Unknown::Kind::CrankAngle}) * kDegreesPerRadian;
+        appendReading(conventions, kCrankAngle, reading, false, error);
+    }
+    Indices columns = fit.columns; // in the order of the file
+    std::ranges::sort(columns);
+    for (const Index k : columns) {
+        const ObservedColumn &column = observations.columns[k];
+        const double error = toFileUnit(column.channel, lastFit.standardErrorOf({Unknown::Kind::Origin, k}));
+        appendReading(conventions, column.channel, model.readings[k], column.hadJumps, error);
+    }
+    return conventions;
+}
+
+} // namespace slidercrank
