@@ -139,14 +139,50 @@ double percentOfPeak(const Observations &observations, const Fit &fit, Index k, 
     return peak > 0.0 ? 100.0 * deviation / peak : kNone;
 }
 
-/// Whether fit.columns[k], which contains difference quotients within their rounding, is nevertheless the motion:
+/// Whether fit.columns[place], which contains difference quotients within their rounding, is nevertheless the motion:
 /// quotients amplify the rounding of the lower column, and the residuals of genuine derivatives are those of their own
 /// rounding and that of the abscissa.
-bool isGenuine(const Observations &observations, const Fit &fit, Index k)
+bool isGenuine(const Observations &observations, const Fit &fit, Index place)
 {
     constexpr double kBounds = 2.0; // of rounding (rms): the fit has errors, too
-    return isWithinRounding(observations, fit, k) ||
-           fit.rms[k] < kBounds * std::sqrt(roundingBounds(observations, fit, k).square().mean());
+    return isWithinRounding(observations, fit, place) ||
+           fit.rms[place] < kBounds * std::sqrt(roundingBounds(observations, fit, place).square().mean());
+}
+
+/// Why nothing predicts a column, so that it cannot be compared with the mechanism; nullopt if the mechanism predicts
+/// it.
+std::optional<Reason> reasonWithoutPrediction(const ObservedColumn &column, const Fit &fit, Drive::Kind drive)
+{
+    if (!column.isDerivative()) {
+        return std::nullopt;
+    }
+    if (drive == Drive::Kind::Uneven) {
+        return Reason::UnevenSpeed;
+    }
+    const bool isSpeedKnown = drive != Drive::Kind::OverAngle || fit.isFree({Unknown::Kind::Omega2});
+    if (isSpeedKnown) {
+        return std::nullopt;
+    }
+    return column.isDifference ? Reason::FiniteDifferences : Reason::OpenSpeed;
+}
+
+/// Why column k is left out, which the mechanism predicts but does not explain.
+Reason reasonOfMismatch(const Observations &observations, const Fit &fit, Index k)
+{
+    const ObservedColumn &column = observations.columns[k];
+    if (column.isDifference) {
+        return Reason::FiniteDifferences;
+    }
+    const bool isOtherMotion = column.channel != kSliderLine && isMotionOfOtherLengths(observations, fit, k);
+    return isOtherMotion ? Reason::OtherMotion : Reason::Unknown;
+}
+
+/// The same as percentOfPeak(), at the speed of the crank and in the unit that suit the column best.
+double percentOfPeakAtBestSpeed(const Observations &observations, const Fit &fit, Index k, bool othersAreExact)
+{
+    const double sign = signOfCoordinate(observations, fit, observations.columns[k].channel.coordinate);
+    const double factor = fitScale(observations, fit, fit.model, k, othersAreExact).factor;
+    return percentOfPeak(observations, fit, k, sign * factor);
 }
 
 /// Adds column k to result.fit, or to result.leftOut with a reason. `othersAreExact`: rounding explains the columns of
@@ -154,42 +190,74 @@ bool isGenuine(const Observations &observations, const Fit &fit, Index k)
 void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Index k, Drive::Kind drive,
                    bool othersAreExact)
 {
-    const Channel channel = observations.columns[k].channel;
-    const bool isDerivative = channel.order != Order::Position;
-    const bool isDifference = observations.columns[k].isDifference;
-    const bool isSpeedOpen = drive == Drive::Kind::OverAngle && !result.fit.isFree({Unknown::Kind::Omega2});
-    LeftOutColumn column{channel, isDifference ? Reason::FiniteDifferences : Reason::Unknown};
-    if (isDerivative && drive == Drive::Kind::Uneven) {
-        column.reason = Reason::UnevenSpeed;
-    } else if (isDerivative && isSpeedOpen) {
-        column.reason = isDifference ? Reason::FiniteDifferences : Reason::OpenSpeed;
-        const ColumnScale scale = fitScale(observations, result.fit, result.fit.model, k, othersAreExact);
-        const double sign = signOfCoordinate(observations, result.fit, channel.coordinate);
-        column.percentOfPeak = percentOfPeak(observations, result.fit, k, sign * scale.factor);
-    } else {
-        std::optional<Fit> next = withSimplestReading(observations, result.fit, k, othersAreExact);
-        if (next && (!isDifference || isGenuine(observations, *next, std::ssize(next->columns) - 1))) {
-            result.fit = *std::move(next);
-            return;
-        }
-        column.percentOfPeak = percentOfPeak(observations, result.fit, k, usualFactor(observations, result.fit, k));
-        if (!isDifference && channel != kSliderLine && isMotionOfOtherLengths(observations, result.fit, k)) {
-            column.reason = Reason::OtherMotion;
-        }
+    const ObservedColumn &column = observations.columns[k];
+    const Fit &fit = result.fit;
+    if (const std::optional<Reason> reason = reasonWithoutPrediction(column, fit, drive)) {
+        const double percent =
+            *reason == Reason::UnevenSpeed ? kNone : percentOfPeakAtBestSpeed(observations, fit, k, othersAreExact);
+        result.leftOut.push_back({column.channel, *reason, percent});
+        return;
     }
-    result.leftOut.push_back(column);
+    std::optional<Fit> together = withSimplestReading(observations, fit, k, othersAreExact);
+    if (together && (!column.isDifference || isGenuine(observations, *together, std::ssize(fit.columns)))) {
+        result.fit = *std::move(together);
+        return;
+    }
+    const double percent = percentOfPeak(observations, fit, k, usualFactor(observations, fit, k));
+    result.leftOut.push_back({column.channel, reasonOfMismatch(observations, fit, k), percent});
 }
 
-/// The speeds that the further columns of a table over the crank angle allow; none if the fit knows the speed.
-std::vector<double> possibleSpeeds(const Observations &observations, const Fit &fit, double givenSpeed)
+/// Over the angle of the crank, velocities of lengths show the product of the lengths and ω2, and accelerations that of
+/// the lengths and ω2². Returns the fit of velocities together with an acceleration, or the reverse, in which the speed
+/// is free; nullopt if the mechanism does not explain both.
+std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool othersAreExact)
 {
-    // A fit of derivatives of lengths determines only a · ω2, and so do further ones.
-    const bool hasOnlyProduct =
-        !determineLengths(observations, fit.columns) && !observations.containOnlyAngles(fit.columns);
-    if (hasOnlyProduct || fit.isFree({Unknown::Kind::Omega2})) {
-        return {};
+    const Channel fitted = observations.columns[fit.columns.front()].channel;
+    for (Index k = 0; k < std::ssize(observations.columns); ++k) {
+        const ObservedColumn &column = observations.columns[k];
+        if (column.containsAngles() || !column.isDerivative() || column.channel.order == fitted.order) {
+            continue;
+        }
+        // At `ratio` times the speed, the columns of the fit need lengths and a sign that change by its inverse power.
+        const double factor = fitScale(observations, fit, fit.model, k, othersAreExact).factor;
+        const double ratio = fitted.order == Order::Velocity ? factor : 1.0 / factor;
+        const double change = std::pow(ratio, -static_cast<double>(fitted.order));
+        Fit start = fit;
+        start.unknowns.push_back({Unknown::Kind::Omega2});
+        start.model.mechanism.omega2 *= ratio;
+        for (const Parameter length : kLengths) {
+            valueOf(start.model.mechanism, length) *= std::abs(change);
+        }
+        for (const Index used : fit.columns) {
+            start.model.readings[used].factor *= std::copysign(1.0, change);
+        }
+        start.model.readings[k] = {signOfCoordinate(observations, start, column.channel.coordinate), 0.0};
+        if (std::optional<Fit> together = withColumn(observations, start, start.model, k, othersAreExact)) {
+            return together;
+        }
     }
-    return findTableSpeeds(observations, fit, givenSpeed);
+    return std::nullopt;
+}
+
+/// Adds the speed that derivatives in a table over the crank angle show to the unknowns of result.fit, or the speeds
+/// that they allow to result.speeds.
+void findSpeed(FurtherColumns &result, const Observations &observations, double givenSpeed, bool othersAreExact)
+{
+    Fit &fit = result.fit;
+    if (fit.isFree({Unknown::Kind::Omega2})) {
+        return;
+    }
+    const bool hasLengthsOfOneOrder =
+        !determineLengths(observations, fit.columns) && !observations.containOnlyAngles(fit.columns);
+    if (hasLengthsOfOneOrder) {
+        fit = withSpeedOfTwoOrders(observations, fit, othersAreExact).value_or(fit);
+        return;
+    }
+    result.speeds = findTableSpeeds(observations, fit, givenSpeed);
+    if (result.speeds.size() == 1) { // the derivatives can be used, and improve it
+        fit.unknowns.push_back({Unknown::Kind::Omega2});
+        fit.model.mechanism.omega2 = result.speeds[0];
+    }
 }
 
 } // namespace
@@ -200,11 +268,7 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
     FurtherColumns result{.fit = drive.kind == Drive::Kind::OverTime ? withSpeedOfVelocities(observations, fit) : fit};
     const bool othersAreExact = isExact(observations, result.fit);
     if (drive.kind == Drive::Kind::OverAngle) {
-        result.speeds = possibleSpeeds(observations, fit, given.omega2);
-        if (result.speeds.size() == 1) { // the derivatives can be used, and improve it
-            result.fit.unknowns.push_back({Unknown::Kind::Omega2});
-            result.fit.model.mechanism.omega2 = result.speeds[0];
-        }
+        findSpeed(result, observations, given.omega2, othersAreExact);
     }
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
         for (Index k = 0; k < std::ssize(observations.columns); ++k) {

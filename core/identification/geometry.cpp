@@ -12,6 +12,7 @@
 #include <functional>
 #include <numbers>
 #include <optional>
+#include <set>
 
 namespace slidercrank
 {
@@ -92,6 +93,58 @@ Regression fitCouplerReading(const Moments &moments, ColumnOrigin origin)
     return best;
 }
 
+/// Whether a column depends on a speed of the crank that the file does not contain: derivatives in a table over the
+/// crank angle. Their motion is computed for ω2 = 1.
+bool dependsOnUnknownSpeed(const ObservedColumn &column, const Model &model)
+{
+    return column.isDerivative() && model.followsAngle;
+}
+
+/// Fits the reading of a column to the motion of a mechanism with a = 1 mm. Apart from its sign, the factor is the
+/// length of the crank for lengths, and a unit for angles. For columns that depend on an unknown speed, the factor also
+/// contains this speed to the power of the order of the derivative.
+Regression fitColumn(const ObservedColumn &column, const Moments &moments, const Model &model, ColumnOrigin origin)
+{
+    return column.containsAngles() && !dependsOnUnknownSpeed(column, model) ? fitCouplerReading(moments, origin)
+                                                                            : fitReading(moments, {}, origin);
+}
+
+/// What the factors of fitted columns say about a mechanism with a = 1 mm.
+struct Scale {
+    double crankLength = 1.0; ///< mm
+    double speed = 1.0;       ///< ω2 in a table over the crank angle, rad/s
+};
+
+/// The scale that the columns show; the given length and speed if no column shows them. `regressions`: the result of
+/// fitColumn() for each of `columns`.
+Scale scaleOfColumns(const Observations &observations, const Indices &columns,
+                     const std::vector<Regression> &regressions, const Model &model, const Parameters &given)
+{
+    Scale scale{.crankLength = given.a, .speed = given.omega2};
+    for (std::size_t i = 0; i < columns.size(); ++i) { // θ3 first, which shows the speed without a length
+        const ObservedColumn &column = observations.columns[columns[i]];
+        const auto order = static_cast<double>(column.channel.order);
+        const double size = std::abs(regressions[i].reading.factor);
+        const bool isFactorOfSpeed = dependsOnUnknownSpeed(column, model);
+        if (!column.containsAngles()) {
+            scale.crankLength = isFactorOfSpeed ? size / std::pow(std::abs(scale.speed), order) : size;
+        } else if (isFactorOfSpeed) {
+            scale.speed = std::pow(size, 1.0 / order);
+        }
+    }
+    return scale;
+}
+
+/// The reading of a column by a mechanism of the right size and speed, after fitColumn().
+ColumnReading scaledReading(const ObservedColumn &column, const ColumnReading &fitted, const Model &model, double speed)
+{
+    if (dependsOnUnknownSpeed(column, model)) {
+        const double motion = std::pow(speed, static_cast<double>(column.channel.order)); // its sign at this speed
+        return {std::copysign(1.0, fitted.factor * motion), fitted.origin};
+    }
+    return column.containsAngles() ? fitted : ColumnReading{std::copysign(1.0, fitted.factor), fitted.origin};
+}
+
 /// A model from which a fit may start, and how badly it explains the columns without one.
 struct Candidate {
     double misfit = kInfinity;
@@ -105,37 +158,24 @@ Candidate scaleToColumns(Model model, const Observations &observations, const In
                          const std::vector<Moments> &moments, const Parameters &given, Origins origins)
 {
     constexpr double kFloor = 1e-8; // of the squared range: smaller residuals on a coarse grid are accidents
-    Candidate candidate{.misfit = 0.0, .model = std::move(model)};
-    Parameters &mechanism = candidate.model.mechanism;
-    double crankLength = given.a; // mm; of the given mechanism unless a column shows it
-    std::optional<double> speed;  // |ω2| in a table over the crank angle, where the motion is computed for ω2 = 1
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        const ObservedColumn &column = observations.columns[columns[k]];
-        const double order = static_cast<double>(column.channel.order);
-        const bool showsSpeed = order > 0.0 && candidate.model.followsAngle;
-        const ColumnOrigin origin = allowedOrigin(column.channel, origins);
-        Regression best;
-        if (column.containsAngles() && !showsSpeed) {
-            best = fitCouplerReading(moments[k], origin);
-        } else {
-            // Apart from its sign, the factor is the length of the crank, a power of the speed, or their product.
-            best = fitReading(moments[k], {}, origin);
-            const double size = std::abs(best.reading.factor);
-            if (column.containsAngles()) {
-                speed = std::pow(size, 1.0 / order);
-            } else { // columns of θ3 come before those of R4_x, so that the speed is known if they show it
-                crankLength = showsSpeed ? size / std::pow(speed.value_or(given.omega2), order) : size;
-            }
-            best.reading.factor = std::copysign(1.0, best.reading.factor);
-        }
-        candidate.model.readings[columns[k]] = best.reading;
-        candidate.misfit += std::log(best.meanSquare + column.variance + kFloor * column.range * column.range);
+    std::vector<Regression> regressions;
+    double misfit = 0.0;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const ObservedColumn &column = observations.columns[columns[i]];
+        regressions.push_back(fitColumn(column, moments[i], model, allowedOrigin(column.channel, origins)));
+        misfit += std::log(regressions.back().meanSquare + column.variance + kFloor * column.range * column.range);
     }
-    mechanism.omega2 = candidate.model.followsAngle ? speed.value_or(given.omega2) : mechanism.omega2;
-    mechanism.a *= crankLength;
-    mechanism.b *= crankLength;
-    mechanism.c *= crankLength;
-    return candidate;
+    const Scale scale = scaleOfColumns(observations, columns, regressions, model, given);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const Index k = columns[i];
+        model.readings[k] = scaledReading(observations.columns[k], regressions[i].reading, model, scale.speed);
+    }
+    Parameters &mechanism = model.mechanism;
+    mechanism.omega2 = model.followsAngle ? scale.speed : mechanism.omega2;
+    mechanism.a *= scale.crankLength;
+    mechanism.b *= scale.crankLength;
+    mechanism.c *= scale.crankLength;
+    return {.misfit = misfit, .model = std::move(model)};
 }
 
 /// The best candidates of a grid if the columns have their usual origins, and if they may have any.
@@ -311,15 +351,20 @@ Indices shapeColumns(const Observations &observations, std::size_t skipped)
 
 bool determineLengths(const Observations &observations, const Indices &columns)
 {
-    bool hasLength = false;
-    bool hasSpeed = observations.hasTime();
+    std::set<Order> ordersOfLengths;
+    bool hasRateOfAngle = false;
     for (const Index k : columns) {
-        const Channel channel = observations.columns[k].channel;
-        const bool isLength = !isAngle(channel.coordinate);
-        hasLength = hasLength || isLength;
-        hasSpeed = hasSpeed || isLength == (channel.order == Order::Position);
+        const ObservedColumn &column = observations.columns[k];
+        if (!column.containsAngles()) {
+            ordersOfLengths.insert(column.channel.order);
+        }
+        hasRateOfAngle = hasRateOfAngle || (column.containsAngles() && column.isDerivative());
     }
-    return hasLength && hasSpeed;
+    // Over the angle of the crank, velocities show only the product of lengths and ω2, accelerations that of lengths
+    // and ω2².
+    const bool hasSpeed = observations.hasTime() || hasRateOfAngle;
+    return ordersOfLengths.contains(Order::Position) || ordersOfLengths.size() > 1 ||
+           (hasSpeed && !ordersOfLengths.empty());
 }
 
 Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,

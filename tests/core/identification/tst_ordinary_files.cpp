@@ -212,14 +212,40 @@ private slots:
                     sliderPosition(40.0, 140.0, 10.0, angle - kSmall)) /
                    (2.0 * kSmall);
         };
-        for (const double given : {kSpeed, 2.0 * kSpeed}) {
+        for (const double given : {kSpeed, 2.0 * kSpeed, -2.0 * kSpeed}) {
             const Identification found =
                 identifyTable("theta2 (deg),R4_x_diff (mm/s)", 10.0, 37, velocity, {.omega2 = given});
-            const double scale = kSpeed / given;
+            const double scale = kSpeed / std::abs(given);
             QCOMPARE(found.lengthScale, Identification::LengthScale::GivenSpeed);
             QVERIFY(hasLengths(found, 40.0 * scale, 140.0 * scale, 10.0 * scale));
             QVERIFY(!determines(found, Parameter::A) && !determines(found, Parameter::Omega2));
             QCOMPARE(found.parameters.omega2, given);
+            QCOMPARE(found.conventions.size(), given < 0.0 ? 1U : 0U); // the velocity with the opposite sign
+        }
+    }
+
+    void findsTheSpeedFromVelocityAndAccelerationOverTheAngle()
+    {
+        constexpr double kSmall = 1e-4;
+        for (const double speed : {10.0, -10.0}) {
+            std::string text = "theta2 (deg),v (mm/s),a (mm/s^2)\n";
+            for (int i = 0; i <= 36; ++i) {
+                const double angle = 10.0 * i * kDegree;
+                const double before = sliderPosition(40.0, 140.0, 10.0, angle - kSmall);
+                const double at = sliderPosition(40.0, 140.0, 10.0, angle);
+                const double after = sliderPosition(40.0, 140.0, 10.0, angle + kSmall);
+                const double velocity = speed * (after - before) / (2.0 * kSmall);
+                const double acceleration = speed * speed * (before - 2.0 * at + after) / (kSmall * kSmall);
+                std::array<char, 80> line{};
+                std::snprintf(line.data(), line.size(), "%d,%.2f,%.1f\n", 10 * i, velocity, acceleration);
+                text += line.data();
+            }
+            const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
+            QCOMPARE(found.outcome, Outcome::Identified);
+            QCOMPARE(found.lengthScale, Identification::LengthScale::Measured);
+            QVERIFY(hasLengths(found, 40.0, 140.0, 10.0));
+            QVERIFY(std::abs(found.parameters.omega2 - speed) < 0.01);
+            QCOMPARE(found.conventions.size(), 0U);
         }
     }
 
