@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/column_scale.h"
 
-#include "core/identification/rounding_test.h"
+#include "core/identification/residual_test.h"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ double largestFurtherResidual(bool othersAreExact)
 
 std::span<const double> unitFactors(Channel channel)
 {
-    static constexpr std::array kLengthUnits{1.0, 10.0, 0.1, 25.4, 1.0 / 25.4, 1000.0, 0.001}; // cm, in, m
+    static constexpr std::array kLengthUnits = withInverses(kLengthFactors);
     return isAngle(channel.coordinate) ? std::span<const double>(kAngleUnits) : std::span<const double>(kLengthUnits);
 }
 

@@ -4,22 +4,37 @@
 // Compares a column that a fit does not use with the prediction of the fitted model. The factor between the two shows
 // the unit and the sign of the column.
 
+#include "core/identification/convention.h"
 #include "core/identification/fit.h"
 
 #include <array>
+#include <cstddef>
 #include <span>
 
 namespace slidercrank
 {
 
+/// The factors by which columns may be in a different unit than their headings say: 1, each of `units` (the first of
+/// which is 1), and its inverse.
+template <std::size_t count>
+constexpr std::array<double, 2 * count - 1> withInverses(const std::array<double, count> &units)
+{
+    std::array<double, 2 * count - 1> factors{1.0};
+    for (std::size_t i = 1; i < count; ++i) {
+        factors[2 * i - 1] = units[i];
+        factors[2 * i] = 1.0 / units[i];
+    }
+    return factors;
+}
+
 /// The factors that correct a column of angles: 1, or a conversion if radians and degrees were confused.
-inline constexpr std::array kAngleUnits{1.0, kDegreesPerRadian, 1.0 / kDegreesPerRadian};
+inline constexpr std::array kAngleUnits = withInverses(kAngleFactors);
 
 /// The largest residual with which a mechanism explains a further column: rms, relative to the range of the column. If
 /// the mechanism explains the other columns exactly (within rounding), the further column may have hardly any residual.
 double largestFurtherResidual(bool othersAreExact);
 
-/// The factors by which a column may be in a different unit than its heading says; the first is 1.
+/// The factors by which a column of this channel may be in a different unit than its heading says; the first is 1.
 std::span<const double> unitFactors(Channel channel);
 
 /// The sign with which a coordinate is counted: that of the first of its columns in the fit, or 1 if there is none.

@@ -8,16 +8,16 @@
 // Some conventions cannot be distinguished from another mechanism. The set of the motions of all mechanisms does not
 // change if they are
 //
-//     mirrored at x     θ → -θ, x → x            c → -c, ω2 → -ω2, θ20 → -θ20
-//     mirrored at y     θ → 180° - θ, x → -x     ω2 → -ω2, θ20 → 180° - θ20, the other assembly
-//     turned by 180°    θ → θ + 180°, x → -x     c → -c, θ20 → θ20 + 180°, the other assembly
-//     enlarged          θ → θ, x → k x           a, b, c times k
-//     started late      t → t + τ                θ20 + ω2 τ
-//     timed otherwise   t → f t and every derivative by its power of f     ω2 / f
+//     mirrored in the x axis    θ → -θ, x → x            c → -c, ω2 → -ω2, θ20 → -θ20
+//     mirrored in the y axis    θ → 180° - θ, x → -x     ω2 → -ω2, θ20 → 180° - θ20, the other assembly
+//     turned by 180°            θ → θ + 180°, x → -x     c → -c, θ20 → θ20 + 180°, the other assembly
+//     enlarged                  θ → θ, x → k x           a, b, c times k
+//     started late              t → t + τ                θ20 + ω2 τ
+//     timed otherwise           t → f t, and every derivative by its power of f     ω2 / f
 //
 // (θ and x with their derivatives, θ up to whole turns), and, for θ alone, if
 //
-//     the crank is reversed     θ → θ            ω2 → -ω2, θ20 → 180° - θ20
+//     the crank is reversed     θ → θ                    ω2 → -ω2, θ20 → 180° - θ20
 //
 // Therefore the length unit of the whole file, times and derivatives per millisecond, a late start and the other
 // assembly are reported only if the file then agrees with the given mechanism. Otherwise the result is another
@@ -27,10 +27,9 @@
 //     one of two columns negated, or the other one
 //     R4x measured from another origin in the opposite direction (a depth), or θ turned by 180°
 //
-// The description with the fewest readings is chosen, then the one whose mechanism is near the given one
-// (mirror_images.h).
+// The simplest description is chosen, then the one whose mechanism is near the given one (mirror_images.h).
 //
-// If the slider moves along y and not along x, the axes are exchanged first. Angles are not rotated with them, unless
+// If the slider moves along y and not along x, the axes are rotated first. Angles are not rotated with them, unless
 // that leads to a better outcome or to fewer conventions.
 
 #include "core/import/reference_data.h"
@@ -38,7 +37,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace slidercrank
@@ -51,10 +49,6 @@ inline constexpr std::array kTimeFactors{1.0, 1e-3};
 
 /// Relative rounding error of a unit that conventions have changed.
 inline constexpr double kSameUnit = 1e-9;
-
-/// The factor nearest to |wanted| that corrects a wrong unit: values in the default unit, which includes those without
-/// a unit, may be in one of `units`, and those in one of `units` may be in the default unit.
-double nearestFactor(std::span<const double> units, double wanted, double unitOfHeading);
 
 /// A convention and the columns that it changes. In a table over the crank angle, AngleUnit, Sign and ZeroPoint of θ2
 /// change the abscissa.
@@ -83,10 +77,6 @@ struct Convention {
 
     friend bool operator==(const Convention &, const Convention &) = default;
 };
-
-/// The exchange of axes if the slider moves along y and not along x; nullopt otherwise. `withAngles`: whether it also
-/// changes the angles, which are then measured from the new x axis.
-std::optional<Convention> axisAlongY(const ReferenceData &data, bool withAngles);
 
 /// Applies a convention to the data. Branch changes nothing. Crank angles are changed without their time stamps.
 ReferenceData applied(const Convention &convention, ReferenceData data);

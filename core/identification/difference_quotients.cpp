@@ -83,7 +83,7 @@ bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn
     constexpr double kMinCurvature = 3.0; // at the other rows (median), relative to what rounding can simulate
     const Quotients curvature = computeQuotients(kSecondDifference, observations.abscissa(), column);
     const Index rows = curvature.values.size();
-    const auto isRepeated = column.values.segment(1, rows) == column.values.head(rows);
+    const Eigen::ArrayX<bool> isRepeated = column.values.segment(1, rows) == column.values.head(rows);
     const Eigen::ArrayX<bool> isComputed = curvature.values.abs() <= curvature.bounds || isRepeated;
     const Values curvatureOfOthers = isComputed.select(kNone, curvature.values.abs() / curvature.bounds);
     return isComputed.cast<double>().mean() > kMinFraction && median(curvatureOfOthers) > kMinCurvature;

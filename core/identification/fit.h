@@ -14,6 +14,7 @@
 // by the mean of step²/12.
 
 #include "core/comparison/comparison.h"
+#include "core/identification/minimizer.h"
 #include "core/identification/model.h"
 
 #include <array>
@@ -112,13 +113,13 @@ Fit evaluateModel(const Observations &observations, Model model, Indices columns
 /// the values that they have in `start`. The fit is not finite if the mechanism of the start cannot be assembled, or if
 /// the observations request a stop.
 Fit fitModel(const Observations &observations, Model start, Indices columns, Unknowns unknowns,
-             int iterationLimit = 200);
+             int iterationLimit = MinimizerOptions{}.iterationLimit);
 
 /// Whether the crank makes less than a turn, so that nothing returns to where it was: the motions of many mechanisms,
 /// with other origins, are nearly equal on an arc.
 bool isShortArc(const Observations &observations, const Model &model);
 
-/// The largest dependence (noise.h) of the residuals of a column; at least 1.
+/// The largest value of dependence() (noise.h) among the columns of the fit; at least 1.
 double dependence(const Fit &fit);
 
 /// Whether the residuals of every column change their sign as often as independent errors do (noise.h).

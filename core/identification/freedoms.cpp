@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/freedoms.h"
 
-#include "core/identification/rounding_test.h"
+#include "core/identification/residual_test.h"
 
 #include "core/mechanism/turn.h"
 
@@ -112,9 +112,10 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
     return fit;
 }
 
-/// With a very long coupler, R4_x with the opposite sign looks like the motion of a reversed crank, which does not
-/// change θ3. Returns the fit of the reversed crank, in which R4_x has its usual sign, if rounding explains its
-/// residuals; otherwise the same fit.
+/// With a very long coupler, R4_x ≈ a cos θ2 + constant. With the opposite sign, this is the motion of a crank at
+/// π - θ2, for which θ3 is the same. If R4_x is negated in `fit`, fits that crank with the usual sign and returns this
+/// fit if rounding explains its residuals; otherwise returns `fit`, as always in a file with θ2, which shows the sense
+/// of rotation.
 Fit withUsualSign(const Observations &observations, Fit fit)
 {
     Model start = fit.model;
@@ -161,13 +162,13 @@ bool mayExist(const Observations &observations, const Fit &with, const Fit &with
     return without.misfit - with.misfit > kGrowth || isBelowRounding(observations, with, unknown, usual);
 }
 
-/// Adds the changes of the parameters from one fit to another to `shifts`, as independent errors.
-void addShifts(ParameterErrors &shifts, const Fit &with, const Fit &without)
+/// Adds the changes of the parameters from one fit to another to `errors`, as independent errors.
+void addPossibleErrors(ParameterErrors &errors, const Fit &with, const Fit &without)
 {
     for (const Unknown unknown : without.unknowns) {
         if (unknown.isParameter()) {
-            double &shift = shifts[indexOf(toParameter(unknown))];
-            shift = std::hypot(shift, valueOf(without.model, unknown) - valueOf(with.model, unknown));
+            double &error = errors[indexOf(toParameter(unknown))];
+            error = std::hypot(error, valueOf(without.model, unknown) - valueOf(with.model, unknown));
         }
     }
 }
@@ -183,9 +184,9 @@ Fit withUsualReadings(const Observations &observations, Fit fit)
     return fit;
 }
 
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &earlierShifts)
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &earlierErrors)
 {
-    ConstrainedFit result{.fit = std::move(fit), .shifts = earlierShifts};
+    ConstrainedFit result{.fit = std::move(fit), .possibleErrors = earlierErrors};
     if (!result.fit.isFinite()) {
         return result;
     }
@@ -201,7 +202,7 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const 
             continue;
         }
         if (mayExist(observations, result.fit, without, freedom, usual)) {
-            addShifts(result.shifts, result.fit, without);
+            addPossibleErrors(result.possibleErrors, result.fit, without);
         }
         result.fit = std::move(without);
     }

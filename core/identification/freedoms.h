@@ -12,7 +12,7 @@ namespace slidercrank
 /// uncertain.
 struct ConstrainedFit {
     Fit fit;
-    ParameterErrors shifts{}; ///< how far each parameter moved when freedoms that may exist were taken back
+    ParameterErrors possibleErrors{}; ///< how far each parameter moved when freedoms that may exist were taken back
 };
 
 /// If the coupler is very long, a different length of it looks like another unit of θ3, and a reversed crank like the
@@ -29,8 +29,8 @@ Fit withUsualReadings(const Observations &observations, Fit fit);
 ///      interpolation bends the curve that much, too.
 /// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
 /// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are added to
-/// `earlierShifts`, the shifts of a ConstrainedFit from which `fit` was made. A fit that is not finite remains as it
-/// is.
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &earlierShifts = {});
+/// `earlierErrors`, the possible errors of a ConstrainedFit from which `fit` was made. A fit that is not finite remains
+/// as it is.
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &earlierErrors = {});
 
 } // namespace slidercrank

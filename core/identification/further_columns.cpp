@@ -3,7 +3,7 @@
 
 #include "core/identification/column_scale.h"
 #include "core/identification/geometry.h"
-#include "core/identification/rounding_test.h"
+#include "core/identification/residual_test.h"
 #include "core/identification/table_speed.h"
 
 #include <algorithm>
@@ -29,9 +29,10 @@ double bestOrigin(const Observations &observations, const Fit &fit, Index k, dou
 }
 
 /// Fits column k together with the columns of a fit, starting from `model`, which reads the column. Returns nullopt if
-/// no mechanism explains them all. `othersAreExact`: rounding explains the columns of the fit.
+/// no mechanism explains them all. `isGeometryExact`: rounding explains the columns from which
+/// the geometry was found.
 std::optional<Fit> withColumn(const Observations &observations, const Fit &fit, const Model &model, Index k,
-                              bool othersAreExact)
+                              bool isGeometryExact)
 {
     Indices columns = fit.columns;
     columns.push_back(k);
@@ -40,12 +41,12 @@ std::optional<Fit> withColumn(const Observations &observations, const Fit &fit, 
         return std::nullopt;
     }
     const Index last = std::ssize(columns) - 1;
-    const double largestRms = largestFurtherResidual(othersAreExact) * columnSize(observations, together, last);
+    const double largestRms = largestFurtherResidual(isGeometryExact) * columnSize(observations, together, last);
     const bool isColumnExplained = isWithinRounding(observations, together, last) ||
                                    (isExplained(observations, together, last) && together.rms.back() < largestRms);
     const Fit others = evaluateModel(observations, together.model, fit.columns);
     const bool areOthersExplained =
-        others.misfit - fit.misfit <= kSameMisfit || (othersAreExact && isExact(observations, others));
+        others.misfit - fit.misfit <= kSameMisfit || (isGeometryExact && isExact(observations, others));
     return isColumnExplained && areOthersExplained ? std::optional(std::move(together)) : std::nullopt;
 }
 
@@ -80,13 +81,13 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
 
 /// Fits column k together with the columns of a fit, in the simplest reading with which a mechanism explains them all:
 /// one of simpleReadings(), otherwise with a free origin. Returns nullopt if there is none.
-std::optional<Fit> withSimplestReading(const Observations &observations, const Fit &fit, Index k, bool othersAreExact)
+std::optional<Fit> withSimplestReading(const Observations &observations, const Fit &fit, Index k, bool isGeometryExact)
 {
     const double factor = usualFactor(observations, fit, k);
     Model model = fit.model;
     for (const ColumnReading &reading : simpleReadings(observations, fit, k, factor)) {
         model.readings[k] = reading;
-        if (std::optional<Fit> together = withColumn(observations, fit, model, k, othersAreExact)) {
+        if (std::optional<Fit> together = withColumn(observations, fit, model, k, isGeometryExact)) {
             return together;
         }
     }
@@ -97,7 +98,7 @@ std::optional<Fit> withSimplestReading(const Observations &observations, const F
     withOrigin.unknowns.push_back({Unknown::Kind::Origin, k});
     for (const double signedFactor : {factor, -factor}) {
         model.readings[k] = {signedFactor, bestOrigin(observations, fit, k, signedFactor)};
-        if (std::optional<Fit> together = withColumn(observations, withOrigin, model, k, othersAreExact)) {
+        if (std::optional<Fit> together = withColumn(observations, withOrigin, model, k, isGeometryExact)) {
             return together;
         }
     }
@@ -178,28 +179,28 @@ Reason reasonOfMismatch(const Observations &observations, const Fit &fit, Index 
 }
 
 /// The same as percentOfPeak(), at the speed of the crank and in the unit that suit the column best.
-double percentOfPeakAtBestSpeed(const Observations &observations, const Fit &fit, Index k, bool othersAreExact)
+double percentOfPeakAtBestSpeed(const Observations &observations, const Fit &fit, Index k, bool isGeometryExact)
 {
     const double sign = signOfCoordinate(observations, fit, observations.columns[k].channel.coordinate);
-    const double factor = fitScale(observations, fit, fit.model, k, othersAreExact).factor;
+    const double factor = fitScale(observations, fit, fit.model, k, isGeometryExact).factor;
     return percentOfPeak(observations, fit, k, sign * factor);
 }
 
-/// Adds column k to result.fit, or to result.leftOut with a reason. `othersAreExact`: rounding explains the columns of
-/// the geometry.
+/// Adds column k to result.fit, or to result.leftOut with a reason. `isGeometryExact`: see withColumn().
 void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Index k, Drive::Kind drive,
-                   bool othersAreExact)
+                   bool isGeometryExact)
 {
     const ObservedColumn &column = observations.columns[k];
     const Fit &fit = result.fit;
     if (const std::optional<Reason> reason = reasonWithoutPrediction(column, fit, drive)) {
         const double percent =
-            *reason == Reason::UnevenSpeed ? kNone : percentOfPeakAtBestSpeed(observations, fit, k, othersAreExact);
+            *reason == Reason::UnevenSpeed ? kNone : percentOfPeakAtBestSpeed(observations, fit, k, isGeometryExact);
         result.leftOut.push_back({column.channel, *reason, percent});
         return;
     }
-    std::optional<Fit> together = withSimplestReading(observations, fit, k, othersAreExact);
-    if (together && (!column.isDifference || isGenuine(observations, *together, std::ssize(fit.columns)))) {
+    std::optional<Fit> together = withSimplestReading(observations, fit, k, isGeometryExact);
+    const Index placeOfNewColumn = std::ssize(fit.columns);
+    if (together && (!column.isDifference || isGenuine(observations, *together, placeOfNewColumn))) {
         result.fit = *std::move(together);
         return;
     }
@@ -210,7 +211,7 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
 /// Over the angle of the crank, velocities of lengths show the product of the lengths and ω2, and accelerations that of
 /// the lengths and ω2². Returns the fit of velocities together with an acceleration, or the reverse, in which the speed
 /// is free; nullopt if the mechanism does not explain both.
-std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool othersAreExact)
+std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool isGeometryExact)
 {
     const Channel fitted = observations.columns[fit.columns.front()].channel;
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
@@ -219,7 +220,7 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
             continue;
         }
         // At `ratio` times the speed, the columns of the fit need lengths and a sign that change by its inverse power.
-        const double factor = fitScale(observations, fit, fit.model, k, othersAreExact).factor;
+        const double factor = fitScale(observations, fit, fit.model, k, isGeometryExact).factor;
         const double ratio = fitted.order == Order::Velocity ? factor : 1.0 / factor;
         const double change = std::pow(ratio, -static_cast<double>(fitted.order));
         Fit start = fit;
@@ -232,7 +233,7 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
             start.model.readings[used].factor *= std::copysign(1.0, change);
         }
         start.model.readings[k] = {signOfCoordinate(observations, start, column.channel.coordinate), 0.0};
-        if (std::optional<Fit> together = withColumn(observations, start, start.model, k, othersAreExact)) {
+        if (std::optional<Fit> together = withColumn(observations, start, start.model, k, isGeometryExact)) {
             return together;
         }
     }
@@ -241,7 +242,7 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
 
 /// Adds the speed that derivatives in a table over the crank angle show to the unknowns of result.fit, or the speeds
 /// that they allow to result.speeds.
-void findSpeed(FurtherColumns &result, const Observations &observations, double givenSpeed, bool othersAreExact)
+void findSpeed(FurtherColumns &result, const Observations &observations, double givenSpeed, bool isGeometryExact)
 {
     Fit &fit = result.fit;
     if (fit.isFree({Unknown::Kind::Omega2})) {
@@ -250,7 +251,7 @@ void findSpeed(FurtherColumns &result, const Observations &observations, double 
     const bool hasLengthsOfOneOrder =
         !determineLengths(observations, fit.columns) && !observations.containOnlyAngles(fit.columns);
     if (hasLengthsOfOneOrder) {
-        fit = withSpeedOfTwoOrders(observations, fit, othersAreExact).value_or(fit);
+        fit = withSpeedOfTwoOrders(observations, fit, isGeometryExact).value_or(fit);
         return;
     }
     result.speeds = findTableSpeeds(observations, fit, givenSpeed);
@@ -266,14 +267,14 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
                                   const Parameters &given)
 {
     FurtherColumns result{.fit = drive.kind == Drive::Kind::OverTime ? withSpeedOfVelocities(observations, fit) : fit};
-    const bool othersAreExact = isExact(observations, result.fit);
+    const bool isGeometryExact = isExact(observations, result.fit);
     if (drive.kind == Drive::Kind::OverAngle) {
-        findSpeed(result, observations, given.omega2, othersAreExact);
+        findSpeed(result, observations, given.omega2, isGeometryExact);
     }
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
         for (Index k = 0; k < std::ssize(observations.columns); ++k) {
             if (observations.columns[k].channel.order == order && !result.fit.usesColumn(k)) {
-                addOrLeaveOut(result, observations, k, drive.kind, othersAreExact);
+                addOrLeaveOut(result, observations, k, drive.kind, isGeometryExact);
             }
         }
     }

@@ -2,7 +2,7 @@
 #include "core/identification/geometry.h"
 
 #include "core/identification/column_scale.h"
-#include "core/identification/rounding_test.h"
+#include "core/identification/residual_test.h"
 
 #include "core/mechanism/turn.h"
 
@@ -139,8 +139,9 @@ Scale scaleOfColumns(const Observations &observations, const Indices &columns,
 ColumnReading scaledReading(const ObservedColumn &column, const ColumnReading &fitted, const Model &model, double speed)
 {
     if (dependsOnUnknownSpeed(column, model)) {
-        const double motion = std::pow(speed, static_cast<double>(column.channel.order)); // its sign at this speed
-        return {std::copysign(1.0, fitted.factor * motion), fitted.origin};
+        // Negative for a velocity at a negative speed.
+        const double factorOfSpeed = std::pow(speed, static_cast<double>(column.channel.order));
+        return {std::copysign(1.0, fitted.factor * factorOfSpeed), fitted.origin};
     }
     return column.containsAngles() ? fitted : ColumnReading{std::copysign(1.0, fitted.factor), fitted.origin};
 }

@@ -76,7 +76,8 @@ struct LengthChange {
 struct Identification {
     enum class Outcome { // the best first
         Identified,      ///< every used column is within its rounding
-        Approximate,     ///< a mechanism explains every used column with residuals (rms) below 2 % of its range
+        Approximate,     ///< a mechanism explains every used column with residuals (rms) below 2 % of its range if they
+                         ///< are noise, below 0.7 % if they are systematic
         Insufficient,    ///< the file does not determine the mechanism: see `lack`
         None             ///< no mechanism explains the file: see `misfit`
     };

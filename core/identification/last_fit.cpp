@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/last_fit.h"
 
-#include "core/identification/rounding_test.h"
+#include "core/identification/residual_test.h"
 
 #include "core/mechanism/turn.h"
 
@@ -73,9 +73,9 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
 }
 
 /// Computes the covariance of the unknowns and the standard errors of the parameters at t = 0 of the file. Two more
-/// independent errors are added to those of the fit: `shifts`, and the step to the minimum that the search did not make
-/// if it ended early.
-void computeErrors(LastFit &result, const ParameterErrors &shifts)
+/// independent errors are added to those of the fit: `possibleErrors`, and the step to the minimum that the search did
+/// not make if it ended early.
+void computeErrors(LastFit &result, const ParameterErrors &possibleErrors)
 {
     const Fit &fit = result.fit;
     Eigen::MatrixXd &covariance = result.covariance;
@@ -93,7 +93,7 @@ void computeErrors(LastFit &result, const ParameterErrors &shifts)
     for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
         if (fit.unknowns[k].isParameter()) {
             const std::size_t i = indexOf(toParameter(fit.unknowns[k]));
-            covariance(k, k) += shifts[i] * shifts[i];
+            covariance(k, k) += possibleErrors[i] * possibleErrors[i];
             result.standardError[i] = std::sqrt(covariance(k, k));
         }
     }
@@ -136,7 +136,8 @@ Parameters parametersAtTimeZero(const Model &model, const Observations &observat
     return parameters;
 }
 
-LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive)
+LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &possibleErrors,
+                   const Drive &drive)
 {
     constexpr int kMaxFits = 2; // large outliers bend the first fit, so that smaller ones show only after it
     Fit fit = evaluateModel(observations, start.model, start.columns);
@@ -157,7 +158,7 @@ LastFit fitAllRows(Observations observations, const Fit &start, const ParameterE
     }
     result.isExact = isExact(result.observations, result.fit);
     result.dependence = result.isExact ? 1.0 : dependence(result.fit);
-    computeErrors(result, shifts);
+    computeErrors(result, possibleErrors);
     // If the model follows the angle in the file, its unknown θ20 is the origin of that angle. The angle of the crank
     // at t = 0, and the speed of a run-up, are those of the drive.
     if (result.fit.model.followsAngle) {

@@ -35,8 +35,9 @@ void scaleErrors(LastFit &lastFit, Parameter parameter, double factor);
 
 /// Fits all rows, starting from a fit of some rows. Outliers are excluded if they are at most 5 % of the rows: their
 /// residuals are beyond eight robust standard deviations, beyond rounding, and larger than a slight delay of the row
-/// explains. `shifts`: further errors of the parameters (see freedoms.h).
-LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &shifts, const Drive &drive);
+/// explains. `possibleErrors`: further errors of the parameters (see freedoms.h).
+LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &possibleErrors,
+                   const Drive &drive);
 
 /// The parameters at t = 0 of the file, with θ20 in (-π, π]. In a file over the angle of the crank, the speed and the
 /// angle at t = 0 are those of `drive`.

@@ -24,7 +24,7 @@ struct LocalShape {
 using Objective = std::function<std::optional<LocalShape>(const Eigen::VectorXd &)>;
 
 struct MinimizerOptions {
-    int iterationLimit = 50;
+    int iterationLimit = 200;
     double smallestGain = 1e-4; ///< a step that lowers the value by less ends the search
 };
 

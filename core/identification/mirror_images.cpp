@@ -66,11 +66,84 @@ bool isOddHalfTurn(double angle)
     return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
 }
 
+/// How many columns of one kind (lengths or angles) have the opposite sign. Displacements are not among the columns.
+struct SignCount {
+    int columns = 0;
+    int negated = 0;
+    bool hasNegatedDisplacement = false;
+
+    /// The number of readings. If all columns have the opposite sign, they are counted along the opposite axis, which
+    /// is one reading. A displacement has a direction of its own, which its derivatives share: that is no reading.
+    int readings() const
+    {
+        if (negated < columns) {
+            return negated;
+        }
+        return columns == 0 || hasNegatedDisplacement ? 0 : 1;
+    }
+};
+
+/// The number of unusual readings of θ2 in the file: one if it is counted clockwise, and one if it is half a turn off.
+/// 0 if the model does not follow it.
+int countUnusualCrankReadings(const Fit &fit, const Model &model)
+{
+    if (!model.followsAngle) {
+        return 0;
+    }
+    const bool isClockwise = model.angleFactor < 0.0;
+    // An origin that is not free is a multiple of half a turn (see withoutFreedoms()).
+    const bool isOriginFixed = !fit.isFree({Unknown::Kind::CrankAngle});
+    const bool isHalfTurnOff = isOriginFixed && isOddHalfTurn(model.mechanism.theta20);
+    return (isClockwise ? 1 : 0) + (isHalfTurnOff ? 1 : 0);
+}
+
+/// Whether the file has a column R4_y that is not c.
+bool isSliderLineShifted(const Observations &observations, const Model &model)
+{
+    constexpr double kTolerance = 0.02; // fraction of a: the error of c in a noisy file
+    const auto isOtherLine = [&](const ObservedColumn &column) {
+        return column.channel == kSliderLine &&
+               std::abs(column.values[0] - model.mechanism.c) > kTolerance * model.mechanism.a;
+    };
+    return std::ranges::any_of(observations.columns, isOtherLine);
+}
+
+/// The number of columns that have to be read differently than their headings say, for a model with the columns and
+/// unknowns of a fit.
+int countUnusualReadings(const Observations &observations, const Fit &fit, const Model &model)
+{
+    const bool isLineShifted = isSliderLineShifted(observations, model);
+    int count = countUnusualCrankReadings(fit, model) + (isLineShifted ? 1 : 0);
+    SignCount lengths, angles;
+    for (const Index k : fit.columns) {
+        const ObservedColumn &column = observations.columns[k];
+        const ColumnReading &reading = model.readings[k];
+        const bool hasOrigin = fit.isFree({Unknown::Kind::Origin, k});
+        const bool isNegated = reading.factor < 0.0;
+        if (column.channel == kSliderLine) {
+            continue; // counted above
+        }
+        // R4_x with an origin of its own is a displacement, unless the whole frame of the file is shifted, R4_y as
+        // well.
+        if (hasOrigin && !column.containsAngles() && !isLineShifted) {
+            lengths.hasNegatedDisplacement = lengths.hasNegatedDisplacement || isNegated;
+            continue;
+        }
+        SignCount &signs = column.containsAngles() ? angles : lengths;
+        ++signs.columns;
+        signs.negated += isNegated ? 1 : 0;
+        const bool isHalfTurnOff =
+            column.containsAngles() && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor);
+        count += isHalfTurnOff ? 1 : 0;
+    }
+    return count + lengths.readings() + angles.readings();
+}
+
 /// Orders the images: that with the lowest rank, compared member by member, is preferred.
 struct ImageRank {
     int differences;       ///< readings, and one more if the assembly is not that of the given mechanism
     bool isOtherThanGiven; ///< the assembly or c is not that of the given mechanism
-    int readings;          ///< readingCount() of the image
+    int readings;          ///< countUnusualReadings() of the image
     double distance; ///< from the given mechanism: 0 … 1 for c, and kReversedCrank if it turns in the other direction
 
     friend auto operator<=>(const ImageRank &, const ImageRank &) = default;
@@ -81,7 +154,7 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
     constexpr double kSameLength = 1e-3;   // fraction of a: the c of a fit is never exactly the given one
     constexpr double kReversedCrank = 1.5; // more than the distance of the opposite c, which is 1
     const Parameters &m = model.mechanism;
-    const int readings = readingCount(observations, fit, model);
+    const int readings = countUnusualReadings(observations, fit, model);
     const bool isGivenAssembly = m.branch == given.branch;
     const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
     const bool isReversed = m.omega2 * given.omega2 < 0.0;
@@ -125,78 +198,7 @@ bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
     });
 }
 
-/// How many columns of one kind (lengths or angles) have the opposite sign. Displacements are not among the columns.
-struct SignCount {
-    int columns = 0;
-    int negated = 0;
-    bool hasNegatedDisplacement = false;
-
-    /// The number of readings. If all columns have the opposite sign, they are counted along the opposite axis, which
-    /// is one reading. A displacement has a direction of its own, which its derivatives share: that is no reading.
-    int readings() const
-    {
-        if (negated < columns) {
-            return negated;
-        }
-        return columns == 0 || hasNegatedDisplacement ? 0 : 1;
-    }
-};
-
-/// The number of unusual readings of θ2 in the file: one if it is counted clockwise, and one if it is half a turn off.
-/// 0 if the model does not follow it.
-int crankReadingCount(const Fit &fit, const Model &model)
-{
-    if (!model.followsAngle) {
-        return 0;
-    }
-    const bool isClockwise = model.angleFactor < 0.0;
-    // An origin that is not free is a multiple of half a turn (see withoutFreedoms()).
-    const bool isOriginFixed = !fit.isFree({Unknown::Kind::CrankAngle});
-    const bool isHalfTurnOff = isOriginFixed && isOddHalfTurn(model.mechanism.theta20);
-    return (isClockwise ? 1 : 0) + (isHalfTurnOff ? 1 : 0);
-}
-
-/// Whether the file has a column R4_y that is not c.
-bool isSliderLineShifted(const Observations &observations, const Model &model)
-{
-    constexpr double kTolerance = 0.02; // fraction of a: the error of c in a noisy file
-    const auto isOtherLine = [&](const ObservedColumn &column) {
-        return column.channel == kSliderLine &&
-               std::abs(column.values[0] - model.mechanism.c) > kTolerance * model.mechanism.a;
-    };
-    return std::ranges::any_of(observations.columns, isOtherLine);
-}
-
 } // namespace
-
-int readingCount(const Observations &observations, const Fit &fit, const Model &model)
-{
-    const bool isLineShifted = isSliderLineShifted(observations, model);
-    int count = crankReadingCount(fit, model) + (isLineShifted ? 1 : 0);
-    SignCount lengths, angles;
-    for (const Index k : fit.columns) {
-        const ObservedColumn &column = observations.columns[k];
-        const ColumnReading &reading = model.readings[k];
-        const bool hasOrigin = fit.isFree({Unknown::Kind::Origin, k});
-        const bool isNegated = reading.factor < 0.0;
-        if (column.channel == kSliderLine) {
-            continue; // counted above
-        }
-        // R4_x with an origin of its own is a displacement, unless the whole frame of the file is shifted, R4_y as
-        // well.
-        if (hasOrigin && !column.containsAngles() && !isLineShifted) {
-            lengths.hasNegatedDisplacement = lengths.hasNegatedDisplacement || isNegated;
-            continue;
-        }
-        SignCount &signs = column.containsAngles() ? angles : lengths;
-        ++signs.columns;
-        signs.negated += isNegated ? 1 : 0;
-        const bool isHalfTurnOff =
-            column.containsAngles() && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor);
-        count += isHalfTurnOff ? 1 : 0;
-    }
-    return count + lengths.readings() + angles.readings();
-}
 
 std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given)
 {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The mirror images of a mechanism that explain the columns of a file equally well, each with its own reading:
-//
-//     mirrored in the x axis    θ → -θ               c → -c, ω2 → -ω2, θ20 → -θ20
-//     mirrored in the y axis    x → -x, θ → π - θ    ω2 → -ω2, θ20 → π - θ20, the other assembly
-//     and, for θ3 alone         θ3 → θ3              ω2 → -ω2, θ20 → π - θ20
+// The mirror images of a mechanism, which explain the columns of a file equally well: those in the x axis, in the y
+// axis and in both, and for θ3 alone also those with a reversed crank (see the table in convention.h). Each reads the
+// columns in its own way.
 
 #include "core/identification/fit.h"
 
@@ -14,13 +12,9 @@
 namespace slidercrank
 {
 
-/// Returns the image with the simplest reading first, then those that need the same reading of the file. A reading is
-/// simple if few columns have another sign, θ2 and θ3 are not half a turn off, and the assembly is that of the given
-/// mechanism; among equally simple ones, the mechanism near the given one comes first.
+/// Returns the images, one of which is the model of the fit, that have the simplest reading of the file. A reading is
+/// the simpler the fewer columns are negated or half a turn off; another assembly than that of the given mechanism
+/// counts like one such column. The mechanism near the given one comes first.
 std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given);
-
-/// The number of columns that have to be read differently than their headings say, for a model with the columns and
-/// unknowns of a fit.
-int readingCount(const Observations &observations, const Fit &fit, const Model &model);
 
 } // namespace slidercrank

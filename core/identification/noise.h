@@ -33,7 +33,7 @@ inline double dependence(const Values &residuals)
 inline bool changeSignLikeNoise(const Values &residuals)
 {
     const Index pairs = residuals.size() - 1;
-    const auto product = residuals.head(pairs) * residuals.tail(pairs); // NaN beside a gap
+    const Values product = residuals.head(pairs) * residuals.tail(pairs); // NaN beside a gap
     const double changes = static_cast<double>((product < 0.0).count());
     const double pairsWithValues = changes + static_cast<double>((product >= 0.0).count());
     // The number of changes of independent errors has a binomial distribution with the probability 1/2.

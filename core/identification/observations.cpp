@@ -74,8 +74,7 @@ ObservedColumn readColumn(const ReferenceData &data, const ReferenceSeries &seri
         .channel = series.channel, .statesUnit = statesUnit(data.layout, series.channel), .hadJumps = hadJumps};
     column.range = range.count > 0 ? range.width() : 0.0;
     column.values = Eigen::Map<const Values>(values.data(), std::ssize(values));
-    column.halfSteps = computeHalfSteps(series.values, rounding, rows, unit, range.size());
-    column.variance = column.halfSteps.square().mean() / 3.0;
+    column.setHalfSteps(computeHalfSteps(series.values, rounding, rows, unit, range.size()));
     return column;
 }
 
@@ -88,8 +87,7 @@ void markIfConstant(ObservedColumn &column, double span)
     const double zero = kZero / std::pow(span, static_cast<double>(column.channel.order));
     if (column.range * column.range <= 12.0 * column.variance || column.range <= zero) {
         column.range = 0.0;
-        column.halfSteps = column.halfSteps.max(zero);
-        column.variance = column.halfSteps.square().mean() / 3.0;
+        column.setHalfSteps(column.halfSteps.max(zero));
     }
 }
 
@@ -125,11 +123,11 @@ Values evenlySpaced(const Values &printed, const Values &halfSteps)
     const Index last = printed.size() - 1;
     const Values differences = printed.tail(last) - printed.head(last);
     const double spacing = median(differences);
-    Values fractions = Values::Zero(printed.size()); // fractions of the duration of the grid
+    Values spacings = Values::Zero(printed.size()); // their number from the first time to each
     for (Index i = 0; i < last; ++i) {
-        fractions[i + 1] = fractions[i] + std::rint(differences[i] / spacing);
+        spacings[i + 1] = spacings[i] + std::rint(differences[i] / spacing);
     }
-    fractions /= fractions[last];
+    const Values fractions = spacings / spacings[last]; // of the duration of the grid
     // The times of a grid that starts at zero. The first and the last time stamp allow durations from the shortest one
     // (stretch = -1) to the longest one (stretch = 1).
     const auto grid = [&](double stretch) -> Values {
@@ -258,7 +256,7 @@ Observations observe(const ReferenceData &data, std::stop_token stop)
     }
     for (const ReferenceSeries &series : data.series) {
         if (isUninformative(series.channel) || series.channel == kCrankAngle) {
-            continue; // θ2 has been observed as the angle above
+            continue; // observeAngleColumn() has read θ2, or left it out
         }
         ObservedColumn column = readColumn(data, series, observations.rows);
         markIfConstant(column, observations.span());

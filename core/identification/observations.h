@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <stop_token>
+#include <utility>
 #include <vector>
 
 namespace slidercrank
@@ -38,6 +39,13 @@ struct ObservedColumn {
     bool containsAngles() const { return isAngle(channel.coordinate); } ///< angles, or derivatives of angles
     bool isDerivative() const { return channel.order != Order::Position; }
     bool isConstant() const { return range == 0.0; } ///< it repeats one value with one rounding error
+
+    /// Sets the half steps and the variance of the rounding errors, which are distributed evenly within a step.
+    void setHalfSteps(Values steps)
+    {
+        halfSteps = std::move(steps);
+        variance = halfSteps.square().mean() / 3.0;
+    }
 };
 
 struct Observations {
@@ -75,9 +83,12 @@ struct Observations {
 /// rounding errors is kept, with a range of 0.
 Observations observe(const ReferenceData &data, std::stop_token stop);
 
-/// Selects at most `count` rows, evenly spread. If some are left out, the distances of the others vary, so that a
-/// motion which is too fast for them does not look like a slow one.
-Observations selectRows(const Observations &all, Index count);
+/// The largest number of rows that any step but the last fit uses.
+inline constexpr Index kSearchedRows = 400;
+
+/// Selects at most `count` rows, one at an irregular place in each of `count` equal sections of the file: at equal
+/// distances, a fast motion could look like a slow one.
+Observations selectRows(const Observations &observations, Index count);
 
 /// Replaces values that are far from their neighbours by gaps (Hampel's filter: R. Pearson, "Outliers in process
 /// modeling and identification", IEEE Trans. Control Syst. Technol. 10, 2002).

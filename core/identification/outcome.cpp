@@ -2,10 +2,8 @@
 #include "core/identification/outcome.h"
 
 #include "core/identification/geometry.h"
-#include "core/identification/minimizer.h"
-#include "core/identification/noise.h"
+#include "core/identification/residual_test.h"
 #include "core/identification/round_values.h"
-#include "core/identification/rounding_test.h"
 
 #include "core/mechanism/turn.h"
 

@@ -20,7 +20,7 @@ using Kind = Convention::Kind;
 
 /// Adds a column to the convention of this kind and amount; appends a new convention if there is none. Origins are
 /// never combined, because each has its own standard error.
-void append(std::vector<ConventionFinding> &conventions, Kind kind, Channel channel, double amount)
+void appendForColumn(std::vector<ConventionFinding> &conventions, Kind kind, Channel channel, double amount)
 {
     for (ConventionFinding &finding : conventions) {
         Convention &convention = finding.convention;
@@ -37,21 +37,22 @@ void append(std::vector<ConventionFinding> &conventions, Kind kind, Channel chan
 void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, double amount, bool hadJumps,
                  double error)
 {
-    constexpr double kHalfTurn = 180.0;
+    constexpr double kHalfTurnInDegrees = 180.0;
     // ° or mm: far above the rounding errors of an amount that is usual, far below an origin that matters.
     constexpr double kArithmetic = 2e-7;
-    const double usual = isAngle(channel.coordinate) ? kHalfTurn * std::rint(amount / kHalfTurn) : 0.0;
-    const bool areWholeTurns = std::fmod(usual, 2.0 * kHalfTurn) == 0.0;
+    const double usual =
+        isAngle(channel.coordinate) ? kHalfTurnInDegrees * std::rint(amount / kHalfTurnInDegrees) : 0.0;
+    const bool areWholeTurns = std::fmod(usual, 2.0 * kHalfTurnInDegrees) == 0.0;
     if (std::abs(amount - usual) > kArithmetic) {
         if (hadJumps) {
-            append(conventions, Kind::WholeTurns, channel, 0.0);
+            appendForColumn(conventions, Kind::WholeTurns, channel, 0.0);
         }
-        append(conventions, Kind::ZeroPoint, channel, amount);
+        appendForColumn(conventions, Kind::ZeroPoint, channel, amount);
         conventions.back().standardError = error;
     } else if (!areWholeTurns) {
-        append(conventions, Kind::HalfTurn, channel, usual);
+        appendForColumn(conventions, Kind::HalfTurn, channel, usual);
     } else if (channel != kCrankAngle && (usual != 0.0 || hadJumps)) { // crank angles are compared up to whole turns
-        append(conventions, Kind::WholeTurns, channel, usual);
+        appendForColumn(conventions, Kind::WholeTurns, channel, usual);
     }
 }
 
@@ -62,10 +63,11 @@ void appendReading(std::vector<ConventionFinding> &conventions, Channel channel,
 {
     const double unit = std::abs(reading.factor);
     if (unit != 1.0) {
-        append(conventions, isAngle(channel.coordinate) ? Kind::AngleUnit : Kind::LengthUnit, channel, 1.0 / unit);
+        appendForColumn(conventions, isAngle(channel.coordinate) ? Kind::AngleUnit : Kind::LengthUnit, channel,
+                        1.0 / unit);
     }
     if (reading.factor < 0.0) {
-        append(conventions, Kind::Sign, channel, -1.0);
+        appendForColumn(conventions, Kind::Sign, channel, -1.0);
     }
     appendShift(conventions, channel, toFileUnit(channel, -reading.origin / reading.factor), hadJumps, error);
 }

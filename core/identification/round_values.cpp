@@ -2,7 +2,7 @@
 #include "core/identification/round_values.h"
 
 #include "core/comparison/comparison.h"
-#include "core/identification/rounding_test.h"
+#include "core/identification/residual_test.h"
 
 #include <algorithm>
 #include <array>
@@ -18,18 +18,18 @@ namespace slidercrank
 namespace
 {
 
-/// The place of the first digit of a positive number: 1 for 12.5, -1 for 0.5.
+/// The decimal place of the first digit of a positive number: 1 for 12.5, -1 for 0.5.
 int placeOfFirstDigit(double magnitude)
 {
     return static_cast<int>(std::floor(std::log10(magnitude)));
 }
 
-/// The nearest multiple of 10^place. Divides if the place is negative, so that the result is the double nearest to the
-/// decimal number.
-double roundedTo(int place, double value)
+/// The nearest multiple of 10^decimalPlace. Divides if this is a fraction, so that the result is the double nearest to
+/// the decimal number.
+double roundedTo(int decimalPlace, double value)
 {
-    const double power = std::pow(10.0, std::abs(place));
-    return (place < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
+    const double power = std::pow(10.0, std::abs(decimalPlace));
+    return (decimalPlace < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
 }
 
 struct Decimal {
@@ -42,10 +42,10 @@ struct Decimal {
 std::optional<Decimal> shortestDecimal(double value, double tolerance, double minSpacing)
 {
     const int highest = placeOfFirstDigit(std::abs(value) + tolerance) + 1;
-    for (int place = highest; std::pow(10.0, place) >= minSpacing; --place) {
-        const double rounded = roundedTo(place, value);
+    for (int decimalPlace = highest; std::pow(10.0, decimalPlace) >= minSpacing; --decimalPlace) {
+        const double rounded = roundedTo(decimalPlace, value);
         if (std::abs(rounded - value) <= tolerance) {
-            return Decimal{rounded, placeOfFirstDigit(std::abs(rounded)) - place + 1};
+            return Decimal{rounded, placeOfFirstDigit(std::abs(rounded)) - decimalPlace + 1};
         }
     }
     return std::nullopt;
@@ -90,7 +90,9 @@ struct Estimate {
     }
 };
 
-/// The result of the last fit, with all unknowns open. `unrounded`: its parameters at t = 0 of the file.
+/// Makes an estimate in which no unknown is fixed yet. `unrounded`: the parameters of the last fit at t = 0 of the
+/// file. θ20 of a model that follows the angle in the file is the origin of that angle. The errors of origins are
+/// compared with 1 mm or 1 rad.
 Estimate makeEstimate(const LastFit &lastFit, const Parameters &unrounded)
 {
     const Model &model = lastFit.fit.model;
@@ -127,16 +129,16 @@ void fixUnknown(Estimate &estimate, Index k, double value)
 }
 
 /// The unknowns that are not fixed, the most certain first.
-Indices openUnknowns(const Estimate &estimate)
+Indices notFixedUnknowns(const Estimate &estimate)
 {
-    Indices open;
+    Indices notFixed;
     for (Index k = 0; k < estimate.values.size(); ++k) {
         if (!estimate.unknowns[k].isFixed) {
-            open.push_back(k);
+            notFixed.push_back(k);
         }
     }
-    std::ranges::sort(open, {}, [&](Index k) { return estimate.standardError(k) / estimate.unknowns[k].size; });
-    return open;
+    std::ranges::sort(notFixed, {}, [&](Index k) { return estimate.standardError(k) / estimate.unknowns[k].size; });
+    return notFixed;
 }
 
 /// Rounds the current value of an unknown to its current standard error.
@@ -150,7 +152,7 @@ void fixChosenNumbers(Estimate &estimate, double lengthUnit)
 {
     for (bool isAnyFixed = true; isAnyFixed;) {
         isAnyFixed = false;
-        for (const Index k : openUnknowns(estimate)) {
+        for (const Index k : notFixedUnknowns(estimate)) {
             const RoundNumber number = roundUnknown(estimate, k, lengthUnit);
             if (number.isChosen) {
                 fixUnknown(estimate, k, number.value);
@@ -184,13 +186,13 @@ Parameters roundToErrors(const LastFit &lastFit, const Parameters &unrounded, do
     }
     Estimate estimate = makeEstimate(lastFit, unrounded);
     estimate.covariance *= fraction * fraction;
-    for (const Index k : openUnknowns(estimate)) {
+    for (const Index k : notFixedUnknowns(estimate)) {
         if (!estimate.unknowns[k].parameter) {
             fixUnknown(estimate, k, estimate.values[k]);
         }
     }
     fixChosenNumbers(estimate, lengthUnit);
-    for (const Index k : openUnknowns(estimate)) { // they are not round numbers, but need not have more digits
+    for (const Index k : notFixedUnknowns(estimate)) { // they are not round numbers, but need not have more digits
         fixUnknown(estimate, k, roundUnknown(estimate, k, lengthUnit).value);
     }
     return replaceByEstimate(rounded, estimate);
@@ -232,19 +234,16 @@ bool isAsGood(const Observations &observations, const Fit &rounded, const Fit &f
     return rounded.misfit - fit.misfit < kMaxGrowth;
 }
 
-} // namespace
-
-RoundNumber roundToFewestDigits(double value, double standardError, std::span<const double> units)
+/// The number that a person may have chosen for a value, see roundToFewestDigits(). nullopt if there is none.
+std::optional<double> findChosenNumber(double value, double standardError, std::span<const double> units)
 {
-    // A multiple of 10^place is within the tolerance by chance with the probability 2 tolerance / 10^place.
+    // A multiple of 10^decimalPlace is within the tolerance by chance with the probability
+    // 2 tolerance / 10^decimalPlace.
     constexpr double kMaxChance = 0.1;
     const double tolerance = kStandardErrors * standardError;
     const double minSpacing = 2.0 * tolerance / kMaxChance;
-    if (!(standardError > 0.0) || std::isinf(standardError)) {
-        return {value};
-    }
-    if (std::abs(value) <= tolerance) {
-        return {0.0, true};
+    if (std::abs(value) <= tolerance) { // most offsets and angles are 0 by choice
+        return 0.0;
     }
     std::optional<Decimal> best;
     double unitOfBest = units.front();
@@ -255,11 +254,21 @@ RoundNumber roundToFewestDigits(double value, double standardError, std::span<co
             unitOfBest = unit;
         }
     }
-    if (best) {
-        return {best->value * unitOfBest, true};
+    return best ? std::optional(best->value * unitOfBest) : std::nullopt;
+}
+
+} // namespace
+
+RoundNumber roundToFewestDigits(double value, double standardError, std::span<const double> units)
+{
+    if (!(standardError > 0.0) || std::isinf(standardError)) {
+        return {value};
     }
-    const int place = placeOfFirstDigit(standardError / units.front());
-    return {roundedTo(place, value / units.front()) * units.front(), false};
+    if (const std::optional<double> chosen = findChosenNumber(value, standardError, units)) {
+        return {*chosen, true};
+    }
+    const double unit = units.front();
+    return {roundedTo(placeOfFirstDigit(standardError / unit), value / unit) * unit, false};
 }
 
 RoundNumber roundLength(double value, double standardError, double unit)

@@ -12,7 +12,8 @@ namespace slidercrank
 
 struct RoundNumber {
     double value = 0.0;
-    bool isChosen = false; ///< an equally round number is near by chance with a probability of at most 10 %
+    bool isChosen = false; ///< a person may have chosen it: it is 0, or an equally round number is near by chance with
+                           ///< a probability of at most 10 %
 };
 
 /// The number with the fewest digits that is within three standard errors of a value, where digits are counted in the

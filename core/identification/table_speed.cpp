@@ -2,7 +2,7 @@
 #include "core/identification/table_speed.h"
 
 #include "core/identification/column_scale.h"
-#include "core/identification/rounding_test.h"
+#include "core/identification/residual_test.h"
 
 #include <algorithm>
 #include <cmath>

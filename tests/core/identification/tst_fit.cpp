@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/fit.h"
 
-#include "core/identification/rounding_test.h"
+#include "core/identification/residual_test.h"
 #include "tests/support/printed_motion.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"

@@ -74,8 +74,8 @@ private slots:
         const ConstrainedFit result = withoutFreedoms(observations, freeFit(observations));
         QVERIFY(!result.fit.isFree(kAngleOrigin) && !result.fit.isFree(kSliderOrigin));
         QVERIFY(result.fit.model.readings[0].origin == 0.0 && result.fit.model.readings[1].origin == 0.0);
-        for (const double shift : result.shifts) { // only what origins below the rounding steps can change
-            QVERIFY(shift < 1e-3);
+        for (const double error : result.possibleErrors) { // only what origins below the rounding steps can change
+            QVERIFY(error < 1e-3);
         }
     }
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Relates the mechanism found to the given one: which single change explains the difference.
+// Whether a single wrong length of the given mechanism explains why the file is that of another one.
 
+#include "core/identification/fit.h"
 #include "core/identification/identification.h"
-#include "core/identification/last_fit.h"
 
 #include <optional>
-#include <vector>
 
 namespace slidercrank
 {
@@ -24,19 +23,5 @@ bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit 
 /// file as well. nullopt if nothing has to be changed, or if no length or several could be the wrong one.
 std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best, const Parameters &given,
                                              double lengthUnit);
-
-/// Conventions of the whole file, and the mechanism that is found in the file when they are applied to it.
-struct WholeFileReading {
-    std::vector<ConventionFinding> conventions{};
-    Parameters parameters;
-    ParameterErrors standardError{};
-};
-
-/// A different length unit, times per millisecond, the other sense of rotation, a late start and the other assembly
-/// cannot be distinguished from another mechanism. Returns such conventions only if the mechanism found is the given
-/// one after they are applied, and only if one or two of them are sufficient (in a file with θ2: one). Otherwise
-/// returns no conventions, and `found`. `data`: the file after all other conventions were applied.
-WholeFileReading findWholeFileReading(const ReferenceData &data, const Parameters &found,
-                                      const ParameterErrors &standardError, const Parameters &given);
 
 } // namespace slidercrank

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether rounding explains the residuals of a column: the verdict "agrees" of a comparison (comparison.h).
+// Whether the residuals of a column are rounding (the verdict "agrees" of a comparison, see comparison.h), noise or
+// systematic.
 
 #include "core/identification/fit.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/rounding_test.h"
+#include "core/identification/residual_test.h"
 
 #include "core/comparison/comparison.h"
 #include "core/identification/noise.h"

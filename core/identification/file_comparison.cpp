@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/file_reading.h"
+#include "core/identification/file_comparison.h"
 
-#include "core/identification/given_mechanism.h"
 #include "core/identification/reading_conventions.h"
+#include "core/identification/whole_file_conventions.h"
 
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
@@ -85,16 +85,17 @@ double largestPercent(const std::vector<ChannelComparison> &comparisons, const C
     return largest;
 }
 
-/// Sets `before` and `after` of the conventions of a mechanism. `used`: the file before any convention is applied.
+/// Sets the largest errors without (`before`) and with (`after`) each of the conventions of a mechanism. `usedColumns`:
+/// as they are in the file.
 void measureConventions(std::vector<ConventionFinding> &conventions, const Parameters &mechanism,
-                        const ReferenceData &used, const Findings &findings)
+                        const ReferenceData &usedColumns, const Findings &findings)
 {
     const FittedMechanism notFitted{}; // the percentages do not depend on how the mechanism was fitted
     if (conventions.empty()) {
         return;
     }
     const std::vector<ChannelComparison> withAll =
-        compareReadFile(mechanism, applyAll(conventions, used), findings, notFitted);
+        compareReadFile(mechanism, applyAll(conventions, usedColumns), findings, notFitted);
     for (std::size_t i = 0; i < conventions.size(); ++i) {
         const Convention &convention = conventions[i].convention;
         std::vector<ConventionFinding> others = conventions;
@@ -104,22 +105,23 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
             without.branch = oppositeBranch(mechanism.branch);
         }
         const std::vector<ChannelComparison> withOthers =
-            compareReadFile(without, applyAll(others, used), findings, notFitted);
+            compareReadFile(without, applyAll(others, usedColumns), findings, notFitted);
         conventions[i].before = largestPercent(withOthers, convention);
         conventions[i].after = largestPercent(withAll, convention);
     }
 }
 
-/// The file with gaps in the excluded rows, and without the columns that the fit does not use. `change`: the change of
-/// the axes, headings or clock with which the file was read for the fit. It is applied only to find out which columns
-/// the fit uses; the columns returned are as they are in the file.
-ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention> &change, const LastFit &lastFit)
+/// The file with gaps in the excluded rows, and without the columns that the fit does not use. `tableConvention`:
+/// the one that was applied before the file was observed. It is applied here only to find out which columns the fit
+/// uses; the columns returned are as they are in the file.
+ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention> &tableConvention,
+                              const LastFit &lastFit)
 {
     const Observations &observations = lastFit.observations;
-    const ReferenceData changed = change ? applied(*change, data) : data;
+    const ReferenceData observed = tableConvention ? applied(*tableConvention, data) : data;
     std::vector<ReferenceSeries> used;
     for (std::size_t i = 0; i < data.series.size(); ++i) {
-        const Channel channel = changed.series[i].channel;
+        const Channel channel = observed.series[i].channel;
         const auto isChannel = [&](Index k) { return observations.columns[k].channel == channel; };
         if (std::ranges::any_of(lastFit.fit.columns, isChannel)) {
             used.push_back(std::move(data.series[i]));
@@ -148,47 +150,39 @@ void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 }
 
 /// Appends the conventions of the whole file after which the mechanism found is the given one, if there are such, and
-/// changes the mechanism accordingly. `used`: the file before any convention is applied.
-void addWholeFileConventions(Identification &result, const ReferenceData &used, const Parameters &given)
+/// changes the mechanism accordingly. Does nothing if the lengths are only ratios or the speed changes. `usedColumns`:
+/// as they are in the file.
+void addWholeFileConventions(Identification &result, const ReferenceData &usedColumns, const Parameters &given)
 {
     if (result.lengthScale == Identification::LengthScale::GivenCrank || result.drive) {
         return;
     }
-    const WholeFileReading reading =
-        findWholeFileReading(applyAll(result.conventions, used), result.rounded, result.standardError, given);
-    if (reading.conventions.empty()) {
+    const WholeFileConventions whole = findWholeFileConventions(applyAll(result.conventions, usedColumns),
+                                                                result.rounded, result.standardError, given);
+    if (whole.conventions.empty()) {
         return;
     }
-    std::ranges::copy(reading.conventions, std::back_inserter(result.conventions));
+    std::ranges::copy(whole.conventions, std::back_inserter(result.conventions));
     removeCancellingTurns(result.conventions);
-    result.parameters = reading.parameters;
-    result.rounded = reading.parameters;
-    result.standardError = reading.standardError;
+    result.parameters = whole.parameters;
+    result.rounded = whole.parameters;
+    result.standardError = whole.standardError;
     result.alternatives.clear();
 }
 
-bool allAgree(const std::vector<ChannelComparison> &channels)
-{
-    return std::ranges::all_of(channels,
-                               [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
-}
-
 /// Compares the file, to which all conventions have been applied, with the mechanism found. If a column does not agree
-/// with it, the comparison with the rounded parameters is taken if all columns agree with these (R4_y = 12 mm may agree
-/// with the rounded c only). Otherwise the outcome becomes approximate.
-void compareWithMechanismFound(Identification &result, const ReferenceData &read, const Findings &findings)
+/// with it, but all columns agree with the rounded parameters, these are compared (R4_y = 12 mm may agree with the
+/// rounded c only).
+std::vector<ChannelComparison> compareWithMechanismFound(const Identification &result, const ReferenceData &read,
+                                                         const Findings &findings)
 {
     const FittedMechanism fitted = findings.lastFit.fit.fittedMechanism();
-    result.channels = compareReadFile(result.parameters, read, findings, fitted);
-    if (allAgree(result.channels)) {
-        return;
+    std::vector<ChannelComparison> exact = compareReadFile(result.parameters, read, findings, fitted);
+    if (allAgree(exact)) {
+        return exact;
     }
     std::vector<ChannelComparison> rounded = compareReadFile(result.rounded, read, findings, fitted);
-    if (allAgree(rounded)) {
-        result.channels = std::move(rounded);
-    } else {
-        result.outcome = Identification::Outcome::Approximate;
-    }
+    return allAgree(rounded) ? rounded : exact;
 }
 
 /// Replaces the residuals of the columns as they are in the file by those after the conventions are applied. Their
@@ -206,19 +200,26 @@ void takeResidualsFromComparison(Identification &result)
 
 } // namespace
 
-void addReading(Identification &result, const ReferenceData &data, const std::optional<Convention> &change,
-                const Findings &findings, const Parameters &given)
+bool allAgree(const std::vector<ChannelComparison> &channels)
 {
-    const ReferenceData used = keepUsedColumns(data, change, findings.lastFit);
+    return std::ranges::all_of(channels,
+                               [](const ChannelComparison &channel) { return channel.verdict == Verdict::Agrees; });
+}
+
+void addConventionsAndComparisons(Identification &result, const ReferenceData &data,
+                                  const std::optional<Convention> &tableConvention, const Findings &findings,
+                                  const Parameters &given)
+{
+    const ReferenceData usedColumns = keepUsedColumns(data, tableConvention, findings.lastFit);
     result.conventions = listConventions(findings.lastFit);
-    if (change) { // the other conventions belong to the file after it
-        result.conventions.insert(result.conventions.begin(), {*change});
+    if (tableConvention) { // the other conventions belong to the file after it
+        result.conventions.insert(result.conventions.begin(), {*tableConvention});
     }
-    addWholeFileConventions(result, used, given);
-    measureConventions(result.conventions, result.parameters, used, findings);
-    const ReferenceData read = applyAll(result.conventions, used);
+    addWholeFileConventions(result, usedColumns, given);
+    measureConventions(result.conventions, result.parameters, usedColumns, findings);
+    const ReferenceData read = applyAll(result.conventions, usedColumns);
     result.lengthUnit = findLengthUnit(read);
-    compareWithMechanismFound(result, read, findings);
+    result.channels = compareWithMechanismFound(result, read, findings);
     takeResidualsFromComparison(result);
     const FittedMechanism notFitted{};
     const std::vector<ChannelComparison> withGiven = compareReadFile(given, read, findings, notFitted);

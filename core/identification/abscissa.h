@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Whether a fit follows the time or the angle of the crank, and in which form.
+
+#include "core/identification/drive.h"
+#include "core/identification/fit.h"
+
+namespace slidercrank
+{
+
+/// A fit with the observations to which it belongs.
+struct ObservedFit {
+    Observations wholeFile; ///< all rows of the file
+    Observations searched;  ///< the rows to which the model was fitted
+    Fit fit;
+};
+
+/// Uses the time stamps, or the angles of a table, as they were printed if these explain the columns better than evenly
+/// spaced ones: a program may have computed its values at rounded times.
+ObservedFit withBestAbscissa(ObservedFit current);
+
+/// Uses a constant or evenly changing speed, which predicts derivatives, in the fit.
+ObservedFit fitWithDrive(ObservedFit current, const Drive &drive);
+
+} // namespace slidercrank

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/best_geometry.h"
+
+#include "core/identification/geometry.h"
+#include "core/identification/residual_test.h"
+#include "core/identification/speed_candidates.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// The columns of a fit of θ3 and R4_x may come from two mechanisms, each of which explains one column exactly. Then
+/// returns the fit of R4_x alone; otherwise the same fit.
+Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
+{
+    if (fit.columns.size() != 2 || isExact(searched, fit)) {
+        return fit;
+    }
+    Fit alone;
+    for (const Index column : fit.columns) {
+        Unknowns unknowns = fit.unknowns;
+        std::erase_if(unknowns, [&](Unknown unknown) { return !unknown.isParameter() && unknown.column != column; });
+        alone = fitModel(searched, fit.model, {column}, unknowns);
+        if (!isExact(searched, alone) || isShortArc(searched, alone.model)) {
+            return fit;
+        }
+    }
+    return alone; // the fit of the last column, R4_x: shapeColumns() lists it after θ3
+}
+
+/// The geometry of some columns, without the freedoms that they do not need. `searched`: selected rows of `wholeFile`.
+ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Observations &searched,
+                                       const Indices &columns, const Parameters &given)
+{
+    const std::vector<double> speeds =
+        wholeFile.hasAngle() ? std::vector<double>() : findSpeedCandidates(wholeFile, columns);
+    Fit fit = withoutContradictingColumn(searched, findGeometry(searched, columns, speeds, given));
+    return fit.isFinite() ? withoutFreedoms(searched, withUsualReadings(searched, std::move(fit))) : ConstrainedFit{};
+}
+
+/// Whether `higher`, the fit of the geometry to higher derivatives, explains these and the lower ones together better
+/// than `lowest`, the fit to the lower ones, does. `columns`: the columns of both.
+bool explainsBetter(const Observations &searched, const Fit &higher, const Fit &lowest, const Indices &columns)
+{
+    if (searched.hasAngle()) {
+        // The higher derivatives depend on a speed that is not known yet, so that the misfits cannot be compared.
+        return isExact(searched, higher) && !isExact(searched, lowest);
+    }
+    if (isExact(searched, lowest)) {
+        // The origins of `lowest` may be wrong nevertheless. Both geometries are fitted to all columns and compared.
+        const double misfitOfLowest = misfitOfRepeatedFit(searched, lowest, columns);
+        return misfitOfRepeatedFit(searched, higher, columns) + kSameMisfit < misfitOfLowest;
+    }
+    // A filter may have changed the lower derivatives. Fitting the geometries again would adapt both to its errors.
+    return misfitWithFreeOrigins(searched, higher, columns) < misfitWithFreeOrigins(searched, lowest, columns);
+}
+
+} // namespace
+
+ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
+{
+    Indices columns = shapeColumns(searched);
+    const Indices higherColumns = shapeColumns(searched, 1);
+    ConstrainedFit lowest = findConstrainedGeometry(wholeFile, searched, columns, given);
+    const bool hasUsualOrigins = std::ranges::all_of(lowest.fit.unknowns, &Unknown::isParameter);
+    const bool isUnchanged = isExact(searched, lowest.fit) && (hasUsualOrigins || searched.hasAngle());
+    if (isUnchanged || higherColumns.empty()) {
+        return lowest;
+    }
+    ConstrainedFit higher = findConstrainedGeometry(wholeFile, searched, higherColumns, given);
+    columns.insert(columns.end(), higherColumns.begin(), higherColumns.end());
+    return explainsBetter(searched, higher.fit, lowest.fit, columns) ? higher : lowest;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The geometry from those derivatives in the file that show it best.
+
+#include "core/identification/freedoms.h"
+
+namespace slidercrank
+{
+
+/// Finds the geometry from the lowest derivatives of R4_x and θ3 in the file (usually their positions), and again from
+/// the next higher ones, because a filter or a sensor may have changed the lower ones. Returns the better geometry. If
+/// rounding explains the lower derivatives with their usual origins, nothing has changed them, and the second search is
+/// omitted; also if rounding explains them with any origins in a file with θ2, where positions need no speed.
+/// `searched`: selected rows of `wholeFile`.
+ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given);
+
+} // namespace slidercrank

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/description.h"
+
+#include "core/identification/length_change.h"
+#include "core/identification/mirror_images.h"
+#include "core/identification/round_values.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Until here, the lengths are in the unit of the column from which the geometry was found. Converts them to the unit
+/// of most columns, so that only the others are said to be in a wrong unit.
+void convertToUnitOfMostColumns(LastFit &last)
+{
+    Indices lengths;
+    std::ranges::copy_if(last.fit.columns, std::back_inserter(lengths), [&](Index k) {
+        const ObservedColumn &column = last.observations.columns[k];
+        return !column.containsAngles() && !column.isConstant();
+    });
+    const auto columnsWith = [&](double unit) {
+        return std::ranges::count_if(lengths,
+                                     [&](Index k) { return std::abs(last.fit.model.readings[k].factor) == unit; });
+    };
+    double mostFrequentUnit = 1.0;
+    for (const Index k : lengths) {
+        const double unit = std::abs(last.fit.model.readings[k].factor);
+        mostFrequentUnit = columnsWith(unit) > columnsWith(mostFrequentUnit) ? unit : mostFrequentUnit;
+    }
+    for (const Index k : lengths) {
+        last.fit.model.readings[k].factor /= mostFrequentUnit;
+    }
+    Parameters &mechanism = last.fit.model.mechanism;
+    for (const Parameter length : kLengths) {
+        valueOf(mechanism, length) *= mostFrequentUnit;
+        scaleErrors(last, length, mostFrequentUnit);
+    }
+}
+
+/// Replaces the model of the last fit by a mirror image. Its parameters are as certain as before, but their covariances
+/// change their signs with c and with the sense of the crank (θ20 is negated with ω2).
+void replaceByImage(LastFit &lastFit, const Model &image)
+{
+    const Parameters &before = lastFit.fit.model.mechanism;
+    const double signOfC = before.c * image.mechanism.c < 0.0 ? -1.0 : 1.0;
+    const double senseOfCrank = before.omega2 * image.mechanism.omega2 < 0.0 ? -1.0 : 1.0;
+    scaleErrors(lastFit, Parameter::C, signOfC);
+    scaleErrors(lastFit, Parameter::Omega2, senseOfCrank);
+    scaleErrors(lastFit, Parameter::Theta20, senseOfCrank);
+    lastFit.fit.model = image;
+}
+
+/// Replaces the model of the last fit by its mirror image with the simplest reading. Sets findings.otherImages to those
+/// that need the same reading.
+void chooseImage(Findings &findings, const Parameters &given)
+{
+    LastFit &last = findings.lastFit;
+    const std::vector<Model> images = findMirrorImages(last.observations, last.fit, given);
+    replaceByImage(last, images.front());
+    findings.otherImages.assign(images.begin() + 1, images.end());
+    if (findings.drive.kind == Drive::Kind::RunUp) { // its angle, speed and acceleration are those of the image
+        findings.drive = findDrive(last.observations, last.fit.model);
+    }
+}
+
+/// If the lengths of the given mechanism do not explain the file as well as the last fit does, looks for a single wrong
+/// one, findings.change. If they do, and the fit has free origins, replaces its lengths by them: such a fit may explain
+/// the file equally well with other lengths and other origins.
+void compareWithGivenLengths(Findings &findings, const Observations &searched, const Parameters &given)
+{
+    Fit &last = findings.lastFit.fit;
+    const Fit best = fitModel(searched, last.model, last.columns, last.unknowns);
+    if (!best.isFinite() || !determineLengths(searched, best.columns)) {
+        return;
+    }
+    const auto isOrigin = [](Unknown unknown) { return !unknown.isParameter(); };
+    if (!explainsAsWell(searched, fitWithGivenLengths(searched, best, given), best)) {
+        findings.change = findLengthChange(searched, best, given, findings.lengthUnit);
+    } else if (std::ranges::any_of(last.unknowns, isOrigin)) {
+        last.replaceModel(fitWithGivenLengths(findings.lastFit.observations, last, given));
+        chooseImage(findings, given); // the other images have the same lengths
+    }
+}
+
+} // namespace
+
+void chooseExpectedDescription(Findings &findings, const Observations &searched, const Parameters &given)
+{
+    LastFit &last = findings.lastFit;
+    convertToUnitOfMostColumns(last);
+    const Parameters unrounded = parametersAtTimeZero(last.fit.model, last.observations, findings.drive);
+    moveToChosenNumbers(last, unrounded, findings.lengthUnit);
+    chooseImage(findings, given);
+    compareWithGivenLengths(findings, searched, given);
+}
+
+} // namespace slidercrank

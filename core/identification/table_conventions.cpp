@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/table_conventions.h"
+
+#include <algorithm>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Whether the slider moves along y and not along x, by its positions, velocities and accelerations.
+bool movesAlongY(const ReferenceData &data)
+{
+    constexpr double kStationaryFraction = 1e-3; // of the motion along the other axis: rounding or misalignment
+    const auto widthOf = [&](Channel channel) {
+        const ReferenceSeries *const series = data.find(channel);
+        return series ? rangeOf(series->values).width() : 0.0;
+    };
+    bool moves = false;
+    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+        const double alongX = widthOf({R4x, order});
+        const double alongY = widthOf({R4y, order});
+        if (alongX > kStationaryFraction * alongY) {
+            return false;
+        }
+        moves = moves || alongY > 0.0;
+    }
+    return moves;
+}
+
+/// The columns whose headings may be exchanged, because the result does not explain the columns under these headings.
+std::vector<Channel> findDoubtfulHeadings(const Identification &result)
+{
+    constexpr double kMinPercent = 10.0; // of the peak: another heading changes a column by more than a filter does
+    if (result.outcome == Identification::Outcome::None) {
+        return {{Theta3, Order::Position}, {R4x, Order::Position}};
+    }
+    std::vector<Channel> doubtful;
+    for (const LeftOutColumn &column : result.leftOut) {
+        const bool isUnexplained =
+            column.reason == LeftOutColumn::Reason::Unknown || column.reason == LeftOutColumn::Reason::OtherMotion;
+        if (isUnexplained && !(column.percentOfPeak < kMinPercent)) {
+            doubtful.push_back(column.channel);
+        }
+    }
+    return doubtful;
+}
+
+} // namespace
+
+std::optional<Convention> findAxisRotation(const ReferenceData &data, bool rotatesAngles)
+{
+    if (!movesAlongY(data)) {
+        return std::nullopt;
+    }
+    Convention axis{.kind = Convention::Kind::Axis, .channels = {}};
+    for (const ReferenceSeries &series : data.series) {
+        const Channel channel = series.channel;
+        const bool isOfSlider = channel.coordinate == R4x || channel.coordinate == R4y;
+        const bool isDirection = isAngle(channel.coordinate) && channel.order == Order::Position; // rates stay
+        if (isOfSlider || (rotatesAngles && isDirection)) {
+            axis.channels.push_back(channel);
+        }
+    }
+    return axis;
+}
+
+std::vector<Convention> possibleTableConventions(const ReferenceData &data, const Identification &result)
+{
+    std::vector<Convention> possible;
+    const auto isDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };
+    if (!data.crank && std::ranges::any_of(result.leftOut, isDerivative)) {
+        // A clock whose heading says seconds may count milliseconds, and one whose heading says these may count
+        // seconds.
+        const double unit = data.timeRounding.unitFactor;
+        const double factor = unit == 1.0 ? kTimeFactors.back() : 1.0 / unit;
+        possible.push_back({.kind = Convention::Kind::TimeUnit, .channels = {}, .amount = factor});
+    }
+    const std::vector<Channel> doubtful = findDoubtfulHeadings(result);
+    for (std::size_t i = 0; i < doubtful.size(); ++i) {
+        for (std::size_t j = i + 1; j < doubtful.size(); ++j) {
+            if (data.find(doubtful[i]) && data.find(doubtful[j])) {
+                possible.push_back({.kind = Convention::Kind::SwappedColumns, .channels = {doubtful[i], doubtful[j]}});
+            }
+        }
+    }
+    return possible;
+}
+
+} // namespace slidercrank
