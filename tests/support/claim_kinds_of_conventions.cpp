@@ -149,6 +149,17 @@ std::vector<ClaimKind> tablesByAngle()
                  .shifted({kSlider}, outerDeadCentre(p))
                  .conventions(3);
          }},
+        {"noise beside a falling theta2, theta3 measured at B",
+         [](Random &random) {
+             const Parameters p = random.mechanism();
+             return ClaimTable(random, withSpeed(p, -std::abs(p.omega2)))
+                 .with({kTheta2})
+                 .with(kSixColumns)
+                 .digits(7)
+                 .shifted({kTheta3}, 180.0)
+                 .withNoise(kSixColumns, random.onLogScale(0.001, 0.01))
+                 .conventions(1);
+         }},
         {"by angle, theta3 measured at B, 0 to 360",
          [](Random &random) {
              return tableByAngle(random, random.mechanism())
