@@ -61,7 +61,7 @@ ObservedFit withBestAbscissa(ObservedFit current)
     return current;
 }
 
-ObservedFit fitWithDrive(ObservedFit current, const Drive &drive)
+ObservedFit withDriveOfFile(ObservedFit current, const Drive &drive)
 {
     if (drive.kind == Drive::Kind::Constant) {
         return withAngleAsColumn(std::move(current), drive);

@@ -20,7 +20,8 @@ struct ObservedFit {
 /// spaced ones: a program may have computed its values at rounded times.
 ObservedFit withBestAbscissa(ObservedFit current);
 
-/// Uses a constant or evenly changing speed, which predicts derivatives, in the fit.
-ObservedFit fitWithDrive(ObservedFit current, const Drive &drive);
+/// Uses the drive of a file with the time and θ2. A constant speed predicts θ2, which becomes a column of a fit over
+/// the time. The speed and acceleration of a run-up are taken from the drive. Otherwise returns `current`.
+ObservedFit withDriveOfFile(ObservedFit current, const Drive &drive);
 
 } // namespace slidercrank

@@ -20,7 +20,7 @@ double bestFactor(const Values &motion, const Values &values)
     return (counted * gapsAsZeros(values)).sum() / counted.square().sum();
 }
 
-/// The same for values with any origin.
+/// The factor with which a motion fits values of any origin best, by least squares.
 double bestSlope(const Values &motion, const Values &values)
 {
     const Values counted = values.isFinite().select(motion, kNone);
@@ -40,8 +40,9 @@ double largestFurtherResidual(bool othersAreExact)
 
 std::span<const double> unitFactors(Channel channel)
 {
-    static constexpr std::array kLengthUnits = withInverses(kLengthFactors);
-    return isAngle(channel.coordinate) ? std::span<const double>(kAngleUnits) : std::span<const double>(kLengthUnits);
+    static constexpr std::array kLengthFactors = withInverses(kLengthUnits);
+    return isAngle(channel.coordinate) ? std::span<const double>(kAngleFactors)
+                                       : std::span<const double>(kLengthFactors);
 }
 
 double signOfCoordinate(const Observations &observations, const Fit &fit, Coordinate coordinate)
@@ -73,7 +74,7 @@ double usualFactor(const Observations &observations, const Fit &fit, Index k)
     const Coordinate coordinate = column.channel.coordinate;
     const double sign = signOfCoordinate(observations, fit, coordinate);
     if (column.channel == kSliderLine) {
-        return 1.0; // another sign is another c
+        return 1.0; // -12 mm means c = -12 mm, and not a negated column
     }
     const bool isSpeedOfCrank = coordinate == Theta2; // constant, but not zero
     if (column.isConstant() && !isSpeedOfCrank) {
@@ -81,7 +82,7 @@ double usualFactor(const Observations &observations, const Fit &fit, Index k)
     }
     const double factor = sign * fitScale(observations, fit, fit.model, k, false).factor;
     if (isSpeedOfCrank) {
-        return std::copysign(1.0, factor); // a different value is a different speed
+        return std::copysign(1.0, factor); // another value is another speed, and not another unit
     }
     const auto mismatch = [&](double unit) { return std::abs(std::log(std::abs(factor) / unit)); };
     return std::copysign(std::ranges::min(unitFactors(column.channel), {}, mismatch), factor);

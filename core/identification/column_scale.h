@@ -14,8 +14,8 @@
 namespace slidercrank
 {
 
-/// The factors by which columns may be in a different unit than their headings say: 1, each of `units` (the first of
-/// which is 1), and its inverse.
+/// The factors between a unit and the one that a heading states instead: 1, each of `units` (the first of which is 1),
+/// and its inverse.
 template <std::size_t count>
 constexpr std::array<double, 2 * count - 1> withInverses(const std::array<double, count> &units)
 {
@@ -28,7 +28,7 @@ constexpr std::array<double, 2 * count - 1> withInverses(const std::array<double
 }
 
 /// The factors that correct a column of angles: 1, or a conversion if radians and degrees were confused.
-inline constexpr std::array kAngleUnits = withInverses(kAngleFactors);
+inline constexpr std::array kAngleFactors = withInverses(kAngleUnits);
 
 /// The largest residual with which a mechanism explains a further column: rms, relative to the range of the column. If
 /// the mechanism explains the other columns exactly (within rounding), the further column may have hardly any residual.

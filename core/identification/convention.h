@@ -43,9 +43,9 @@ namespace slidercrank
 {
 
 // The units that occur in files, as multiples of the default unit (°, mm, s).
-inline constexpr std::array kAngleFactors{1.0, kDegreesPerRadian};
-inline constexpr std::array kLengthFactors{1.0, 10.0, 25.4, 1000.0};
-inline constexpr std::array kTimeFactors{1.0, 1e-3};
+inline constexpr std::array kAngleUnits{1.0, kDegreesPerRadian};
+inline constexpr std::array kLengthUnits{1.0, 10.0, 25.4, 1000.0};
+inline constexpr std::array kTimeUnits{1.0, 1e-3};
 
 /// Relative rounding error of a unit that conventions have changed.
 inline constexpr double kSameUnit = 1e-9;
@@ -86,8 +86,8 @@ struct ConventionFinding {
     Convention convention;
 
     /// The largest error without and with the convention, in percent of the motion's peak, after all other conventions
-    /// are applied: of the columns that it changes, or of all if it changes the times, the axes or the model. 0 without
-    /// values.
+    /// are applied: of the columns that the convention changes, or of all if it changes the times, the axes or the
+    /// model. 0 without values.
     double before = 0.0;
     double after = 0.0;
 

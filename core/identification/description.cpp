@@ -71,7 +71,7 @@ void chooseImage(Findings &findings, const Parameters &given)
 /// If the lengths of the given mechanism do not explain the file as well as the last fit does, looks for a single wrong
 /// one, findings.change. If they do, and the fit has free origins, replaces its lengths by them: such a fit may explain
 /// the file equally well with other lengths and other origins.
-void compareWithGivenLengths(Findings &findings, const Observations &searched, const Parameters &given)
+void preferGivenLengths(Findings &findings, const Observations &searched, const Parameters &given)
 {
     Fit &last = findings.lastFit.fit;
     const Fit best = fitModel(searched, last.model, last.columns, last.unknowns);
@@ -96,7 +96,7 @@ void chooseExpectedDescription(Findings &findings, const Observations &searched,
     const Parameters unrounded = parametersAtTimeZero(last.fit.model, last.observations, findings.drive);
     moveToChosenNumbers(last, unrounded, findings.lengthUnit);
     chooseImage(findings, given);
-    compareWithGivenLengths(findings, searched, given);
+    preferGivenLengths(findings, searched, given);
 }
 
 } // namespace slidercrank

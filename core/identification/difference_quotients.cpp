@@ -79,14 +79,14 @@ bool containsDifferences(const Observations &observations, const ObservedColumn 
 /// at the other values.
 bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn &column)
 {
-    constexpr double kMinFraction = 0.45; // of the rows: between any two values at least one is computed
+    constexpr double kMinFraction = 0.45; // of the rows: at least every second one is computed
     constexpr double kMinCurvature = 3.0; // at the other rows (median), relative to what rounding can simulate
     const Quotients curvature = computeQuotients(kSecondDifference, observations.abscissa(), column);
     const Index rows = curvature.values.size();
     const Eigen::ArrayX<bool> isRepeated = column.values.segment(1, rows) == column.values.head(rows);
-    const Eigen::ArrayX<bool> isComputed = curvature.values.abs() <= curvature.bounds || isRepeated;
-    const Values curvatureOfOthers = isComputed.select(kNone, curvature.values.abs() / curvature.bounds);
-    return isComputed.cast<double>().mean() > kMinFraction && median(curvatureOfOthers) > kMinCurvature;
+    const Eigen::ArrayX<bool> isOnLineOrRepeated = curvature.values.abs() <= curvature.bounds || isRepeated;
+    const Values curvatureOfOthers = isOnLineOrRepeated.select(kNone, curvature.values.abs() / curvature.bounds);
+    return isOnLineOrRepeated.cast<double>().mean() > kMinFraction && median(curvatureOfOthers) > kMinCurvature;
 }
 
 } // namespace

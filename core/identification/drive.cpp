@@ -53,7 +53,7 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
 }
 
 /// The difference quotients from each row to the one `step` rows later.
-Values slopes(const Values &values, const Values &abscissa, Index step)
+Values computeSlopes(const Values &values, const Values &abscissa, Index step)
 {
     const Index count = values.size() - step;
     return (values.tail(count) - values.head(count)) / (abscissa.tail(count) - abscissa.head(count));
@@ -61,7 +61,7 @@ Values slopes(const Values &values, const Values &abscissa, Index step)
 
 /// The drive whose angle is a parabola of the time t of the observations, with the standard errors of angle and speed
 /// at time 0 of the file, which is t = -timeOrigin.
-Drive runUp(const Polynomial &parabola, double timeOrigin)
+Drive makeRunUp(const Polynomial &parabola, double timeOrigin)
 {
     Drive drive{.kind = Drive::Kind::RunUp,
                 .theta20 = parabola.coefficients[0],
@@ -98,10 +98,10 @@ Drive findDrive(const Observations &observations, const Model &model)
     }
     const Polynomial parabola = fitPolynomial(observations, angles, halfStep, kParabolaTerms);
     const Index fromFirstToLastRow = observations.size() - 1;
-    const double meanSpeed = slopes(angles, observations.time, fromFirstToLastRow)[0];
-    Drive drive = parabola.explainsAngles ? runUp(parabola, observations.timeOrigin)
+    const double meanSpeed = computeSlopes(angles, observations.time, fromFirstToLastRow)[0];
+    Drive drive = parabola.explainsAngles ? makeRunUp(parabola, observations.timeOrigin)
                                           : Drive{.kind = Drive::Kind::Uneven, .omega2 = meanSpeed};
-    const Values speeds = slopes(angles, observations.time, kSlopeStep);
+    const Values speeds = computeSlopes(angles, observations.time, kSlopeStep);
     drive.least = speeds.minCoeff();
     drive.greatest = speeds.maxCoeff();
     return drive;

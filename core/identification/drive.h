@@ -11,10 +11,11 @@ namespace slidercrank
 struct Drive {
     enum class Kind {
         OverTime,  ///< the file does not contain the angle of the crank: ω2 is an unknown of the fit
-        OverAngle, ///< it does not contain the time: ω2 follows from derivatives, if at all
-        Constant,  ///< it contains both, and the speed is constant
-        RunUp,     ///< it contains both, and the speed changes evenly
-        Uneven     ///< the speed changes in another way: the angle predicts positions, but nothing predicts derivatives
+        OverAngle, ///< it does not contain the time, or too few rows to show the speed: ω2 follows from derivatives, if
+                   ///< at all
+        Constant, ///< it contains both, and the speed is constant
+        RunUp,    ///< it contains both, and the speed changes evenly
+        Uneven    ///< the speed changes in another way: the angle predicts positions, but nothing predicts derivatives
     };
     Kind kind = Kind::OverTime;
 

@@ -8,6 +8,7 @@
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -17,7 +18,9 @@ namespace slidercrank
 namespace
 {
 
-/// The positions of a file as a table over the crank angle, sorted by its θ2. Of rows with the same θ2, the first.
+/// Converts the positions of a file with θ2 to a table over the crank angle, which is sorted by θ2 without jumps. Rows
+/// without θ2 are left out. Of several rows with the same θ2, only the first one remains, because a table has distinct
+/// angles.
 ReferenceData tableOverAngle(const ReferenceData &data)
 {
     const ReferenceSeries &crank = *data.find(kCrankAngle);
@@ -25,6 +28,7 @@ ReferenceData tableOverAngle(const ReferenceData &data)
     removeJumps(degrees, 360.0);
     std::vector<std::size_t> rows(degrees.size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
+    std::erase_if(rows, [&](std::size_t row) { return !std::isfinite(degrees[row]); });
     std::ranges::stable_sort(rows, {}, [&](std::size_t row) { return degrees[row]; });
     const auto isRepeated = [&](std::size_t row, std::size_t next) { return degrees[row] == degrees[next]; };
     rows.erase(std::unique(rows.begin(), rows.end(), isRepeated), rows.end());
@@ -55,8 +59,8 @@ ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, Refere
 /// Compares a mechanism with a file to which all conventions have been applied. If the speed of the crank is not
 /// constant, positions are compared as in a table over the crank angle, and derivatives are not compared. `fitted`: how
 /// the mechanism was fitted to the file; {} if it was not.
-std::vector<ChannelComparison> compareReadFile(const Parameters &mechanism, const ReferenceData &data,
-                                               const Findings &findings, const FittedMechanism &fitted)
+std::vector<ChannelComparison> compareCorrectedFile(const Parameters &mechanism, const ReferenceData &data,
+                                                    const Findings &findings, const FittedMechanism &fitted)
 {
     const Drive &drive = findings.drive;
     const bool overAngle = drive.hasChangingSpeed() || (drive.kind == Drive::Kind::OverAngle && !data.crank);
@@ -95,7 +99,7 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
         return;
     }
     const std::vector<ChannelComparison> withAll =
-        compareReadFile(mechanism, applyAll(conventions, usedColumns), findings, notFitted);
+        compareCorrectedFile(mechanism, applyAll(conventions, usedColumns), findings, notFitted);
     for (std::size_t i = 0; i < conventions.size(); ++i) {
         const Convention &convention = conventions[i].convention;
         std::vector<ConventionFinding> others = conventions;
@@ -105,7 +109,7 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
             without.branch = oppositeBranch(mechanism.branch);
         }
         const std::vector<ChannelComparison> withOthers =
-            compareReadFile(without, applyAll(others, usedColumns), findings, notFitted);
+            compareCorrectedFile(without, applyAll(others, usedColumns), findings, notFitted);
         conventions[i].before = largestPercent(withOthers, convention);
         conventions[i].after = largestPercent(withAll, convention);
     }
@@ -136,13 +140,15 @@ ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention
     return data;
 }
 
-/// Removes the whole turns that are added to θ3 before and again after a change of its sign: together they change
-/// nothing.
+/// The conventions of the columns add a turn to a negated θ3 of the crossed assembly, and those of the whole file add
+/// one again after they have negated it once more. Removes both: -(θ3 + 360°) + 360° = -θ3.
 void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 {
     const auto isTurn = [](const ConventionFinding &finding) {
-        const Convention &convention = finding.convention;
-        return convention.kind == Convention::Kind::WholeTurns && convention.amount == kTurn * kDegreesPerRadian;
+        const Convention turn{.kind = Convention::Kind::WholeTurns,
+                              .channels = {{Theta3, Order::Position}},
+                              .amount = kTurn * kDegreesPerRadian};
+        return finding.convention == turn;
     };
     if (std::ranges::count_if(conventions, isTurn) == 2) {
         std::erase_if(conventions, isTurn);
@@ -173,15 +179,15 @@ void addWholeFileConventions(Identification &result, const ReferenceData &usedCo
 /// Compares the file, to which all conventions have been applied, with the mechanism found. If a column does not agree
 /// with it, but all columns agree with the rounded parameters, these are compared (R4_y = 12 mm may agree with the
 /// rounded c only).
-std::vector<ChannelComparison> compareWithMechanismFound(const Identification &result, const ReferenceData &read,
+std::vector<ChannelComparison> compareWithMechanismFound(const Identification &result, const ReferenceData &corrected,
                                                          const Findings &findings)
 {
     const FittedMechanism fitted = findings.lastFit.fit.fittedMechanism();
-    std::vector<ChannelComparison> exact = compareReadFile(result.parameters, read, findings, fitted);
+    std::vector<ChannelComparison> exact = compareCorrectedFile(result.parameters, corrected, findings, fitted);
     if (allAgree(exact)) {
         return exact;
     }
-    std::vector<ChannelComparison> rounded = compareReadFile(result.rounded, read, findings, fitted);
+    std::vector<ChannelComparison> rounded = compareCorrectedFile(result.rounded, corrected, findings, fitted);
     return allAgree(rounded) ? rounded : exact;
 }
 
@@ -198,6 +204,35 @@ void takeResidualsFromComparison(Identification &result)
     }
 }
 
+/// Adds the conventions. If conventions of the whole file lead to the given mechanism, `result` becomes that mechanism.
+/// Returns the used columns after all conventions are applied.
+ReferenceData addConventions(Identification &result, const ReferenceData &data,
+                             const std::optional<Convention> &tableConvention, const Findings &findings,
+                             const Parameters &given)
+{
+    const ReferenceData usedColumns = keepUsedColumns(data, tableConvention, findings.lastFit);
+    result.conventions = listConventions(findings.lastFit);
+    if (tableConvention) { // the other conventions belong to the file after it
+        result.conventions.insert(result.conventions.begin(), {*tableConvention});
+    }
+    addWholeFileConventions(result, usedColumns, given);
+    measureConventions(result.conventions, result.parameters, usedColumns, findings);
+    return applyAll(result.conventions, usedColumns);
+}
+
+/// Adds the comparisons of a file to which all conventions have been applied.
+void compareWithBothMechanisms(Identification &result, const ReferenceData &corrected, const Findings &findings,
+                               const Parameters &given)
+{
+    result.lengthUnit = findLengthUnit(corrected);
+    result.channels = compareWithMechanismFound(result, corrected, findings);
+    takeResidualsFromComparison(result);
+    const FittedMechanism notFitted{};
+    const std::vector<ChannelComparison> withGiven = compareCorrectedFile(given, corrected, findings, notFitted);
+    result.agreesWithGiven = std::ranges::none_of(
+        withGiven, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
+}
+
 } // namespace
 
 bool allAgree(const std::vector<ChannelComparison> &channels)
@@ -210,21 +245,8 @@ void addConventionsAndComparisons(Identification &result, const ReferenceData &d
                                   const std::optional<Convention> &tableConvention, const Findings &findings,
                                   const Parameters &given)
 {
-    const ReferenceData usedColumns = keepUsedColumns(data, tableConvention, findings.lastFit);
-    result.conventions = listConventions(findings.lastFit);
-    if (tableConvention) { // the other conventions belong to the file after it
-        result.conventions.insert(result.conventions.begin(), {*tableConvention});
-    }
-    addWholeFileConventions(result, usedColumns, given);
-    measureConventions(result.conventions, result.parameters, usedColumns, findings);
-    const ReferenceData read = applyAll(result.conventions, usedColumns);
-    result.lengthUnit = findLengthUnit(read);
-    result.channels = compareWithMechanismFound(result, read, findings);
-    takeResidualsFromComparison(result);
-    const FittedMechanism notFitted{};
-    const std::vector<ChannelComparison> withGiven = compareReadFile(given, read, findings, notFitted);
-    result.agreesWithGiven = std::ranges::none_of(
-        withGiven, [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; });
+    const ReferenceData corrected = addConventions(result, data, tableConvention, findings, given);
+    compareWithBothMechanisms(result, corrected, findings, given);
 }
 
 } // namespace slidercrank

@@ -12,8 +12,9 @@ namespace slidercrank
 {
 
 /// Adds the conventions of an identified or approximate mechanism, and the comparisons of the used columns with it and
-/// with the given mechanism. `data`: the table as it is in the file. `tableConvention`: the one that was applied to it
-/// before it was observed; it becomes the first of the conventions.
+/// with the given mechanism. If conventions of the whole file lead to the given mechanism, `result` becomes that
+/// mechanism, without alternatives. `data`: the table as it is in the file. `tableConvention`: the one that was applied
+/// to it before it was observed; it becomes the first of the conventions.
 void addConventionsAndComparisons(Identification &result, const ReferenceData &data,
                                   const std::optional<Convention> &tableConvention, const Findings &findings,
                                   const Parameters &given);

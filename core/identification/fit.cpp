@@ -24,9 +24,10 @@ namespace
 /// A number with its partial derivatives by a, b, c and the angle of the crank.
 using Dual = Eigen::AutoDiffScalar<Eigen::Vector4d>;
 
-Dual independent(double value, int position)
+/// One of the four variables of a Dual: its derivative by itself, the one at `index`, is 1.
+Dual variable(double value, int index)
 {
-    return {value, 4, position};
+    return {value, 4, index};
 }
 
 constexpr int kKinds = 6; // number of values of Unknown::Kind
@@ -42,7 +43,7 @@ struct ColumnSums {
     Eigen::Matrix<double, kKinds + 1, kKinds + 1> products = decltype(products)::Zero();
     double count = 0.0; ///< number of values
 
-    /// Of the residuals.
+    /// The mean square of the residuals.
     double meanSquare() const { return count > 0.0 ? products(kResidual, kResidual) / count : 0.0; }
 };
 
@@ -56,8 +57,8 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
     const double angleBySpeed = model.followsAngle ? 0.0 : observations.time[row];
     TextbookMotion<Dual> motion;
     const bool isAssembled =
-        computeUnitSpeedMotion<Dual>(motion, m, {independent(m.a, 0), independent(m.b, 1), independent(m.c, 2)},
-                                     independent(model.crankAngle(observations, row), 3));
+        computeUnitSpeedMotion<Dual>(motion, m.branch, {variable(m.a, 0), variable(m.b, 1), variable(m.c, 2)},
+                                     variable(model.crankAngle(observations, row), 3));
     for (std::size_t k = 0; k < columns.size(); ++k) {
         const ObservedColumn &column = observations.columns[columns[k]];
         const ColumnReading &reading = model.readings[columns[k]];
@@ -87,7 +88,8 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
     return true;
 }
 
-/// The part of the misfit that a column contributes with `count` values whose residuals have a mean square.
+/// The part of the misfit that a column contributes. `count`: number of its values; `meanSquare`: mean square of their
+/// residuals.
 double columnMisfit(const ObservedColumn &column, double meanSquare, double count)
 {
     return column.isConstant() ? meanSquare / column.variance : count * std::log(meanSquare + column.variance);

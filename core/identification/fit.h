@@ -70,7 +70,8 @@ inline Parameter toParameter(Unknown unknown)
 /// The size with which an error of a parameter is compared: a + b + |c| (mm) for lengths, |ω2| (rad/s), or a radian.
 double parameterSize(Parameter parameter, const Parameters &parameters);
 
-/// Two fits whose misfits differ by less are equally good: the ratio of their likelihoods is less than exp(10).
+/// Two fits whose misfits differ by less are equally good. The ratio of their likelihoods is less than exp(10): even
+/// among a thousand fits, chance seldom prefers one by as much.
 inline constexpr double kSameMisfit = 20.0;
 
 /// A fitted model. Where a function has a parameter `place`, it is about the column fit.columns[place] and its
@@ -115,8 +116,8 @@ Fit evaluateModel(const Observations &observations, Model model, Indices columns
 Fit fitModel(const Observations &observations, Model start, Indices columns, Unknowns unknowns,
              int iterationLimit = MinimizerOptions{}.iterationLimit);
 
-/// Whether the crank makes less than a turn, so that nothing returns to where it was: the motions of many mechanisms,
-/// with other origins, are nearly equal on an arc.
+/// Whether the crank makes less than a turn (0.9 turns), so that nothing returns to where it was: the motions of many
+/// mechanisms, with other origins, are nearly equal on an arc.
 bool isShortArc(const Observations &observations, const Model &model);
 
 /// The largest value of dependence() (noise.h) among the columns of the fit; at least 1.
@@ -125,9 +126,8 @@ double dependence(const Fit &fit);
 /// Whether the residuals of every column change their sign as often as independent errors do (noise.h).
 bool isNoise(const Fit &fit);
 
-/// How far the unknowns of a fit are from the minimum of the misfit, as its gradient and curvature predict it. That is
-/// far if the search has ended in a long and curved valley of the misfit. 0 for unknowns that the columns do not
-/// determine.
+/// The step from the unknowns of a fit to the minimum of the misfit, as its gradient and curvature predict it. The step
+/// is long if the search has ended in a long and curved valley of the misfit. 0 for an unknown that changes no column.
 Eigen::VectorXd stepToMinimum(const Fit &fit);
 
 /// The error of the worst determined combination of the unknowns, divided by that of the best determined one. The

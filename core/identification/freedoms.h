@@ -21,7 +21,8 @@ struct ConstrainedFit {
 Fit withUsualReadings(const Observations &observations, Fit fit);
 
 /// Sets each origin to its nearest usual value, one after the other, and fits the other unknowns again: the angle of
-/// the crank and θ3 to a multiple of half a turn, lengths to 0. An origin stays free only if the file needs it:
+/// the crank and θ3 to a multiple of half a turn, lengths to 0. An origin stays free only if the file needs it, which
+/// means that all of these hold:
 ///   1. without it, rounding does not explain the residuals;
 ///   2. the misfit grows without it, by more than 20 times the dependence of the residuals (see noise.h);
 ///   3. without it, the residuals of a column are larger than 1 % of its range. This is required if the residuals are

@@ -122,10 +122,10 @@ bool isMotionOfOtherLengths(const Observations &observations, const Fit &fit, In
     }
     const Parameters &found = fit.model.mechanism;
     const Parameters &other = alone.model.mechanism;
-    const double change = std::max(std::abs(other.b / other.a - found.b / found.a), // of the proportions
-                                   std::abs(other.c / other.a - found.c / found.a));
-    return !hasLongCoupler(found) && !hasLongCoupler(other) &&
-           change > kMinChange * (found.b + std::abs(found.c)) / found.a;
+    const double changeOfProportions =
+        std::max(std::abs(other.b / other.a - found.b / found.a), std::abs(other.c / other.a - found.c / found.a));
+    return !hidesLengths(found) && !hidesLengths(other) &&
+           changeOfProportions > kMinChange * (found.b + std::abs(found.c)) / found.a;
 }
 
 /// The largest deviation of a column from the prediction times a factor, in percent of its peak.
@@ -140,9 +140,8 @@ double percentOfPeak(const Observations &observations, const Fit &fit, Index k, 
     return peak > 0.0 ? 100.0 * deviation / peak : kNone;
 }
 
-/// Whether fit.columns[place], which contains difference quotients within their rounding, is nevertheless the motion:
-/// quotients amplify the rounding of the lower column, and the residuals of genuine derivatives are those of their own
-/// rounding and that of the abscissa.
+/// Whether fit.columns[place], which contains difference quotients, may be a genuine derivative nevertheless: its
+/// residuals are those of its own rounding, while quotients of rounded values have far larger ones.
 bool isGenuine(const Observations &observations, const Fit &fit, Index place)
 {
     constexpr double kBounds = 2.0; // of rounding (rms): the fit has errors, too
@@ -208,32 +207,40 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
     result.leftOut.push_back({column.channel, reasonOfMismatch(observations, fit, k), percent});
 }
 
-/// Over the angle of the crank, velocities of lengths show the product of the lengths and ω2, and accelerations that of
-/// the lengths and ω2². Returns the fit of velocities together with an acceleration, or the reverse, in which the speed
-/// is free; nullopt if the mechanism does not explain both.
+/// The model of a fit of velocities or accelerations of lengths over the angle of the crank, at another speed: the
+/// lengths and the signs of the readings change so that these columns remain the same. `order`: that of the columns.
+Model atOtherSpeed(const Fit &fit, Order order, double ratioOfSpeeds)
+{
+    const double factorOfColumns = std::pow(ratioOfSpeeds, static_cast<double>(order));
+    Model model = fit.model;
+    model.mechanism.omega2 *= ratioOfSpeeds;
+    for (const Parameter length : kLengths) {
+        valueOf(model.mechanism, length) /= std::abs(factorOfColumns);
+    }
+    for (const Index k : fit.columns) {
+        model.readings[k].factor *= std::copysign(1.0, factorOfColumns);
+    }
+    return model;
+}
+
+/// Over the angle of the crank, velocities of lengths show the product a ω2, and accelerations a ω2². If a fit of
+/// columns of one of these orders has assumed ω instead of the true speed ω', it predicts columns of the other order
+/// that are off by a factor: accelerations from velocities by ω'/ω, velocities from accelerations by ω/ω'. Returns the
+/// fit together with such a column, in which the speed is free; nullopt if no mechanism explains both.
 std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool isGeometryExact)
 {
-    const Channel fitted = observations.columns[fit.columns.front()].channel;
+    const Order fittedOrder = observations.columns[fit.columns.front()].channel.order;
+    Fit free = fit;
+    free.unknowns.push_back({Unknown::Kind::Omega2});
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
-        if (column.containsAngles() || !column.isDerivative() || column.channel.order == fitted.order) {
+        if (column.containsAngles() || !column.isDerivative() || column.channel.order == fittedOrder) {
             continue;
         }
-        // At `ratio` times the speed, the columns of the fit need lengths and a sign that change by its inverse power.
         const double factor = fitScale(observations, fit, fit.model, k, isGeometryExact).factor;
-        const double ratio = fitted.order == Order::Velocity ? factor : 1.0 / factor;
-        const double change = std::pow(ratio, -static_cast<double>(fitted.order));
-        Fit start = fit;
-        start.unknowns.push_back({Unknown::Kind::Omega2});
-        start.model.mechanism.omega2 *= ratio;
-        for (const Parameter length : kLengths) {
-            valueOf(start.model.mechanism, length) *= std::abs(change);
-        }
-        for (const Index used : fit.columns) {
-            start.model.readings[used].factor *= std::copysign(1.0, change);
-        }
-        start.model.readings[k] = {signOfCoordinate(observations, start, column.channel.coordinate), 0.0};
-        if (std::optional<Fit> together = withColumn(observations, start, start.model, k, isGeometryExact)) {
+        free.model = atOtherSpeed(fit, fittedOrder, fittedOrder == Order::Velocity ? factor : 1.0 / factor);
+        free.model.readings[k] = {signOfCoordinate(observations, free, column.channel.coordinate), 0.0};
+        if (std::optional<Fit> together = withColumn(observations, free, free.model, k, isGeometryExact)) {
             return together;
         }
     }

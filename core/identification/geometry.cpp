@@ -84,7 +84,7 @@ Regression fitReading(const Moments &m, std::optional<double> fixedFactor, Colum
 Regression fitCouplerReading(const Moments &moments, ColumnOrigin origin)
 {
     Regression best;
-    for (const double unit : kAngleUnits) {
+    for (const double unit : kAngleFactors) {
         for (const double factor : {unit, -unit}) {
             const Regression regression = fitReading(moments, factor, origin);
             best = regression.meanSquare < best.meanSquare ? regression : best;
@@ -300,7 +300,7 @@ std::vector<Model> startModels(const Observations &observations, const std::vect
     model.readings.resize(observations.columns.size());
     std::vector<Model> models;
     if (model.followsAngle) {
-        for (const double unit : kAngleUnits) {
+        for (const double unit : kAngleFactors) {
             model.angleFactor = unit;
             models.push_back(model);
         }

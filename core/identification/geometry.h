@@ -11,9 +11,10 @@
 namespace slidercrank
 {
 
-/// Columns that show the shape of the mechanism: for each of R4_x and θ3 the lowest derivative in the file, after
-/// `skipped` lower ones. If the file has none of them, the same for the centres of the links. If the file contains the
-/// angle of the crank, positions need no speed, and derivatives are not used beside them.
+/// Columns that show the shape of the mechanism: for each of θ3 and R4_x, in this order, the column of the lowest order
+/// in the file (positions have the order 0), after `skipped` lower ones. If the file has none of them and nothing is
+/// skipped, the same for the centres of the links. In a file with the angle of the crank, derivatives are left out if
+/// there is a position, because they depend on the unknown speed.
 Indices shapeColumns(const Observations &observations, std::size_t skipped = 0);
 
 /// Whether the columns determine lengths, and not only ratios of lengths.
@@ -29,10 +30,12 @@ bool determineLengths(const Observations &observations, const Indices &columns);
 Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,
                  const Parameters &given);
 
-/// The misfit of a geometry in `columns`, if only the origins of their positions are fitted again.
+/// The misfit of a geometry in `columns`, if only the origins of their positions are fitted again. Infinite if the
+/// geometry is not finite.
 double misfitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns);
 
 /// The misfit of a geometry in `columns`, if all of its unknowns and the origins of their positions are fitted again.
+/// Infinite if the geometry is not finite.
 double misfitOfRepeatedFit(const Observations &observations, const Fit &geometry, const Indices &columns);
 
 } // namespace slidercrank

@@ -45,7 +45,8 @@ struct LeftOutColumn {
     };
     Channel channel;
     Reason reason = Reason::Unknown;
-    double percentOfPeak = kNone; ///< its largest deviation from the mechanism found; NaN if nothing predicts it
+    double percentOfPeak = kNone; ///< its largest deviation from the mechanism found, at the speed that suits it best
+                                  ///< if the speed is open; NaN if the speed is uneven
 };
 
 /// How far a column and the mechanism found are apart, after the conventions are applied, without excluded rows.
@@ -103,7 +104,8 @@ struct Identification {
     double lengthUnit = 1.0;
 
     /// Standard errors by indexOf(Parameter), if the residuals are independent errors. NaN for parameters that the file
-    /// does not determine, and for all if the residuals are systematic. Insufficient: those of what is determined.
+    /// does not determine, and for all if the residuals are systematic. Insufficient: errors of what is determined,
+    /// enlarged if the residuals are systematic.
     std::array<double, kParameterCount> standardError{kNone, kNone, kNone, kNone, kNone};
 
     /// Whether the file can contain the parameter and determines it. All false unless hasMechanism().

@@ -53,7 +53,7 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, const 
     ObservedFit current = withBestAbscissa({std::move(wholeFile), std::move(searched), std::move(geometry.fit)});
     current.fit = fitSimplestImage(current.searched, std::move(current.fit), given);
     findings.drive = findDrive(current.wholeFile, current.fit.model);
-    current = fitWithDrive(std::move(current), findings.drive);
+    current = withDriveOfFile(std::move(current), findings.drive);
     FurtherColumns further = withFurtherColumns(current.searched, current.fit, findings.drive, given);
     findings.leftOut = std::move(further.leftOut);
     leaveOutSparseAngle(findings.leftOut, data, current.wholeFile);
@@ -115,8 +115,7 @@ Identification identify(const ReferenceData &data, const Mechanism &given, std::
         best = identifyTable(data, std::nullopt, given.parameters(), stop);
         for (const Convention &convention : possibleTableConventions(data, *best)) {
             Identification result = identifyTable(data, convention, given.parameters(), stop);
-            // Wrong headings are unlikely. Only if they explain everything exactly, they are more likely than right
-            // ones.
+            // Such conventions are unlikely. One is accepted only if everything is explained exactly with it.
             if (result.outcome == Outcome::Identified && result.leftOut.empty() && isBetter(result, *best)) {
                 best = std::move(result);
             }

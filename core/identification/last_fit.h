@@ -33,14 +33,15 @@ struct LastFit {
 /// Changes the errors as if a parameter had been multiplied by a factor.
 void scaleErrors(LastFit &lastFit, Parameter parameter, double factor);
 
-/// Fits all rows, starting from a fit of some rows. Outliers are excluded if they are at most 5 % of the rows: their
-/// residuals are beyond eight robust standard deviations, beyond rounding, and larger than a slight delay of the row
-/// explains. `possibleErrors`: further errors of the parameters (see freedoms.h).
+/// Fits all rows, starting from a fit of some rows. A value is an outlier if its residual is beyond eight robust
+/// standard deviations, beyond rounding, and larger than a slight delay of the row explains. Rows with outliers are
+/// excluded before each of two fits, but not if they are more than 5 % of all rows. `drive`: supplies the standard
+/// errors of its angle and speed. `possibleErrors`: further errors of the parameters (see freedoms.h).
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &possibleErrors,
                    const Drive &drive);
 
-/// The parameters at t = 0 of the file, with θ20 in (-π, π]. In a file over the angle of the crank, the speed and the
-/// angle at t = 0 are those of `drive`.
+/// The parameters at t = 0 of the file, with θ20 in (-π, π]. With a run-up, the speed and the angle at t = 0 are
+/// those of `drive`; with an uneven speed, ω2 is its mean.
 Parameters parametersAtTimeZero(const Model &model, const Observations &observations, const Drive &drive);
 
 } // namespace slidercrank

@@ -27,7 +27,9 @@ Model modelWithGivenLengths(const Fit &best, const Parameters &given)
 Unknowns unknownsExceptLengths(const Fit &fit)
 {
     Unknowns unknowns = fit.unknowns;
-    std::erase_if(unknowns, [](Unknown unknown) { return unknown.kind <= Unknown::Kind::C; });
+    for (const Parameter length : kLengths) {
+        std::erase(unknowns, toUnknown(length));
+    }
     return unknowns;
 }
 

@@ -25,12 +25,12 @@ using Objective = std::function<std::optional<LocalShape>(const Eigen::VectorXd 
 
 struct MinimizerOptions {
     int iterationLimit = 200;
-    double smallestGain = 1e-4; ///< a step that lowers the value by less ends the search
+    double smallestGain = 1e-4; ///< a step that changes the value by less ends the search
 };
 
 struct Minimum {
     enum class Status {
-        Converged,     ///< the last step lowered the value by less than the smallest gain
+        Converged,     ///< the last step changed the value by less than the smallest gain
         NoProgress,    ///< no step lowers the value, however short
         IterationLimit ///< the value may be lower elsewhere
     };

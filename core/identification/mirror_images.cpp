@@ -66,15 +66,17 @@ bool isOddHalfTurn(double angle)
     return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
 }
 
-/// How many columns of one kind (lengths or angles) have the opposite sign. Displacements are not among the columns.
+/// How many columns of one kind (lengths or angles) are negated. Displacements, which are R4_x with a free origin, are
+/// not among these columns.
 struct SignCount {
     int columns = 0;
     int negated = 0;
     bool hasNegatedDisplacement = false;
 
-    /// The number of readings. If all columns have the opposite sign, they are counted along the opposite axis, which
-    /// is one reading. A displacement has a direction of its own, which its derivatives share: that is no reading.
-    int readings() const
+    /// The number of unusual readings. If all columns are negated, they are counted along the opposite axis, which is
+    /// one unusual reading; beside a negated displacement it is none, because derivatives share the direction of a
+    /// displacement, and that may be chosen freely.
+    int countUnusual() const
     {
         if (negated < columns) {
             return negated;
@@ -103,7 +105,7 @@ bool isSliderLineShifted(const Observations &observations, const Model &model)
     constexpr double kTolerance = 0.02; // fraction of a: the error of c in a noisy file
     const auto isOtherLine = [&](const ObservedColumn &column) {
         return column.channel == kSliderLine &&
-               std::abs(column.values[0] - model.mechanism.c) > kTolerance * model.mechanism.a;
+               std::abs(median(column.values) - model.mechanism.c) > kTolerance * model.mechanism.a;
     };
     return std::ranges::any_of(observations.columns, isOtherLine);
 }
@@ -136,14 +138,14 @@ int countUnusualReadings(const Observations &observations, const Fit &fit, const
             column.containsAngles() && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor);
         count += isHalfTurnOff ? 1 : 0;
     }
-    return count + lengths.readings() + angles.readings();
+    return count + lengths.countUnusual() + angles.countUnusual();
 }
 
 /// Orders the images: that with the lowest rank, compared member by member, is preferred.
 struct ImageRank {
-    int differences;       ///< readings, and one more if the assembly is not that of the given mechanism
+    int differences;       ///< unusualReadings, and one more if the assembly is not that of the given mechanism
     bool isOtherThanGiven; ///< the assembly or c is not that of the given mechanism
-    int readings;          ///< countUnusualReadings() of the image
+    int unusualReadings;   ///< countUnusualReadings() of the image
     double distance; ///< from the given mechanism: 0 … 1 for c, and kReversedCrank if it turns in the other direction
 
     friend auto operator<=>(const ImageRank &, const ImageRank &) = default;
@@ -154,15 +156,15 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
     constexpr double kSameLength = 1e-3;   // fraction of a: the c of a fit is never exactly the given one
     constexpr double kReversedCrank = 1.5; // more than the distance of the opposite c, which is 1
     const Parameters &m = model.mechanism;
-    const int readings = countUnusualReadings(observations, fit, model);
+    const int unusualReadings = countUnusualReadings(observations, fit, model);
     const bool isGivenAssembly = m.branch == given.branch;
     const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
     const bool isReversed = m.omega2 * given.omega2 < 0.0;
     const double sumOfOffsets = std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a; // not 0, even if both offsets are
     const double distanceOfC = std::abs(m.c - given.c) / sumOfOffsets;
-    return {.differences = readings + (isGivenAssembly ? 0 : 1),
+    return {.differences = unusualReadings + (isGivenAssembly ? 0 : 1),
             .isOtherThanGiven = !(isGivenAssembly && isGivenC),
-            .readings = readings,
+            .unusualReadings = unusualReadings,
             .distance = distanceOfC + (isReversed ? kReversedCrank : 0.0)};
 }
 

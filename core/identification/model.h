@@ -50,21 +50,22 @@ struct Model {
 };
 
 /// Whether the coupler or c is so much longer than the crank that its length hardly shows in the motion.
-inline bool hasLongCoupler(const Parameters &mechanism)
+inline bool hidesLengths(const Parameters &mechanism)
 {
     constexpr double kMaxRatio = 100.0; // to the crank
     return std::max(mechanism.b, std::abs(mechanism.c)) > kMaxRatio * mechanism.a;
 }
 
-/// Computes the positions of a mechanism at one angle of the crank, and their derivatives by this angle. `Number`:
-/// double or a type with partial derivatives. Returns false if the mechanism cannot be assembled there or is singular.
+/// Computes the positions of a mechanism at one angle of the crank (rad), and their derivatives by this angle.
+/// `lengths`: a, b, c (mm). `Number`: double or a type with partial derivatives. Returns false if the mechanism cannot
+/// be assembled there or is singular.
 template <class Number>
-bool computeUnitSpeedMotion(TextbookMotion<Number> &motion, const Parameters &mechanism,
-                            const std::array<Number, 3> &lengths, const Number &crankAngle)
+bool computeUnitSpeedMotion(TextbookMotion<Number> &motion, Branch branch, const std::array<Number, 3> &lengths,
+                            const Number &crankAngle)
 {
     // At a speed of one radian per second, the derivatives by the time are those by the angle.
     return motion.compute({lengths[0], lengths[1], lengths[2], Number(1.0), Number(0.0)}, crankAngle,
-                          mechanism.branch == Branch::Open ? 1.0 : -1.0);
+                          branch == Branch::Open ? 1.0 : -1.0);
 }
 
 /// The motion of a channel at a speed ω (rad/s) and an angular acceleration α (rad/s²) of the crank. With the

@@ -38,8 +38,8 @@ bool statesUnit(const FileLayout &layout, Channel channel)
     });
 }
 
-/// Half of the rounding step of each value, in mm or rad. `unit`: the unit of the file in mm or rad; `size`: the
-/// largest magnitude of the values, in mm or rad.
+/// Half of the rounding step of each value, in mm or rad. `unit`: how many mm or rad the unit of `valuesInFile` is (mm
+/// or °); `size`: the largest magnitude of the values, in mm or rad.
 Values computeHalfSteps(const std::vector<double> &valuesInFile, const Rounding &rounding, const Indices &rows,
                         double unit, double size)
 {
@@ -81,11 +81,14 @@ ObservedColumn readColumn(const ReferenceData &data, const ReferenceSeries &seri
 /// Sets the range of a column to 0 if it changes by no more than its rounding, or by no more than the rounding errors
 /// of the program that computed it. The rounding steps of such a column become at least as large as these errors.
 /// `span`: the span of the abscissa.
-void markIfConstant(ObservedColumn &column, double span)
+void flattenIfConstant(ObservedColumn &column, double span)
 {
-    constexpr double kZero = 1e-8; // mm or rad, change of the position in the whole file
-    const double zero = kZero / std::pow(span, static_cast<double>(column.channel.order));
-    if (column.range * column.range <= 12.0 * column.variance || column.range <= zero) {
+    // mm or rad: a program that computes a constant position changes it by no more than this. Divided by the n-th power
+    // of the span, it limits the n-th derivative.
+    constexpr double kMaxArithmeticChange = 1e-8;
+    const double zero = kMaxArithmeticChange / std::pow(span, static_cast<double>(column.channel.order));
+    const double rootMeanSquareStep = std::sqrt(12.0 * column.variance);
+    if (column.range <= rootMeanSquareStep || column.range <= zero) {
         column.range = 0.0;
         column.setHalfSteps(column.halfSteps.max(zero));
     }
@@ -116,8 +119,9 @@ Indices rowsWithValues(const ReferenceData &data)
 
 /// The time stamps (or angles of a table) before they were rounded: a grid of one spacing, some of whose times may be
 /// missing. Rounding explains a grid if each of its times is within half a rounding step of the printed time stamp.
-/// Returns the grid that is farthest within these limits, or the least beyond them.
-Values evenlySpaced(const Values &printed, const Values &halfSteps)
+/// Returns the grid with the largest margin to these limits or, if none is within them, the one that exceeds them
+/// least.
+Values findGrid(const Values &printed, const Values &halfSteps)
 {
     constexpr int kBits = 26; // of the result; more are lost in rounding errors
     const Index last = printed.size() - 1;
@@ -150,7 +154,7 @@ void observeTime(Observations &observations, const ReferenceData &data)
     Values time = printed;
     if (clock.rounded) {
         const auto halfStep = [&](double stamp) { return 0.5 * data.timeRounding.stepAt(stamp); };
-        time = evenlySpaced(printed, printed.unaryExpr(halfStep));
+        time = findGrid(printed, printed.unaryExpr(halfStep));
     }
     observations.timeOrigin = 0.5 * (time[rows.front()] + time[rows.back()]);
     observations.time = time(rows) - observations.timeOrigin;
@@ -160,12 +164,12 @@ void observeTime(Observations &observations, const ReferenceData &data)
     observations.timeHalfStep = 0.5 * clock.step();
 }
 
-/// Whether the rows are so far apart that the crank may have made more turns, or have turned the other way: many of
-/// them are more than a quarter of a turn apart.
-bool isSparse(const Values &angle)
+/// Whether the rows are too far apart to show how many turns the crank makes, and in which direction. Half a turn
+/// between two rows hides the direction; a quarter leaves a margin. `angle`: rad, without jumps.
+bool hidesTurns(const Values &angle)
 {
-    constexpr double kQuarter = 0.25 * kTurn; // half of the step that hides the direction
-    constexpr double kMinFraction = 0.05;     // of the rows: more than some outliers and gaps
+    constexpr double kQuarter = 0.25 * kTurn;
+    constexpr double kMinFraction = 0.05; // of the pairs of neighbouring rows: more than some outliers and gaps
     const Index pairs = angle.size() - 1;
     return ((angle.tail(pairs) - angle.head(pairs)).abs() > kQuarter).cast<double>().mean() > kMinFraction;
 }
@@ -198,7 +202,7 @@ void observeTableAngle(Observations &observations, const CrankAngles &crank)
     Values degrees = printed;
     if (clock.rounded) {
         const auto halfStep = [&](double angle) { return 0.5 * crank.rounding.stepAt(angle); };
-        degrees = evenlySpaced(printed, printed.unaryExpr(halfStep));
+        degrees = findGrid(printed, printed.unaryExpr(halfStep));
         observations.printedAngle = printed(observations.rows) / kDegreesPerRadian;
     }
     observations.angle = degrees(observations.rows) / kDegreesPerRadian;
@@ -214,7 +218,7 @@ void observeAngleColumn(Observations &observations, const ReferenceData &data)
         return;
     }
     const ObservedColumn column = readColumn(data, *crank, observations.rows);
-    if (column.values.isFinite().all() && !isSparse(column.values)) {
+    if (column.values.isFinite().all() && !hidesTurns(column.values)) {
         observations.angleHalfStep = column.halfSteps.maxCoeff();
         observations.angle = column.values;
         countTurnsInGaps(observations.angle, observations.time);
@@ -259,7 +263,7 @@ Observations observe(const ReferenceData &data, std::stop_token stop)
             continue; // observeAngleColumn() has read θ2, or left it out
         }
         ObservedColumn column = readColumn(data, series, observations.rows);
-        markIfConstant(column, observations.span());
+        flattenIfConstant(column, observations.span());
         if (column.values.isFinite().any()) {
             observations.columns.push_back(std::move(column));
         }
@@ -296,18 +300,18 @@ double findLengthUnit(const ReferenceData &data)
 
 double median(const Values &values)
 {
-    std::vector<double> sorted;
-    sorted.reserve(static_cast<std::size_t>(values.size()));
-    std::ranges::copy_if(values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
-    const auto middle = sorted.begin() + std::ssize(sorted) / 2;
-    std::ranges::nth_element(sorted, middle);
-    return sorted.empty() ? 0.0 : *middle;
+    std::vector<double> finite;
+    finite.reserve(static_cast<std::size_t>(values.size()));
+    std::ranges::copy_if(values, std::back_inserter(finite), [](double value) { return std::isfinite(value); });
+    const auto middle = finite.begin() + std::ssize(finite) / 2;
+    std::ranges::nth_element(finite, middle);
+    return finite.empty() ? 0.0 : *middle;
 }
 
 Observations withoutSpikes(Observations observations)
 {
     constexpr Index kWindow = 7;              // rows: a value and three on either side
-    constexpr double kDeviations = 12.0;      // typical distances from the median of the window: motions stay below
+    constexpr double kMaxDeviation = 12.0;    // times the usual distance from the median of the window: not a motion
     constexpr double kFractionOfSpread = 0.3; // of the column: a smaller deviation does not mislead the search
     for (ObservedColumn &column : observations.columns) {
         Values distances = Values::Zero(column.values.size());
@@ -321,7 +325,7 @@ Observations withoutSpikes(Observations observations)
             distances[i] = end == window.begin() ? kNone : std::abs(column.values[i] - *middle);
         }
         const double spread = median((column.values - median(column.values)).abs());
-        const double limit = std::max(kDeviations * median(distances), kFractionOfSpread * spread);
+        const double limit = std::max(kMaxDeviation * median(distances), kFractionOfSpread * spread);
         column.values = (distances > limit).select(kNone, column.values);
     }
     return observations;

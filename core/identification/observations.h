@@ -57,8 +57,9 @@ struct Observations {
     double timeHalfStep = 0.0;  ///< half of the rounding step of the time stamps, s; 0 if they are evenly spaced
     double angleHalfStep = 0.0; ///< half of the rounding step of `angle`, rad
     Indices rows;               ///< index in the file of each row
-    std::vector<ObservedColumn> columns; ///< without θ2 and without those that tell nothing
-    std::stop_token stop;                ///< requests the end of every computation with these observations
+    std::vector<ObservedColumn>
+        columns;          ///< without those that tell nothing; θ2 only if withDriveOfFile() has made it one
+    std::stop_token stop; ///< requests the end of every computation with these observations
 
     Index size() const { return std::ssize(rows); }
     bool hasTime() const { return time.size() > 0; }
@@ -68,13 +69,13 @@ struct Observations {
     /// The distance of the first and the last row: s, or rad in a table over the crank angle.
     double span() const { return std::abs(abscissa()[size() - 1] - abscissa()[0]); }
 
-    bool containOnlyAngles(const Indices &some) const
+    bool containOnlyAngles(const Indices &columnIndices) const
     {
-        return std::ranges::all_of(some, [&](Index k) { return columns[k].containsAngles(); });
+        return std::ranges::all_of(columnIndices, [&](Index k) { return columns[k].containsAngles(); });
     }
-    bool containDerivatives(const Indices &some) const
+    bool containDerivatives(const Indices &columnIndices) const
     {
-        return std::ranges::any_of(some, [&](Index k) { return columns[k].isDerivative(); });
+        return std::ranges::any_of(columnIndices, [&](Index k) { return columns[k].isDerivative(); });
     }
 };
 
@@ -83,7 +84,7 @@ struct Observations {
 /// rounding errors is kept, with a range of 0.
 Observations observe(const ReferenceData &data, std::stop_token stop);
 
-/// The largest number of rows that any step but the last fit uses.
+/// The number of rows that are enough for the fits before the last one: the time of a search is proportional to it.
 inline constexpr Index kSearchedRows = 400;
 
 /// Selects at most `count` rows, one at an irregular place in each of `count` equal sections of the file: at equal

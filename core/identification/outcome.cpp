@@ -21,14 +21,16 @@ using Lack = Identification::Lack;
 using Misfit = Identification::Misfit;
 using UnknownKind = Unknown::Kind;
 
-// Larger errors leave a parameter open. They are relative to the parameter; for c, to the larger of a and |c|; for θ20,
-// to a radian.
-// - Standard error of a parameter other than a: a value that is less certain is of no use.
+/// A parameter is left open if its standard error is a larger fraction of its size (see openParameters()): a value that
+/// is less certain is of no use.
 constexpr double kMaxError = 0.2;
-// - Standard error of a. Standard errors are computed as if the motion were a linear function of the unknowns. If a is
-//   less certain than this, the motion is not, and the standard errors of all parameters are too small.
+
+/// The same for a. Standard errors are computed as if the motion were a linear function of the unknowns. If a is less
+/// certain than this, the motion is not, and the standard errors of all parameters are too small.
 constexpr double kMaxErrorOfCrank = 0.03;
-// - Change of any parameter by systematic residuals (see largestErrors()).
+
+/// A parameter is left open if systematic residuals can change it by a larger fraction of its size (see
+/// largestErrors()).
 constexpr double kMaxSystematicError = 0.1;
 
 /// The residual of fit.columns[place] in the units of files.
@@ -44,8 +46,7 @@ ColumnResidual describeResidual(const Observations &observations, const Fit &fit
 }
 
 /// The errors from which openParameters() decides. Standard errors assume that errors of many rows cancel. Systematic
-/// errors need not: those of the size (rms) of the residuals can change a parameter by √n standard errors of n
-/// independent values.
+/// errors need not: n equal errors change a parameter √n times as much as n independent ones of the same size.
 ParameterErrors largestErrors(const LastFit &lastFit, bool isSystematic)
 {
     ParameterErrors errors = lastFit.standardError;
@@ -73,14 +74,15 @@ bool hasOneCoordinate(const LastFit &lastFit)
         used, [&](Index k) { return columns[k].channel.coordinate == columns[used.front()].channel.coordinate; });
 }
 
-/// Which unknown parameters the file leaves open. `errors`: the result of largestErrors().
+/// Which unknown parameters the file leaves open. `errors`: the result of largestErrors(). A parameter whose error is
+/// NaN is not open: it belongs to the drive.
 ParameterFlags openParameters(const LastFit &lastFit, const ParameterErrors &errors, bool isSystematic)
 {
     const Fit &fit = lastFit.fit;
     const Parameters &m = fit.model.mechanism;
     const std::array<double, kParameterCount> sizes{m.a, m.b, std::max(m.a, std::abs(m.c)), std::abs(m.omega2), 1.0};
     // A motion that is only approximately that of a long coupler hardly shows its length, however small the errors are.
-    const bool isCouplerOpen = !lastFit.isExact && hasLongCoupler(m);
+    const bool isCouplerOpen = !lastFit.isExact && hidesLengths(m);
     // On an arc, many motions resemble each other. If a mechanism explains one coordinate there only approximately, no
     // other coordinate confirms that it is the one that moved.
     const bool isEverythingOpen =
@@ -100,7 +102,7 @@ ParameterFlags openParameters(const LastFit &lastFit, const ParameterErrors &err
 /// Whether the file has too few values (FewValues) or rows (FewRowsPerTurn) for the fit; otherwise Nothing.
 Lack findLackOfValues(const LastFit &lastFit)
 {
-    constexpr double kSpareValues = 3.0;    // with fewer, any curve passes through the values
+    constexpr double kSpareValues = 3.0;    // with fewer, small residuals prove nothing
     constexpr double kMinRowsPerTurn = 4.0; // with fewer, a faster crank may give the same positions
     const Fit &fit = lastFit.fit;
     const Observations &observations = lastFit.observations;

@@ -33,7 +33,8 @@ void appendForColumn(std::vector<ConventionFinding> &conventions, Kind kind, Cha
 }
 
 /// Appends the convention that adds `amount` (° or mm) to a column. `hadJumps`: jumps by whole turns have to be removed
-/// from it. `error`: standard error of an amount that is not usual.
+/// from it. An amount is usual if it is a multiple of 180°, or 0 mm.
+/// `error`: standard error of another amount.
 void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, double amount, bool hadJumps,
                  double error)
 {

@@ -24,8 +24,8 @@ Values roundingBounds(const Observations &observations, const Fit &fit, Index pl
 double columnSize(const Observations &observations, const Fit &fit, Index place);
 
 /// Whether at least 95 % of the residuals of fit.columns[place] are within a bound, none is beyond ten bounds, and none
-/// exceeds the bound by more than 0.5 % of half the range. The bound is that of rounding, plus the error of the fit
-/// itself (see FittedMechanism).
+/// exceeds the bound by more than 0.5 % of half the range (in a constant column, none exceeds it). The bound is that of
+/// rounding, plus the error of the fit itself (see FittedMechanism).
 bool isWithinRounding(const Observations &observations, const Fit &fit, Index place);
 
 /// Whether rounding explains the residuals of fit.columns[place], or they are noise or systematic and small.

@@ -37,8 +37,8 @@ struct Decimal {
     int digits = 0; ///< from the first one that is not zero to the last
 };
 
-/// The number with the fewest digits within a tolerance of a value that is larger than the tolerance. nullopt if that
-/// is no multiple of a power of ten that is at least `minSpacing`.
+/// The number with the fewest digits within a tolerance of a value: a multiple of the largest possible power of ten.
+/// nullopt if this power is smaller than `minSpacing`. Requires |value| > tolerance.
 std::optional<Decimal> shortestDecimal(double value, double tolerance, double minSpacing)
 {
     const int highest = placeOfFirstDigit(std::abs(value) + tolerance) + 1;
@@ -74,7 +74,7 @@ struct EstimatedUnknown {
     Unknown unknown;
     std::optional<Parameter> parameter{}; ///< the parameter whose value at t = 0 of the file it is; nullopt for origins
     double size = 1.0;                    ///< the size with which its error is compared
-    bool isFixed = false;                 ///< its value has been chosen, see fixUnknown()
+    bool isFixed = false;                 ///< its value no longer changes, see fixUnknown()
 };
 
 /// What is known about the unknowns of the last fit: their values, normally distributed with a covariance.
@@ -210,7 +210,8 @@ Model withParameters(Model model, const Parameters &parameters, const Observatio
     return model;
 }
 
-/// Whether nearly all residuals of fit.columns[place] are within the bounds of rounding.
+/// Whether 95 % of the residuals of fit.columns[place] are within the bounds of rounding. Unlike isWithinRounding(),
+/// does not enlarge the bounds by the error of the fit, because rounded parameters are no fit.
 bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit, Index place)
 {
     const Values errors = gapsAsZeros(fit.residuals.col(place)).abs();

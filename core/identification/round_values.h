@@ -30,9 +30,10 @@ RoundNumber roundLength(double value, double standardError, double unit);
 /// unit of the lengths in the file, mm.
 Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded, double lengthUnit);
 
-/// An origin depends on the lengths: if a coupler is 0.3 mm longer and the origin 0.3 mm farther away, the positions in
-/// the file are nearly the same. If a fit has free origins, moves it to the chosen numbers of its parameters and of the
-/// origin of θ2, and to the other origins that suit them. Does nothing if these do not explain the file as well.
+/// If a fit has free origins, moves it to the chosen numbers of its parameters and of the origin of θ2, and to the
+/// other origins that suit them. Does nothing if these do not explain the file as well. (An origin depends on the
+/// lengths: if a coupler is 0.3 mm longer and the origin 0.3 mm farther away, the positions in the file are nearly the
+/// same.)
 void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double lengthUnit);
 
 } // namespace slidercrank

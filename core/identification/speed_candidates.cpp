@@ -19,7 +19,7 @@ namespace
 int countMiddleCrossings(const ObservedColumn &column)
 {
     constexpr double kHysteresis = 0.15;          // of the range: noise crosses nothing
-    constexpr std::size_t kValuesPerOutlier = 50; // one value in 50, at either end of the range, may be one
+    constexpr std::size_t kValuesPerOutlier = 50; // one value in 50, at either end of the range, may be an outlier
     std::vector<double> sorted;
     sorted.reserve(static_cast<std::size_t>(column.values.size()));
     std::ranges::copy_if(column.values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
@@ -80,7 +80,7 @@ std::vector<Trial> findLocalMinima(const std::vector<Trial> &trials)
 }
 
 /// The fraction of the time of the file in which there are rows, at their usual distance; 1 without gaps.
-double coverage(const Observations &observations)
+double computeCoverage(const Observations &observations)
 {
     const Index pairs = observations.size() - 1;
     const Values distances = observations.time.tail(pairs) - observations.time.head(pairs);
@@ -103,7 +103,7 @@ bool isConsistent(double turns, double crossingPairs)
 
 /// The numbers of turns that the crank may have made in the file, according to the number of crossings, at equal
 /// distances. If there are so few rows that crossings may fall between them, these are all numbers up to half a turn
-/// per row: a faster crank gives the same positions as one of these. `coverage`: the result of coverage().
+/// per row: a faster crank gives the same positions as one of these. `coverage`: the result of computeCoverage().
 std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 {
     constexpr double kSpacing = 0.1;         // a tenth of the width of a minimum of the periodogram
@@ -152,7 +152,7 @@ std::vector<Trial> computePeriodogram(const Observations &observations, const In
     const double speedOfOneTurn = findSpeedOfOneTurn(observations);
     const Observations selected = selectRows(observations, kRows);
     std::vector<Trial> trials;
-    for (const double turns : possibleTurns(crossings, coverage(observations), observations.size())) {
+    for (const double turns : possibleTurns(crossings, computeCoverage(observations), observations.size())) {
         if (!selected.stop.stop_requested()) {
             const double speed = turns * speedOfOneTurn;
             trials.push_back({speed, misfitOfHarmonics(selected, columns, speed)});

@@ -40,7 +40,8 @@ std::vector<Channel> findDoubtfulHeadings(const Identification &result)
     for (const LeftOutColumn &column : result.leftOut) {
         const bool isUnexplained =
             column.reason == LeftOutColumn::Reason::Unknown || column.reason == LeftOutColumn::Reason::OtherMotion;
-        if (isUnexplained && !(column.percentOfPeak < kMinPercent)) {
+        const bool isSmall = column.percentOfPeak < kMinPercent; // false if the percentage is unknown (NaN)
+        if (isUnexplained && !isSmall) {
             doubtful.push_back(column.channel);
         }
     }
@@ -74,7 +75,7 @@ std::vector<Convention> possibleTableConventions(const ReferenceData &data, cons
         // A clock whose heading says seconds may count milliseconds, and one whose heading says these may count
         // seconds.
         const double unit = data.timeRounding.unitFactor;
-        const double factor = unit == 1.0 ? kTimeFactors.back() : 1.0 / unit;
+        const double factor = unit == 1.0 ? kTimeUnits.back() : 1.0 / unit;
         possible.push_back({.kind = Convention::Kind::TimeUnit, .channels = {}, .amount = factor});
     }
     const std::vector<Channel> doubtful = findDoubtfulHeadings(result);

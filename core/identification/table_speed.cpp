@@ -23,12 +23,13 @@ struct Vote {
     bool contradictsUnit = false; ///< the file states a different unit
 };
 
-bool haveSameSize(double speed, double other)
+bool haveSameMagnitude(double value, double other)
 {
     constexpr double kTolerance = 2e-3; // the errors of regressions are smaller, those of a wrong unit far larger
-    return std::abs(std::abs(speed / other) - 1.0) < kTolerance;
+    return std::abs(std::abs(value / other) - 1.0) < kTolerance;
 }
 
+/// The votes of all derivatives that the fit does not use and the mechanism explains.
 std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
 {
     Model model = fit.model;
@@ -66,6 +67,7 @@ struct Support {
     auto rank() const { return std::pair(columns, -contradictedUnits); }
 };
 
+/// Counts the columns that vote for the speed of a candidate. Each counts once.
 Support countSupport(const Vote &candidate, const std::vector<Vote> &votes)
 {
     Support support{.speed = candidate.speed};
@@ -73,7 +75,7 @@ Support countSupport(const Vote &candidate, const std::vector<Vote> &votes)
     for (const bool contradicts : {false, true}) { // a column that agrees in two units counts for the stated one
         for (const Vote &vote : votes) {
             const bool isCounted = std::ranges::find(columns, vote.column) != columns.end();
-            if (vote.contradictsUnit != contradicts || isCounted || !haveSameSize(vote.speed, candidate.speed)) {
+            if (vote.contradictsUnit != contradicts || isCounted || !haveSameMagnitude(vote.speed, candidate.speed)) {
                 continue;
             }
             columns.push_back(vote.column);
@@ -99,13 +101,15 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
     const auto bestRank = std::ranges::max(supports, {}, &Support::rank).rank();
     std::vector<double> bestSpeeds; // each magnitude once, although several columns vote for it
     for (const Support &support : supports) {
-        const auto isSame = [&](double speed) { return haveSameSize(speed, support.speed); };
+        const auto isSame = [&](double speed) { return haveSameMagnitude(speed, support.speed); };
         if (support.rank() == bestRank && std::ranges::none_of(bestSpeeds, isSame)) {
             bestSpeeds.push_back(support.speed);
         }
     }
+    // With the opposite sense of the crank, the velocities are counted in the opposite direction, which is reported
+    // then.
     for (const double speed : bestSpeeds) {
-        if (haveSameSize(speed, givenSpeed)) {
+        if (haveSameMagnitude(speed, givenSpeed)) {
             return {std::copysign(speed, givenSpeed)};
         }
     }
@@ -122,7 +126,7 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
             continue;
         }
         const ColumnScale scale = fitScale(observations, fit, fit.model, k, areExact);
-        const auto isScale = [&](double unit) { return haveSameSize(scale.factor, unit); };
+        const auto isScale = [&](double unit) { return haveSameMagnitude(scale.factor, unit); };
         const bool isInOtherUnit = std::ranges::any_of(unitFactors(channel), isScale); // likelier than another speed
         if (!scale.isExplained || isInOtherUnit) {
             continue;

@@ -19,7 +19,7 @@ namespace slidercrank
 std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed);
 
 /// In a file over the time with few rows per turn, different speeds give the same positions. Returns the fit with the
-/// speed that a velocity shows, or the same fit if none shows another speed or a different unit explains it.
+/// speed that a velocity shows; `fit` if no velocity shows another speed, or if a wrong unit explains the difference.
 Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit);
 
 } // namespace slidercrank

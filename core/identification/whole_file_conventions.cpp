@@ -77,17 +77,18 @@ WholeFileFactors findFactorsTowards(const Parameters &given, const Parameters &f
     const auto isLength = [](const ReferenceSeries &series) { return !isAngle(series.channel.coordinate); };
     const auto length = std::ranges::find_if(data.series, isLength);
     const double lengthUnit = length != data.series.end() ? length->rounding.unitFactor : 1.0;
-    WholeFileFactors factors{.length = nearestFactor(kLengthFactors, given.a / found.a, lengthUnit)};
+    WholeFileFactors factors{.length = nearestFactor(kLengthUnits, given.a / found.a, lengthUnit)};
     if (!data.crank) { // a table over the crank angle shows neither
-        factors.time = nearestFactor(kTimeFactors, found.omega2 / given.omega2, data.timeRounding.unitFactor);
+        factors.time = nearestFactor(kTimeUnits, found.omega2 / given.omega2, data.timeRounding.unitFactor);
         factors.isReversed = found.omega2 * given.omega2 < 0.0;
     }
     return factors;
 }
 
-/// Appends the conventions that multiply all columns. `branch`: the assembly of the mechanism found.
-void appendConventions(std::vector<ConventionFinding> &conventions, const WholeFileFactors &factors,
-                       const ReferenceData &data, Branch branch)
+/// Appends the conventions of factors. θ3 of the crossed assembly is near 180°; negated, it is near -180°, and one turn
+/// is added to it. `branch`: the assembly of the mechanism found.
+void appendFactors(std::vector<ConventionFinding> &conventions, const WholeFileFactors &factors,
+                   const ReferenceData &data, Branch branch)
 {
     if (factors.length != 1.0) {
         appendForColumns(conventions, data, Kind::LengthUnit, factors.length,
@@ -100,7 +101,7 @@ void appendConventions(std::vector<ConventionFinding> &conventions, const WholeF
     if (factors.isReversed) {
         appendForColumns(conventions, data, Kind::Sign, -1.0,
                          [](Channel channel) { return isAngle(channel.coordinate); });
-        const Channel coupler{Theta3, Order::Position}; // of the crossed assembly, it is about half a turn
+        const Channel coupler{Theta3, Order::Position};
         if (branch == Branch::Crossed && data.find(coupler)) {
             appendForColumns(conventions, data, Kind::WholeTurns, kTurn * kDegreesPerRadian,
                              [&](Channel channel) { return channel == coupler; });
@@ -124,7 +125,8 @@ void multiplyMechanism(WholeFileConventions &result, const WholeFileFactors &fac
     result.standardError[indexOf(Parameter::Omega2)] /= factors.time;
 }
 
-/// If the crank is not at the given angle at t = 0, appends a late start, and turns the mechanism found accordingly.
+/// If the crank is not at the given angle at t = 0, appends a late start, and turns the crank of the mechanism found by
+/// as much as it turns in that time. The two mechanisms have the same speed, apart from its error.
 void appendLateStart(WholeFileConventions &result, const Parameters &given)
 {
     Parameters &p = result.parameters;
@@ -155,7 +157,7 @@ WholeFileConventions findWholeFileConventions(const ReferenceData &data, const P
     if (!areNear(result.parameters, given, result.standardError)) {
         return none;
     }
-    appendConventions(result.conventions, factors, data, found.branch);
+    appendFactors(result.conventions, factors, data, found.branch);
     if (found.branch != given.branch) {
         result.conventions.push_back({{Kind::Branch, {}, 1.0}});
     }

@@ -160,6 +160,29 @@ private slots:
     }
 
     /// c = -5 with θ3 counted clockwise, or the mirror image with θ2 counted clockwise; each alone is right.
+    /// Without the rows that lack θ2, the others are compared with both mechanisms.
+    void comparesAnUnevenCrankAlthoughRowsLackItsAngle()
+    {
+        std::string text = "t (s),theta2 (deg),R4_x (mm)\n";
+        for (int i = 0; i <= 120; ++i) {
+            const double time = 0.01 * i;
+            const double angle = 6.0 * time + 0.25 * std::sin(6.0 * time);
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%.2f,%.3f,%.3f\n", time, angle / kDegree,
+                          sliderPosition(40.0, 120.0, 20.0, angle));
+            std::string row = line.data();
+            if (i % 40 == 17) { // no θ2
+                row.erase(row.find(',') + 1, row.rfind(',') - row.find(',') - 1);
+            }
+            text += row;
+        }
+        const Mechanism other(Parameters{.a = 40.0, .b = 65.0, .c = 20.0});
+        const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), other);
+        QCOMPARE(found.channels.size(), 1U);
+        QCOMPARE(found.channels[0].verdict, Verdict::Agrees);
+        QVERIFY(!found.agreesWithGiven);
+    }
+
     void namesNoMirrorImageThatNeedsAnotherReading()
     {
         const Identification found = identifyFile("mirror_alternative");

@@ -92,9 +92,9 @@ private slots:
     void namesTheUnitsOfEachFactor()
     {
         const std::pair<Convention::Kind, std::span<const double>> kinds[] = {
-            {Convention::Kind::AngleUnit, kAngleFactors},
-            {Convention::Kind::LengthUnit, kLengthFactors},
-            {Convention::Kind::TimeUnit, kTimeFactors}};
+            {Convention::Kind::AngleUnit, kAngleUnits},
+            {Convention::Kind::LengthUnit, kLengthUnits},
+            {Convention::Kind::TimeUnit, kTimeUnits}};
         for (const auto &[kind, factors] : kinds) {
             for (const double factor : factors.subspan(1)) { // the first one is 1
                 QVERIFY(explanationText({kind, {kTheta3}, factor}).contains(", but read as "));
