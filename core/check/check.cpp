@@ -90,21 +90,25 @@ JudgedChannels judgedChannels(std::span<const GivenValue> given, std::span<const
     return judged;
 }
 
-/// Returns whether a slip shows in these values. In others it only repeats a simpler slip: an approximation of the
-/// slider's motion that is measured towards the crank merely turns the sense of the coupler angle, and a formula with
-/// the other end of the coupler gives the slider of the other assembly, unless θ3 is known to be right.
-bool showsIn(const JudgedChannels &judged, Slip slip)
+/// Returns whether a slip is considered for these values. Several slips give some values that a simpler slip gives as
+/// well; they are considered only for values in which they differ from it.
+bool isConsidered(Slip slip, const JudgedChannels &judged)
 {
     const auto &[wrong, right] = judged;
+    const auto isOfOrder = [](Order order) {
+        return [order](const OutputChannel &channel) { return orderOf(channel) == order; };
+    };
     const bool isSliderWrong = std::ranges::any_of(wrong, isOfSlider);
-    const auto isRate = [](const OutputChannel &channel) { return orderOf(channel) != Order::Position; };
-    const auto isVelocity = [](const OutputChannel &channel) { return orderOf(channel) == Order::Velocity; };
+    const bool isVelocityWrong = std::ranges::any_of(wrong, isOfOrder(Order::Velocity));
+    const bool isAccelerationWrong = std::ranges::any_of(wrong, isOfOrder(Order::Acceleration));
     switch (slip) {
     case Slip::HarmonicMotion:
-    case Slip::FromOuterDeadCentre: return isSliderWrong;
-    case Slip::CouplerAngleEnd: return std::ranges::count(right, OutputChannel(kCouplerAngle)) > 0;
-    case Slip::TwoHarmonics: return isSliderWrong || std::ranges::any_of(wrong, isRate);
-    case Slip::SecondHarmonicDouble: return std::ranges::any_of(wrong, isVelocity);
+    case Slip::FromOuterDeadCentre: return isSliderWrong; // θ3 alone is only measured clockwise (CouplerAngleSign)
+    case Slip::TwoHarmonics:
+        return isSliderWrong || isVelocityWrong || isAccelerationWrong; // as above; its ω3 and α3 are approximations
+    case Slip::SecondHarmonicDouble: return isVelocityWrong;            // everything else is that of TwoHarmonics
+    case Slip::CouplerAngleEnd:
+        return std::ranges::count(right, OutputChannel(kCouplerAngle)) > 0; // otherwise it may be OtherAssembly
     default: return true;
     }
 }
@@ -143,7 +147,7 @@ std::vector<Comparison> compareSlips(const CrankPosition &position, const Output
     const JudgedChannels judged = judgedChannels(given, checked);
     std::vector<Comparison> comparisons;
     for (const SlipOutcome &outcome : slipOutcomes(position, exact)) {
-        if (!showsIn(judged, outcome.slip) || contradictsPositions(outcome, given, checked)) {
+        if (!isConsidered(outcome.slip, judged) || contradictsPositions(outcome, given, checked)) {
             continue;
         }
         Comparison comparison{outcome.slip};

@@ -324,6 +324,11 @@ std::span<const SlipRow> allSlips()
              double &angle = hand.values.derived.transmissionAngle.position;
              angle = kQuarterTurn - angle;
          }},
+        {ObtuseAngle, Result,
+         [](Hand &hand) {
+             double &angle = hand.values.derived.transmissionAngle.position;
+             angle = std::numbers::pi - angle;
+         }},
         {CouplerAngleRounded, Formula, [](Hand &hand) { roundTheta3(hand, 0.0); }},
         {CouplerAngleRounded, Formula, [](Hand &hand) { roundTheta3(hand, -std::numbers::pi); }},
     };
@@ -366,6 +371,7 @@ constexpr SlipName kNames[] = {{Slip::OtherAssembly, "other-assembly"},
                                {Slip::Centimetres, "centimetres"},
                                {Slip::ValueInRadians, "value-in-radians"},
                                {Slip::PressureAngle, "pressure-angle"},
+                               {Slip::ObtuseAngle, "obtuse-angle"},
                                {Slip::CouplerAngleRounded, "coupler-angle-rounded"}};
 static_assert(isCompleteTable(kNames, Slip::CouplerAngleRounded));
 

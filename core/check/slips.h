@@ -55,6 +55,7 @@ enum class Slip {
     Centimetres,          ///< cm taken as mm, or the reverse
     ValueInRadians,       ///< a value in radians given as degrees, or the reverse
     PressureAngle,        ///< 90° - μ instead of the transmission angle μ
+    ObtuseAngle,          ///< 180° - μ instead of the transmission angle μ, which is acute
     CouplerAngleRounded   ///< θ3 rounded to three digits before it was used
 };
 

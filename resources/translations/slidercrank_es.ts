@@ -260,6 +260,10 @@
         <source>No known slip gives exactly these values.</source>
         <translation>Ningún descuido conocido da exactamente estos valores.</translation>
     </message>
+    <message>
+        <source>The obtuse angle 180° − μ instead of the acute μ</source>
+        <translation>El ángulo obtuso 180° − μ en lugar del agudo μ</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ColumnMapping</name>

@@ -175,6 +175,7 @@ private slots:
         QCOMPARE(slipName("x=0.3855 v=-41.46"), QString("inches"));
         QCOMPARE(slipName("x=24.87 v=-105.3"), QString("inches")); // in cm
         QCOMPARE(slipName("x=9.79 v=-41.46 mu=25.94"), QString("pressure-angle"));
+        QCOMPARE(slipName("x=9.79 v=-41.46 mu=115.94"), QString("obtuse-angle"));
         QCOMPARE(slipName("x=2.5981 v=-22.500"), QString("harmonic-motion"));
         QCOMPARE(slipName("x=9.79 v=-50"), QString());
         const QJsonArray candidates = checkJson("v=41.46")["candidates"].toArray();

@@ -57,6 +57,7 @@ public:
         {Slip::Centimetres, QT_TR_NOOP("Taking centimetres as millimetres (or the reverse)")},
         {Slip::ValueInRadians, QT_TR_NOOP("Taking radians as degrees (or the reverse)")},
         {Slip::PressureAngle, QT_TR_NOOP("The pressure angle 90° − μ instead of μ")},
+        {Slip::ObtuseAngle, QT_TR_NOOP("The obtuse angle 180° − μ instead of the acute μ")},
         {Slip::CouplerAngleRounded, QT_TR_NOOP("Rounding θ₃ to three digits")}};
     static_assert(isCompleteTable(kSlips, Slip::CouplerAngleRounded));
 };

@@ -27,7 +27,7 @@ struct HandCalculation {
     double a, b, c, theta2, omega2, alpha2, side;
     double crankNormal; // ω2²
     double couplerNormalFactor = 1.0;
-    double x = 0.0, v = 0.0, acceleration = 0.0, theta3 = 0.0, omega3 = 0.0, alpha3 = 0.0;
+    double x = 0.0, v = 0.0, acceleration = 0.0, theta3 = 0.0, omega3 = 0.0, alpha3 = 0.0, mu = 0.0;
 
     HandCalculation(const Parameters &p, double crankAcceleration)
         : a(p.a)
@@ -47,6 +47,7 @@ struct HandCalculation {
     {
         const double height = c - crank().imag();
         theta3 = std::arg(std::complex(side * std::sqrt(b * b - height * height), height));
+        mu = std::acos(std::abs(height) / b);
     }
 
     void solveSlider(double couplerAngle)
@@ -81,7 +82,8 @@ struct HandCalculation {
     double valueOf(const char *name) const
     {
         const std::map<std::string_view, double> values{{"x", x},           {"v", v},           {"a", acceleration},
-                                                        {"theta3", theta3}, {"omega3", omega3}, {"alpha3", alpha3}};
+                                                        {"theta3", theta3}, {"omega3", omega3}, {"alpha3", alpha3},
+                                                        {"mu", mu}};
         return values.at(name);
     }
 };

@@ -93,7 +93,7 @@ private slots:
         for (int i = 0; i < 300; ++i) {
             const Problem problem = randomProblem(random);
             std::vector<GivenValue> given;
-            for (const char *name : kQuantities) {
+            for (const char *name : {"x", "v", "a", "theta3", "omega3", "alpha3", "mu"}) {
                 given.push_back(written(name, problem.calculation().solve().valueOf(name), 10));
             }
             QVERIFY(check(problem.position(), given).explanation == CheckOutcome::NotNeeded);
@@ -131,6 +131,45 @@ private slots:
         QVERIFY2(five.misnamed == 0 && three.misnamed == 0, qPrintable(counts));
     }
 
+    /// The slips that change the transmission angle alone.
+    void namesOtherAnglesThanTheTransmissionAngle()
+    {
+        struct Row {
+            Slip slip;
+            double (*angle)(double mu);
+        };
+        for (const Row &row : {Row{Slip::PressureAngle, [](double mu) { return kPi / 2.0 - mu; }},
+                               Row{Slip::ObtuseAngle, [](double mu) { return kPi - mu; }}}) {
+            for (const int digits : {3, 5}) {
+                for (const bool isBesidePosition : {false, true}) {
+                    RandomMechanisms random(2948);
+                    int wrong = 0;
+                    int named = 0;
+                    int uncertain = 0; // 180° - μ with three digits is a whole number of degrees
+                    for (int i = 0; i < 300; ++i) {
+                        const Problem problem = randomProblem(random);
+                        const HandCalculation hand = problem.calculation().solve();
+                        std::vector<GivenValue> given{written("mu", row.angle(hand.mu), digits)};
+                        if (isBesidePosition) {
+                            given.push_back(written("x", hand.x, digits));
+                            given.push_back(written("theta3", hand.theta3, digits));
+                        }
+                        const CheckResult checked = check(problem.position(), given);
+                        const bool isAmong = std::ranges::count(checked.slips, row.slip) == 1;
+                        wrong += checked.explanation == CheckOutcome::NotNeeded ? 0 : 1;
+                        named += checked.explanation == CheckOutcome::Named && isAmong ? 1 : 0;
+                        uncertain += checked.explanation == CheckOutcome::TooFewDigits ? 1 : 0;
+                        QVERIFY(checked.slips.empty() || isAmong);
+                    }
+                    qInfo("%d digits, beside x and theta3: %d; %d named of %d, %d with too few digits", digits,
+                          isBesidePosition, named, wrong, uncertain);
+                    QVERIFY(wrong > 250 && named + uncertain >= wrong * 97 / 100);
+                    QVERIFY(digits == 3 || named >= wrong * 97 / 100);
+                }
+            }
+        }
+    }
+
     void seldomNamesASlipForRandomNumbers_data()
     {
         QTest::addColumn<double>("off");
@@ -157,6 +196,7 @@ private slots:
             const Problem problem = randomProblem(random);
             const HandCalculation hand = problem.calculation().solve();
             std::vector<const char *> names(kQuantities.begin(), kQuantities.end());
+            names.push_back("mu");
             std::vector<GivenValue> given;
             while (static_cast<int>(given.size()) < count) {
                 const auto chosen =
