@@ -43,32 +43,38 @@ ChannelValue readChannelValue(const char *option, const QString &text, const Uni
             withUnit(numberText(inFileUnit * perFileUnit, 10), unitText(measure, units))};
 }
 
-/// Returns the position of a crank that stands still at `theta2`: the mechanism with this initial angle.
-Positions atRest(const OptionReader &options, const Mechanism &mechanism, double theta2)
+/// Returns the positions of a crank that stands still at each of the crank angles (rad).
+std::vector<Positions> atRest(const OptionReader &options, const Mechanism &mechanism,
+                              const std::vector<double> &crankAngles)
 {
-    return {withCrankAt(withDrive(mechanism, 0.0, 0.0), theta2), {readStart(options)}};
+    std::vector<Positions> positions;
+    for (const double theta2 : crankAngles) {
+        positions.push_back({withCrankAt(withDrive(mechanism, 0.0, 0.0), theta2), {readStart(options)}});
+    }
+    return positions;
 }
 
-/// Reads --step-angle: one revolution of the crank from --start on, in equal steps of that angle.
-Positions readRevolution(const OptionReader &options, const Mechanism &mechanism)
+/// Reads --step-angle: one revolution of the crank in equal steps of that angle, from --start on. If the crank stands
+/// still, the revolution is counter-clockwise from its angle on.
+std::vector<Positions> readRevolution(const OptionReader &options, const Mechanism &mechanism)
 {
     const double steps = 360.0 / options.number("step-angle", 0.0, kDegree, 1e-4, 360.0);
     if (std::abs(steps - std::round(steps)) > 1e-9 * steps) {
         throw UsageError{CommandLine::tr("--step-angle must divide 360° into equal steps, such as 15 or 0.5, not %1.")
                              .arg(options.text("step-angle"))};
     }
+    const int stepCount = static_cast<int>(std::lround(steps));
     if (mechanism.omega2() == 0.0) {
-        throw UsageError{CommandLine::tr("The crank stands still: --step-angle needs an --omega2 that is not 0.")};
+        return atRest(options, mechanism, Sampling{mechanism.theta20(), kTurn, stepCount}.timeStamps());
     }
-    const Sampling revolution{readStart(options), kTurn / std::abs(mechanism.omega2()),
-                              static_cast<int>(std::lround(steps))};
+    const Sampling revolution{readStart(options), kTurn / std::abs(mechanism.omega2()), stepCount};
     if (!(revolution.duration <= kLargestParameter)) {
         throw UsageError{
             CommandLine::tr("A revolution of the crank takes more than 1e12 s: choose a larger --omega2.")};
     }
     checkTimeSteps(revolution, CommandLine::tr("The rows are too close in time to be distinguished: choose a larger "
                                                "--step-angle, a smaller --omega2 or a --start nearer to 0."));
-    return {mechanism, revolution.timeStamps()};
+    return {{mechanism, revolution.timeStamps()}};
 }
 
 /// Returns the message that no position has the wanted value. It says so if that is the angle θ3 at B.
@@ -87,12 +93,13 @@ QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, const
         .arg(name, wanted.text);
 }
 
-/// Reads --when: all positions of the revolution that begins at --start.
-Positions readSolutions(const OptionReader &options, const Mechanism &mechanism, const Units &units)
+/// Reads --when: all positions of the revolution that begins at --start. If the crank stands still, the revolution is
+/// counter-clockwise from its angle on.
+std::vector<Positions> readSolutions(const OptionReader &options, const Mechanism &mechanism, const Units &units)
 {
     const ChannelValue wanted = readChannelValue("when", options.text("when"), units);
     const double alpha2 = readCrankAcceleration(options);
-    const std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, wanted.channel, wanted.value, alpha2);
+    std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, wanted.channel, wanted.value, alpha2);
     const QString name = columnName(wanted.channel);
     if (!angles) {
         throw UsageError{mechanism.omega2() == 0.0
@@ -102,27 +109,31 @@ Positions readSolutions(const OptionReader &options, const Mechanism &mechanism,
     if (angles->empty()) {
         throw UsageError{noPosition(mechanism, wanted, units), ExitStatus::NotAssemblable};
     }
-    if (mechanism.omega2() == 0.0 && angles->size() > 1) {
-        throw UsageError{CommandLine::tr("The crank stands still: --when needs an --omega2 that is not 0.")};
+    if (mechanism.omega2() == 0.0) {
+        for (double &theta2 : *angles) {
+            theta2 = mechanism.theta20() + wrapToTwoPi(theta2 - mechanism.theta20());
+        }
+        std::ranges::sort(*angles);
+        return atRest(options, mechanism, *angles);
     }
     Positions positions{mechanism, {}};
     for (const double theta2 : *angles) {
-        if (mechanism.omega2() == 0.0) {
-            return atRest(options, mechanism, theta2);
-        }
         positions.timeStamps.push_back(firstTimeAtAngle(options, mechanism, theta2));
     }
     std::ranges::sort(positions.timeStamps);
-    return positions;
+    return {positions};
 }
 
 /// Reads --at-angle, and --omega2-for if it is given.
-Positions readAngle(const OptionReader &options, const Mechanism &mechanism, const Units &units, const Streams &streams)
+std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &mechanism, const Units &units,
+                                 const Streams &streams)
 {
     const double theta2 = options.number("at-angle", 0.0, kDegree) / kDegreesPerRadian;
     if (!options.has("omega2-for")) {
-        return mechanism.omega2() == 0.0 ? atRest(options, mechanism, theta2)
-                                         : Positions{mechanism, {firstTimeAtAngle(options, mechanism, theta2)}};
+        if (mechanism.omega2() == 0.0) {
+            return atRest(options, mechanism, {theta2});
+        }
+        return {{mechanism, {firstTimeAtAngle(options, mechanism, theta2)}}};
     }
     options.refuse({"omega2"}, CommandLine::tr("--omega2-for computes the crank speed: remove %1."));
     const ChannelValue wanted = readChannelValue("omega2-for", options.text("omega2-for"), units);
@@ -140,10 +151,10 @@ Positions readAngle(const OptionReader &options, const Mechanism &mechanism, con
     }
     streams.report("--omega2 " + typedNumberText(*speed));
     if (*speed == 0.0) {
-        return atRest(options, mechanism, theta2);
+        return atRest(options, mechanism, {theta2});
     }
     const Mechanism driven = withDrive(mechanism, *speed, mechanism.theta20());
-    return {driven, {firstTimeAtAngle(options, driven, theta2)}};
+    return {{driven, {firstTimeAtAngle(options, driven, theta2)}}};
 }
 
 /// Throws if two options ask for different rows.
@@ -170,12 +181,12 @@ void checkSelection(const OptionReader &options)
 
 } // namespace
 
-std::optional<Positions> readPositions(const OptionReader &options, const Mechanism &mechanism, const Units &units,
-                                       const Streams &streams)
+std::vector<Positions> readPositions(const OptionReader &options, const Mechanism &mechanism, const Units &units,
+                                     const Streams &streams)
 {
     checkSelection(options);
     if (options.has("at")) {
-        return Positions{mechanism, {options.number("at", 0.0, kSecond)}};
+        return {{mechanism, {options.number("at", 0.0, kSecond)}}};
     }
     if (options.has("at-angle")) {
         return readAngle(options, mechanism, units, streams);
@@ -188,7 +199,7 @@ std::optional<Positions> readPositions(const OptionReader &options, const Mechan
     }
     options.refuse({"alpha2"}, CommandLine::tr("The crank has a constant speed over time, and %1 applies to single "
                                                "positions: add --at-angle, --at, --step-angle or --when."));
-    return std::nullopt;
+    return {};
 }
 
 Units readUnits(const OptionReader &options)

@@ -20,10 +20,11 @@ struct Positions {
     std::vector<double> timeStamps;
 };
 
-/// Returns the positions that the options ask for, or nullopt if they ask for time steps. Reports the crank speed that
-/// --omega2-for finds.
-std::optional<Positions> readPositions(const OptionReader &options, const Mechanism &mechanism, const Units &units,
-                                       const Streams &streams);
+/// Returns the positions that the options ask for, in the order of the output; none if they ask for time steps. A crank
+/// that turns has all of them in one element. A crank that stands still has an element for each position, whose
+/// mechanism has the crank angle at all times. Reports the crank speed that --omega2-for finds.
+std::vector<Positions> readPositions(const OptionReader &options, const Mechanism &mechanism, const Units &units,
+                                     const Streams &streams);
 
 /// Reads --length-unit and --angle-unit.
 Units readUnits(const OptionReader &options);

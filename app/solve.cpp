@@ -10,6 +10,8 @@
 #include "ui/document/settings_fields.h"
 #include "ui/export/motion_csv.h"
 
+#include <span>
+
 namespace slidercrank
 {
 
@@ -94,6 +96,29 @@ QByteArray motionJson(const Mechanism &mechanism, Method method, const Table &ta
          {"channels", values}});
 }
 
+/// Samples the positions, of which there is at least one.
+Trajectory samplePositions(const std::vector<Positions> &positions, const SampledChannels &channels,
+                           const SolverSettings &solver)
+{
+    const auto sampleOne = [&](const Positions &each) {
+        return sample(each.mechanism, each.timeStamps, channels, solver);
+    };
+    Trajectory motion = sampleOne(positions.front());
+    for (const Positions &next : std::span(positions).subspan(1)) {
+        motion.append(sampleOne(next));
+    }
+    return motion;
+}
+
+std::size_t countTimeStamps(const std::vector<Positions> &positions)
+{
+    std::size_t count = 0;
+    for (const Positions &each : positions) {
+        count += each.timeStamps.size();
+    }
+    return count;
+}
+
 /// JSON holds all values of a channel together, so they are all in memory: about 50 bytes each, and their text.
 void refuseLargeJson(const Table &table, std::size_t timeStamps)
 {
@@ -113,13 +138,15 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     const Table table{readChannels(options), readUnits(options)};
     const bool isJson = options.choice("format", OutputFormat::Csv) == OutputFormat::Json;
     const SolverSettings solver = readSolver(options);
-    const Mechanism undriven = readMechanism(options);
-    const std::optional<Positions> positions = readPositions(options, undriven, table.units, streams);
-    const Mechanism &mechanism = positions ? positions->mechanism : undriven;
-    const SampledChannels channels(table.channels, positions ? readCrankAcceleration(options) : 0.0);
-    const Sampling sampling = positions ? Sampling() : readSampling(options);
+    const Mechanism given = readMechanism(options);
+    const std::vector<Positions> positions = readPositions(options, given, table.units, streams);
+    const bool hasPositions = !positions.empty();
+    const Mechanism &mechanism = positions.size() == 1 ? positions.front().mechanism : given;
+    const SampledChannels channels(table.channels, hasPositions ? readCrankAcceleration(options) : 0.0);
+    const Sampling sampling = hasPositions ? Sampling() : readSampling(options);
     if (isJson) {
-        refuseLargeJson(table, positions ? positions->timeStamps.size() : static_cast<std::size_t>(sampling.steps) + 1);
+        refuseLargeJson(table,
+                        hasPositions ? countTimeStamps(positions) : static_cast<std::size_t>(sampling.steps) + 1);
     }
     Output output(streams, readOutput(options));
     options.refuseFiles();
@@ -135,8 +162,10 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     if (!isJson) {
         output.write(headerOf(table));
     }
-    if (positions || isJson) { // JSON holds all values of a channel together
-        write(sample(mechanism, positions ? positions->timeStamps : sampling.timeStamps(), channels, solver));
+    if (hasPositions) {
+        write(samplePositions(positions, channels, solver));
+    } else if (isJson) { // JSON holds all values of a channel together
+        write(sample(mechanism, sampling.timeStamps(), channels, solver));
     } else {
         sampleInPieces(mechanism, sampling, channels, solver, write);
     }

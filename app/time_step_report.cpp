@@ -49,14 +49,14 @@ ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summar
         if (summary.count(status) == 0) {
             continue;
         }
-        const double first = summary.firstTimes[static_cast<std::size_t>(status)];
+        const auto index = static_cast<std::size_t>(status);
         const QString where =
             (summary.timeSteps == 1
                  ? QString()
                  : CommandLine::tr("%1 of %2 time steps, first at ")
                        .arg(QString::number(summary.count(status)), QString::number(summary.timeSteps))) +
             QString("t = %1 s (θ₂ = %2°)")
-                .arg(numberText(first), crankAngleText(mechanism.omega2() * first + mechanism.theta20()));
+                .arg(numberText(summary.firstTimes[index]), crankAngleText(summary.firstAngles[index]));
         const bool isOutOfReach = status == Status::IterationLimit && newton.maxIterations >= kSufficientIterations;
         const QString message =
             isOutOfReach ? CommandLine::tr("Newton-Raphson did not converge at %1: rounding errors are larger than the "

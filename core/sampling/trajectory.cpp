@@ -171,6 +171,27 @@ const std::vector<double> &Trajectory::operator[](const OutputChannel &channel) 
     return coordinate ? values[indexOf(*coordinate)] : derived[indexOf(std::get<DerivedChannel>(channel))];
 }
 
+/// Adds the elements of `next` at the end.
+template <typename Value>
+static void append(std::vector<Value> &values, const std::vector<Value> &next)
+{
+    values.insert(values.end(), next.begin(), next.end());
+}
+
+void Trajectory::append(const Trajectory &next)
+{
+    slidercrank::append(time, next.time);
+    slidercrank::append(status, next.status);
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        slidercrank::append(values[index], next.values[index]);
+    }
+    for (std::size_t index = 0; index < kDerivedChannelCount; ++index) {
+        slidercrank::append(derived[index], next.derived[index]);
+    }
+    summary.add(next.summary);
+    complete = complete && next.complete;
+}
+
 double timeStepsPerTurn(const Mechanism &mechanism, const Sampling &sampling)
 {
     return kTurn * sampling.steps / std::abs(mechanism.omega2() * sampling.duration);
@@ -180,7 +201,10 @@ void SamplingSummary::add(const SamplingSummary &next)
 {
     timeSteps += next.timeSteps;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
-        firstTimes[i] = statusCounts[i] == 0 ? next.firstTimes[i] : firstTimes[i];
+        if (statusCounts[i] == 0) {
+            firstTimes[i] = next.firstTimes[i];
+            firstAngles[i] = next.firstAngles[i];
+        }
         statusCounts[i] += next.statusCounts[i];
     }
     iterations += next.iterations;
@@ -217,6 +241,7 @@ Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const S
         const auto status = static_cast<std::size_t>(trajectory.status[i]);
         ++summary.statusCounts[status];
         summary.firstTimes[status] = trajectory.time[i];
+        summary.firstAngles[status] = mechanism.theta20() + mechanism.omega2() * trajectory.time[i];
     }
     return trajectory;
 }

@@ -51,7 +51,9 @@ struct SamplingSummary {
     std::size_t timeSteps = 0;
     std::array<std::size_t, kStatusCount> statusCounts{}; ///< number of time steps, indexed by Status
 
-    std::array<double, kStatusCount> firstTimes{}; ///< s, first time stamp with each Status; 0 if there is none
+    // The first time step with each Status; 0 if there is none.
+    std::array<double, kStatusCount> firstTimes{};  ///< s
+    std::array<double, kStatusCount> firstAngles{}; ///< rad, the crank angle then
 
     // The iterations and residuals of the time steps whose position Newton-Raphson found; 0 for the closed form.
     long long iterations = 0;     ///< total number
@@ -99,6 +101,9 @@ struct Trajectory {
     std::vector<Status> status; ///< one for each time stamp
     SamplingSummary summary;
     bool complete = true; ///< false if stopped before the end: then no other member is valid
+
+    /// Adds the time steps of `next`. Requires both to hold the same channels.
+    void append(const Trajectory &next);
 
     const std::vector<double> &operator[](Channel channel) const { return values[indexOf(channel)]; }
     const std::vector<double> &operator[](const OutputChannel &channel) const;

@@ -850,10 +850,6 @@
         <translation>--step-angle debe dividir 360° en pasos iguales, como 15 o 0.5, y no %1.</translation>
     </message>
     <message>
-        <source>The crank stands still: --step-angle needs an --omega2 that is not 0.</source>
-        <translation>La manivela está en reposo: --step-angle necesita un --omega2 distinto de 0.</translation>
-    </message>
-    <message>
         <source>--at and --at-angle ask for one time and %1 for several: remove one of them.</source>
         <translation>--at y --at-angle piden un instante y %1 varios: quite uno de ellos.</translation>
     </message>
@@ -1130,10 +1126,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>There is no position with %1 = %2, because %1 is measured at A. If %2 is the angle at B, as in Norton&apos;s book, write %1=%3.</source>
         <translation>No hay ninguna posición con %1 = %2, porque %1 se mide en A. Si %2 es el ángulo en B, como en el libro de Norton, escriba %1=%3.</translation>
-    </message>
-    <message>
-        <source>The crank stands still: --when needs an --omega2 that is not 0.</source>
-        <translation>La manivela está en reposo: --when necesita un --omega2 distinto de 0.</translation>
     </message>
     <message>
         <source>--omega2-for computes the crank speed: remove %1.</source>

@@ -93,7 +93,6 @@ private slots:
             {"render --output x.png --at-angle 30 --omega2 0", "does not reach 30°"},
             {"solve --at-angle 30 --omega2 1e-300", "different --omega2"},
             {"solve --step-angle 7", "must divide 360"},
-            {"solve --step-angle 10 --omega2 0", "stands still"},
             {"solve --step-angle 10 --steps 3", "remove --steps"},
             {"limits --vary b=50 --format csv", "b=50..120"},
             {"limits --vary x=1..2 --format csv", "must be a parameter"},

@@ -222,6 +222,37 @@ private slots:
         }
     }
 
+    /// A crank that stands still is turned by hand: its positions are listed by angle, and nothing moves.
+    void listsThePositionsOfACrankThatStandsStill()
+    {
+        const QString options = " --channels theta2,R4_x,R4_x_diff,R4_x_diff2 --alpha2 5 --start 2";
+        for (const char *positions : {"--when R4_x=60", "--step-angle 15"}) {
+            const QString line = QStringLiteral("solve --theta20 100deg ") + positions + options;
+            const CsvTable still(run(line + " --omega2 0").output);
+            const CsvTable turning(run(line + " --omega2 50deg/s").output); // has turned by 100° at --start
+            QCOMPARE(still.rows.size(), turning.rows.size());
+            std::vector<double> angles;
+            for (std::size_t row = 0; row < still.rows.size(); ++row) {
+                angles.push_back(still.at(row, "theta2"));
+                QVERIFY(angles.back() >= 100.0 && angles.back() <= 460.0);
+                const Parameters p{.omega2 = 0.0, .theta20 = angles.back() / kDegreesPerRadian};
+                const auto exact = exactMotion(p, 5.0);
+                for (const char *name : {"R4_x", "R4_x_diff", "R4_x_diff2"}) {
+                    QVERIFY(std::abs(still.at(row, name) - static_cast<double>(exact.at(name))) < 1e-11);
+                }
+                QCOMPARE(still.at(row, "time"), 2.0);
+            }
+            QVERIFY(std::ranges::is_sorted(angles));
+        }
+        QCOMPARE(CsvTable(run("solve --omega2 0 --when R4_x=60").output).rows.size(), std::size_t(2));
+        const RunResult json = run("solve --omega2 0 --theta20 30deg --when R4_x=60 --channels theta2 --format json");
+        QCOMPARE(json.json()["channels"].toObject()["theta2"].toArray().size(), qsizetype(2));
+        QVERIFY(std::abs(json.json()["mechanism"].toObject()["theta20"].toDouble() * kDegreesPerRadian - 30.0) < 1e-12);
+        // The message names the angle of the first position that does not exist: 25 - 20 sin θ2 > 40 at 240°.
+        const RunResult missing = run("solve --omega2 0 --b 40 --step-angle 15 --channels theta2");
+        QVERIFY2(missing.status == 4 && missing.error.contains("θ₂ = 240.00°"), missing.error);
+    }
+
     void findsTheCrankSpeedForAVelocity()
     {
         const RunResult found = run("solve --at-angle 60 --omega2-for R4_x_diff=-8m/s");

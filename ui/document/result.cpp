@@ -26,6 +26,7 @@ SamplingSummary summarize(const Choices &choices, std::stop_token stop)
         constexpr auto kSolved = static_cast<std::size_t>(Status::Solved); // the status of every time step
         summary.timeSteps = summary.statusCounts[kSolved] = static_cast<std::size_t>(steps) + 1;
         summary.firstTimes[kSolved] = start;
+        summary.firstAngles[kSolved] = mechanism.theta20() + mechanism.omega2() * start;
         return summary;
     }
     const auto add = [&summary](const Trajectory &piece) {

@@ -103,6 +103,8 @@ private slots:
                     QCOMPARE(all.status[i], state.status);
                     if (expected.statusCounts[std::size_t(state.status)]++ == 0) {
                         expected.firstTimes[std::size_t(state.status)] = times[i];
+                        expected.firstAngles[std::size_t(state.status)] =
+                            mechanism.theta20() + mechanism.omega2() * times[i];
                     }
                     if (isNewton && timeStep.positionStatus == Status::Solved) {
                         expected.iterations += timeStep.iterations;
