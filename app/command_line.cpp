@@ -5,6 +5,7 @@
 #include "app/help.h"
 #include "app/option_reader.h"
 #include "app/output.h"
+#include "app/similar_words.h"
 #include "ui/text/printable_text.h"
 
 #include <array>
@@ -26,7 +27,8 @@ QString findHelp(const QStringList &topics)
     const CommandDescription *command = isAboutAll ? &windowDescription() : findCommand(topic);
     if (!command) {
         throw UsageError{
-            CommandLine::tr("There is no help for \"%1\": choose one of %2.").arg(topic, commandNames().join(", "))};
+            CommandLine::tr("There is no help for \"%1\": choose one of %2.").arg(topic, commandNames().join(", ")) +
+            didYouMean(similarWords(topic, commandNames()))};
     }
     return helpText(*command);
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/option_reader.h"
 
+#include "app/similar_words.h"
 #include "ui/text/expression.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
+
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +19,8 @@ qsizetype indexAmong(const QStringList &words, const QString &word, const char *
 {
     const qsizetype index = words.indexOf(word);
     if (index < 0) {
-        throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(option, anyOf(words), word)};
+        throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(option, anyOf(words), word) +
+                         didYouMean(similarWords(word, words))};
     }
     return index;
 }
@@ -47,22 +51,50 @@ double parseNumber(const char *option, const QString &text, const std::optional<
     return value;
 }
 
-/// Returns the options with a similar name, such as --at-angle for "angle", and those that take the name as a value,
-/// such as "--branch crossed" for "crossed".
+/// Returns the options whose description contains the words, such as --branch for "assembly" and --omega2 for
+/// "crank-speed". None if there are so many that the words say little.
+static QStringList optionsDescribedBy(const std::vector<OptionDescription> &options, const QString &words)
+{
+    constexpr qsizetype kMaxOptions = 3;
+    const QString text = QString(words).replace('-', ' ');
+    const QRegularExpression wholeWord("\\b" + QRegularExpression::escape(text) + "\\b",
+                                       QRegularExpression::CaseInsensitiveOption |
+                                           QRegularExpression::UseUnicodePropertiesOption);
+    QStringList described;
+    for (const OptionDescription &option : options) {
+        if (QString(option.text).contains(wholeWord) || CommandLine::tr(option.text).contains(wholeWord)) {
+            described += QStringLiteral("--") + option.name;
+        }
+    }
+    return described.size() <= kMaxOptions ? described : QStringList();
+}
+
+/// Returns the options that an unknown one may stand for: those with a similar name, such as --at-angle for "angle" or
+/// "at-angel", and those that take the name as a value, such as "--branch crossed" for "crossed". If there are none,
+/// returns those whose description contains it.
 static QStringList similarOptions(const std::vector<OptionDescription> &options, const QString &name)
 {
-    constexpr qsizetype kShortestName = 2; // "a" begins too many names
+    constexpr qsizetype kShortestPart = 3; // "to" begins too many parts
     QStringList similar;
+    QStringList names;
     for (const OptionDescription &option : options) {
         const QString known = option.name;
-        const bool continuesOption = known.size() >= kShortestName && name.startsWith(known);
-        if (known.startsWith(name) || continuesOption || known.split('-').contains(name)) {
+        names += known;
+        const QStringList parts = known.split('-');
+        const bool isLikePart =
+            std::ranges::any_of(parts, [&name](const QString &part) { return sharesBeginning(name, part); });
+        if (sharesBeginning(name, known) || (isLikePart && name.size() >= kShortestPart)) {
             similar += "--" + known;
         } else if (QString(option.value).split('|').contains(name)) {
             similar += QStringLiteral("--%1 %2").arg(known, name);
         }
     }
-    return similar;
+    if (similar.isEmpty()) {
+        for (const QString &nearest : similarWords(name, names)) {
+            similar += "--" + nearest;
+        }
+    }
+    return similar.isEmpty() ? optionsDescribedBy(options, name) : similar;
 }
 
 OptionReader::OptionReader(const CommandDescription &command, const QStringList &arguments)
@@ -81,11 +113,8 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
     if (!m_parser.errorText().isEmpty() && !has("help")) {
         const QStringList unknown = m_parser.unknownOptionNames();
         const QStringList similar = unknown.isEmpty() ? QStringList() : similarOptions(m_options, unknown.first());
-        if (!similar.isEmpty()) {
-            throw UsageError{CommandLine::tr("%1 Did you mean %2? --help describes the options.")
-                                 .arg(m_parser.errorText(), anyOf(similar))};
-        }
-        throw UsageError{CommandLine::tr("%1 --help describes the options.").arg(m_parser.errorText())};
+        throw UsageError{m_parser.errorText() + didYouMean(similar) + ' ' +
+                         CommandLine::tr("--help describes the options.")};
     }
     checkRepetitions();
     m_scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster

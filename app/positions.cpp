@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/positions.h"
 
+#include "app/similar_words.h"
 #include "core/import/quantity.h"
 #include "core/limits/crank_search.h"
 #include "core/mechanism/turn.h"
@@ -216,9 +217,14 @@ OutputChannel parseOutputChannel(const QString &name)
 {
     const std::optional<OutputChannel> channel = outputChannelNamed(name.toStdString());
     if (!channel) {
+        QStringList words{"omega3", "alpha3", "mu"};
+        for (const OutputChannel &known : allOutputChannels()) {
+            words += columnName(known);
+        }
         throw UsageError{CommandLine::tr("\"%1\" is no quantity: choose x, v, a, theta3, omega3, alpha3, displacement, "
                                          "mu, or a channel such as R4_x, R4_x_diff or R4_x_diff2.")
-                             .arg(name)};
+                             .arg(name) +
+                         didYouMean(similarWords(name, words))};
     }
     return *channel;
 }

@@ -6,6 +6,7 @@
 #include "app/console.h"
 #include "app/option_reader.h"
 #include "app/output.h"
+#include "app/similar_words.h"
 #include "ui/document/scene_link.h"
 #include "ui/document/whole_file.h"
 #include "ui/window/main_window.h"
@@ -71,7 +72,8 @@ void requireFile(const QString &argument)
         throw UsageError{CommandLine::tr("The command %1 must come first.").arg(argument)};
     }
     throw UsageError{CommandLine::tr("\"%1\" is neither a command nor a file. The commands are %2.")
-                         .arg(name, commandNames().join(", "))};
+                         .arg(name, commandNames().join(", ")) +
+                     didYouMean(similarWords(argument, commandNames()))};
 }
 
 ExitStatus windowCommand(const OptionReader &options, const Streams &streams)

@@ -944,14 +944,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--at ya fija el instante: quite %1.</translation>
     </message>
     <message>
-        <source>%1 Did you mean %2? --help describes the options.</source>
-        <translation>%1 ¿Quiso decir %2? --help describe las opciones.</translation>
-    </message>
-    <message>
-        <source>%1 --help describes the options.</source>
-        <translation>%1 --help describe las opciones.</translation>
-    </message>
-    <message>
         <source>--size must be width x height in pixels, such as 900x600, each at least 100, and at most %1 when multiplied by --scale, not &quot;%2&quot;.</source>
         <translation>--size debe ser ancho x alto en píxeles, como 900x600, cada uno de al menos 100 y, multiplicado por --scale, de %1 como máximo, y no «%2».</translation>
     </message>
@@ -1234,6 +1226,14 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>unit of lengths that are written without one (mm)</source>
         <translation>unidad de las longitudes que se escriben sin ella (mm)</translation>
+    </message>
+    <message>
+        <source>--help describes the options.</source>
+        <translation>--help describe las opciones.</translation>
+    </message>
+    <message>
+        <source>Did you mean %1?</source>
+        <translation>¿Quiso decir %1?</translation>
     </message>
 </context>
 <context>
