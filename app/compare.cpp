@@ -37,7 +37,8 @@ Answer compareOne(const Mechanism &mechanism, const SolverSettings &solver, cons
 {
     const ReferenceData &data = reference.data;
     const Trajectory model = sample(mechanism, data.time, channelsOf(data), solver);
-    const std::vector<ChannelComparison> comparison = compare(mechanism, model, data);
+    std::vector<ChannelComparison> comparison = compare(mechanism, model, data);
+    findRoundedTime(comparison, mechanism, model, data);
     const auto worst = std::ranges::max_element(comparison, {}, &ChannelComparison::verdict);
     const Verdict verdict = worst == comparison.end() ? Verdict::Differs : worst->verdict;
 

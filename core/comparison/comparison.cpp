@@ -266,6 +266,25 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
     return result;
 }
 
+void findRoundedTime(std::vector<ChannelComparison> &channels, const Mechanism &mechanism, const Trajectory &model,
+                     const ReferenceData &reference)
+{
+    const auto differs = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; };
+    Clock clock = clockOf(reference.time, reference.timeRounding);
+    if (clock.even || clock.rounded || std::ranges::none_of(channels, differs)) {
+        return;
+    }
+    clock.rounded = true;
+    const std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock);
+    for (std::size_t i = 0; effect && i < channels.size(); ++i) {
+        if (differs(channels[i])) {
+            const ChannelComparison assumed =
+                compareSeries(mechanism, model, reference, reference.series[i], &*effect, {});
+            channels[i].isWithinRoundedTime = assumed.verdict == Verdict::Agrees;
+        }
+    }
+}
+
 ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop,
                                const FittedMechanism &fitted)
 {

@@ -75,6 +75,9 @@ struct ChannelComparison {
     bool clockIsRounded = false;
 
     Verdict verdict = Verdict::Differs;
+
+    /// The verdict is Differs, but the rounding of the time stamps explains the errors (findRoundedTime()).
+    bool isWithinRoundedTime = false;
 };
 
 /// The smallest rounding step, relative to the channel's size (the larger of its peak and its naturalSize()): a file
@@ -100,6 +103,12 @@ struct FittedMechanism {
 /// of rounded time stamps is computed from the exact motion. `fitted`: increases the bounds of a fitted mechanism.
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference, const FittedMechanism &fitted = {});
+
+/// Sets `isWithinRoundedTime` of the channels that differ. The verdict limits the effect of time stamps that do not
+/// show that they were rounded, so that coarse ones do not let every mechanism agree. Time stamps that are not evenly
+/// spaced were not chosen, so that half a unit of their last digit is possible; here the effect of it has no limit.
+void findRoundedTime(std::vector<ChannelComparison> &channels, const Mechanism &mechanism, const Trajectory &model,
+                     const ReferenceData &reference);
 
 /// The comparison of every column of the file with the exact motion; incomplete if stopped.
 struct ExactComparison {

@@ -1883,14 +1883,6 @@ difiere: lo demás</translation>
         <translation>No coincide: el mecanismo no se puede ensamblar en ningún instante del archivo.</translation>
     </message>
     <message>
-        <source>No match: %1 of %2 quantities differ.</source>
-        <translation>No coincide: difieren %1 de %2 magnitudes.</translation>
-    </message>
-    <message>
-        <source>No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.</source>
-        <translation>No coincide: difieren %1 de %2 magnitudes; la mayor diferencia: %3, un %4 % de su máximo.</translation>
-    </message>
-    <message>
         <source>channel</source>
         <translation>canal</translation>
     </message>
@@ -1929,6 +1921,22 @@ difiere: lo demás</translation>
     <message>
         <source>max. relative error [%]</source>
         <translation>error relativo máx. [%]</translation>
+    </message>
+    <message>
+        <source>differs within the rounding of the time stamps</source>
+        <translation>difiere, pero dentro del redondeo de los instantes</translation>
+    </message>
+    <message>
+        <source>No match. Quantities that differ: %1 of %2.</source>
+        <translation>No coincide. Magnitudes que difieren: %1 de %2.</translation>
+    </message>
+    <message>
+        <source>No match. Quantities that differ: %1 of %2, most of all the %3, by %4 % of its peak.</source>
+        <translation>No coincide. Magnitudes que difieren: %1 de %2; la mayor diferencia: %3, un %4 % de su máximo.</translation>
+    </message>
+    <message>
+        <source>The rounding of the time stamps is sufficient to explain this: write the file with more digits of the time.</source>
+        <translation>El redondeo de los instantes basta para explicarlo: escriba el archivo con más cifras del tiempo.</translation>
     </message>
 </context>
 <context>

@@ -88,6 +88,7 @@ std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token st
         result->atReference = sample(mechanism, data.time, channelsOf(data), solver, stop);
         if (result->atReference.complete) {
             result->comparison = compare(mechanism, result->atReference, data);
+            findRoundedTime(result->comparison, mechanism, result->atReference, data);
         }
     }
     return result->trajectory.complete && result->atReference.complete ? result : nullptr;

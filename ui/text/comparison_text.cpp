@@ -38,7 +38,11 @@ QString verdictText(const ChannelComparison &channel)
                                       : ComparisonText::tr("close: at most %1 times the rounding of the file")
                                             .arg(errorText(channel.worstOver));
     }
-    return channel.count == 0 ? ComparisonText::tr("differs: nothing to compare with") : ComparisonText::tr("differs");
+    if (channel.count == 0) {
+        return ComparisonText::tr("differs: nothing to compare with");
+    }
+    return channel.isWithinRoundedTime ? ComparisonText::tr("differs within the rounding of the time stamps")
+                                       : ComparisonText::tr("differs");
 }
 
 QString placeText(const ChannelComparison &channel, const ReferenceData &file)
@@ -95,10 +99,19 @@ QString summaryText(std::span<const ChannelComparison> channels)
     if (!worst->percentOfPeak) {
         return worst->count == 0 && worst->missingModel > 0
                    ? ComparisonText::tr("No match: the mechanism cannot be assembled at any time step of the file.")
-                   : ComparisonText::tr("No match: %1 of %2 quantities differ.").arg(count(Verdict::Differs), all);
+                   : ComparisonText::tr("No match. Quantities that differ: %1 of %2.")
+                         .arg(count(Verdict::Differs), all);
     }
-    return ComparisonText::tr("No match: %1 of %2 quantities differ, most of all the %3, by %4 % of its peak.")
-        .arg(count(Verdict::Differs), all, quantityName(worst->channel), errorText(worst->percentOfPeak));
+    const QString differing =
+        ComparisonText::tr("No match. Quantities that differ: %1 of %2, most of all the %3, by %4 % of its peak.")
+            .arg(count(Verdict::Differs), all, quantityName(worst->channel), errorText(worst->percentOfPeak));
+    const bool isTimeTheReason = std::ranges::all_of(channels, [](const ChannelComparison &channel) {
+        return channel.verdict != Verdict::Differs || channel.isWithinRoundedTime;
+    });
+    return isTimeTheReason ? differing + ' ' +
+                                 ComparisonText::tr("The rounding of the time stamps is sufficient to explain this: "
+                                                    "write the file with more digits of the time.")
+                           : differing;
 }
 
 } // namespace slidercrank

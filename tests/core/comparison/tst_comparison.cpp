@@ -233,6 +233,35 @@ private slots:
     }
 
     /// The comparison of 100 000 rows with several threads equals that of each channel alone.
+    /// A file with time stamps of 0.01 s differs, because they are too coarse for a verdict. It is not said that they
+    /// explain errors that they do not explain.
+    void saysThatRoundedTimeStampsExplainTheErrors()
+    {
+        const Mechanism produced{Parameters()};
+        std::vector<double> exactTimes;
+        ReferenceData data;
+        for (int i = 0; i < 40; ++i) {
+            exactTimes.push_back(0.05 * i + 0.02 * std::sin(3.0 * i)); // as of a solver with steps of different lengths
+            data.time.push_back(std::round(100.0 * exactTimes.back()) / 100.0);
+        }
+        data.timeRounding = {Rounding::Rule::Decimals, 2};
+        const ChannelSet channels = plottedChannels();
+        const Trajectory motion = sample(produced, exactTimes, channels, {});
+        for (const Channel channel : kPlottedChannels) {
+            data.series.push_back({channel, motion[channel], {Rounding::Rule::Decimals, 6}});
+        }
+        for (const double b : {65.0, 66.0}) {
+            const Mechanism mechanism({.b = b});
+            const Trajectory model = sample(mechanism, data.time, channels, {});
+            std::vector<ChannelComparison> compared = compare(mechanism, model, data);
+            findRoundedTime(compared, mechanism, model, data);
+            for (const ChannelComparison &channel : compared) {
+                QVERIFY(channel.verdict == Verdict::Differs);
+                QCOMPARE(channel.isWithinRoundedTime, b == 65.0);
+            }
+        }
+    }
+
     void comparesLongFiles()
     {
         const Mechanism mechanism({.b = 44.0}); // cannot be assembled everywhere

@@ -60,14 +60,22 @@ private slots:
         ChannelComparison missing;
         missing.channel = differs.channel;
         missing.missingModel = 201;
+        ChannelComparison timed = differs; // to 0.01 s
+        timed.isWithinRoundedTime = true;
+        QCOMPARE(verdictText(timed), QString("differs within the rounding of the time stamps"));
         const QString most = ", most of all the coupler angle, by 9.83 % of its peak.";
         const std::pair<std::vector<ChannelComparison>, QString> rows[] = {
             {{agrees, agrees}, "Match. Quantities that agree within the rounding of the file: 2 of 2."},
             {{agrees, close},
              "Close match. Quantities that agree within the rounding of the file: 1 of 2, the others nearly."},
-            {{agrees, close, differs}, "No match: 1 of 3 quantities differ" + most},
-            {{coarse, differs}, "No match: 1 of 2 quantities differ" + most},
-            {{agrees, unknown}, "No match: 1 of 2 quantities differ."},
+            {{agrees, close, differs}, "No match. Quantities that differ: 1 of 3" + most},
+            {{coarse, differs}, "No match. Quantities that differ: 1 of 2" + most},
+            {{agrees, unknown}, "No match. Quantities that differ: 1 of 2."},
+            {{agrees, timed},
+             "No match. Quantities that differ: 1 of 2" + most +
+                 " The rounding of the time stamps is sufficient to explain this: write the file with more digits of "
+                 "the time."},
+            {{timed, differs}, "No match. Quantities that differ: 2 of 2" + most},
             {{missing, missing}, "No match: the mechanism cannot be assembled at any time step of the file."},
             {{}, "The file has no column that this program knows."},
         };
