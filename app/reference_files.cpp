@@ -106,8 +106,8 @@ std::shared_ptr<const Reference> readTimedReference(const Streams &streams, cons
 QString headline(const Reference &reference)
 {
     const ReferenceData &data = reference.data;
-    return CommandLine::tr("%1: %2, %3 rows")
-               .arg(displayName(reference.source.paths), abscissaText(data), QString::number(data.time.size())) +
+    return CommandLine::tr("%1: %2, %n rows", nullptr, static_cast<int>(data.time.size()))
+               .arg(displayName(reference.source.paths), abscissaText(data)) +
            '\n';
 }
 

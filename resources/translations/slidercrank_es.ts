@@ -55,10 +55,6 @@
         <translation>Fotogramas por segundo</translation>
     </message>
     <message>
-        <source>%1 frames: %2 s at the playback speed of %3×.</source>
-        <translation>%1 fotogramas: %2 s a la velocidad de reproducción de %3×.</translation>
-    </message>
-    <message>
         <source>More than %1 frames: choose a shorter length, fewer frames per second or a higher playback speed.</source>
         <translation>Más de %1 fotogramas: elija una duración menor, menos fotogramas por segundo o una velocidad de reproducción mayor.</translation>
     </message>
@@ -69,6 +65,13 @@
     <message>
         <source>Videos need the program ffmpeg, which is not installed. Without it, the frames are written as pictures.</source>
         <translation>Los vídeos requieren el programa ffmpeg, que no está instalado. Sin él, los fotogramas se guardan como imágenes.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n frames: %1 s at the playback speed of %2×.</source>
+        <translation>
+            <numerusform>%n fotograma: %1 s a la velocidad de reproducción de %2×.</numerusform>
+            <numerusform>%n fotogramas: %1 s a la velocidad de reproducción de %2×.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -888,10 +891,6 @@ Equipo: %1. Tiempo: %2 s.
 </translation>
     </message>
     <message>
-        <source>%1: %2, %3 rows</source>
-        <translation>%1: %2, %3 filas</translation>
-    </message>
-    <message>
         <source>Numbers without a unit are in the unit shown; 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms and expressions such as 2*pi are accepted, too.</source>
         <translation>Los números sin unidad están en la unidad indicada; también se aceptan 2.5cm, 1in, 60rpm, 360deg/s, 30deg, 5ms y expresiones como 2*pi.</translation>
     </message>
@@ -1234,6 +1233,13 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>Did you mean %1?</source>
         <translation>¿Quiso decir %1?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %2, %n rows</source>
+        <translation>
+            <numerusform>%1: %2, %n fila</numerusform>
+            <numerusform>%1: %2, %n filas</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3381,10 +3387,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>La biela es perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no, porque el jacobiano es singular.</translation>
     </message>
     <message>
-        <source>Newton-Raphson did not converge within %1 iterations: allow more iterations or a larger tolerance.</source>
-        <translation>Newton-Raphson no convergió en %1 iteraciones: permita más iteraciones o una tolerancia mayor.</translation>
-    </message>
-    <message>
         <source>The mechanism cannot be assembled: the coupler is too short.</source>
         <translation>El mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
     </message>
@@ -3399,6 +3401,13 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>● %1. □ %2. The dashed line is the tolerance, %3.</source>
         <translation>● %1. □ %2. La línea discontinua es la tolerancia, %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Newton-Raphson did not converge within %n iterations: allow more iterations or a larger tolerance.</source>
+        <translation>
+            <numerusform>Newton-Raphson no convergió en %n iteración: permita más iteraciones o una tolerancia mayor.</numerusform>
+            <numerusform>Newton-Raphson no convergió en %n iteraciones: permita más iteraciones o una tolerancia mayor.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4113,16 +4122,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Curvas finas: movimientos fijados, %1.</translation>
     </message>
     <message>
-        <source>Reference: %1, %2, %3 rows.</source>
-        <translation>Referencia: %1, %2, %3 filas.</translation>
-    </message>
-    <message>
         <source>Closed form, exact to rounding.</source>
         <translation>Forma cerrada, exacta salvo redondeo.</translation>
-    </message>
-    <message>
-        <source>Newton-Raphson in the 12 absolute coordinates: tolerance %1 (%2), at most %3 iterations per time step. Iterations: %4; largest residual: %5.</source>
-        <translation>Newton-Raphson en las 12 coordenadas absolutas: tolerancia %1 (%2), a lo sumo %3 iteraciones por paso de tiempo. Iteraciones: %4; residuo máximo: %5.</translation>
     </message>
     <message>
         <source>absolute</source>
@@ -4231,6 +4232,20 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>identified in the file</source>
         <translation>identificado en el archivo</translation>
+    </message>
+    <message numerus="yes">
+        <source>Reference: %1, %2, %n rows.</source>
+        <translation>
+            <numerusform>Referencia: %1, %2, %n fila.</numerusform>
+            <numerusform>Referencia: %1, %2, %n filas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Newton-Raphson in the 12 absolute coordinates: tolerance %1 (%2), at most %n iterations per time step. Iterations: %3; largest residual: %4.</source>
+        <translation>
+            <numerusform>Newton-Raphson en las 12 coordenadas absolutas: tolerancia %1 (%2), a lo sumo %n iteración por paso de tiempo. Iteraciones: %3; residuo máximo: %4.</numerusform>
+            <numerusform>Newton-Raphson en las 12 coordenadas absolutas: tolerancia %1 (%2), a lo sumo %n iteraciones por paso de tiempo. Iteraciones: %3; residuo máximo: %4.</numerusform>
+        </translation>
     </message>
 </context>
 <context>

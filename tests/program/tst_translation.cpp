@@ -85,6 +85,8 @@ QList<TranslatedText> readMessages(const QString &path)
 
 const QString kSpanish = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/resources/translations/slidercrank_es.ts");
 
+const QString kEnglish = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/resources/translations/slidercrank_en.ts");
+
 QStringList matches(const QString &text, const QRegularExpression &pattern)
 {
     QStringList found;
@@ -277,6 +279,68 @@ private slots:
     {
         QSettings().clear();
         useLanguage(Language::English);
+    }
+
+    /// English texts depend on a number by a translation, too: "1 row", "2 rows".
+    void everyTextWithANumberHasEnglishForms()
+    {
+        const auto keysOf = [](const QList<TranslatedText> &messages) {
+            QStringList keys;
+            for (const TranslatedText &message : messages) {
+                keys += message.isPlural ? QStringList(message.context + u'|' + message.source) : QStringList();
+            }
+            keys.sort();
+            return keys;
+        };
+        const QList<TranslatedText> english = readMessages(kEnglish);
+        QCOMPARE(keysOf(english), keysOf(readMessages(kSpanish)));
+        for (const TranslatedText &message : english) {
+            QVERIFY2(message.state.isEmpty() && message.isPlural, qPrintable(message.source));
+            QCOMPARE(message.translations.size(), qsizetype(2));
+            QVERIFY(message.translations[0] != message.translations[1]);
+            QCOMPARE(message.translations[1], message.source);
+        }
+    }
+
+    void oneRowIsSingular()
+    {
+        struct Row {
+            const char *locale;
+            const char *one;
+            const char *several;
+        };
+        for (const Row &row :
+             {Row{kEnglishLocale, " 1 row\n", " 2 rows\n"}, Row{kSpanishLocale, " 1 fila\n", " 2 filas\n"},
+              Row{"de_DE.UTF-8", " 1 row\n", " 2 rows\n"}}) {
+            const auto compared = [&row](const QByteArray &csv) {
+                return start({"compare", "-"}, csv,
+                             {QString("LC_ALL=") + row.locale, "LANGUAGE=" + QString(row.locale).left(2)})
+                    .output;
+            };
+            const QByteArray one = compared("time,R4_x\n0,80\n");
+            QVERIFY2(one.contains(row.one), one);
+            const QByteArray several = compared("time,R4_x\n0,80\n0.1,80.2\n");
+            QVERIFY2(several.contains(row.several), several);
+        }
+    }
+
+    /// A former defect: a Spanish report on an English system was written in "November".
+    void theMonthIsInTheLanguageOfTheTexts()
+    {
+        if (QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            QSKIP("pdftotext (poppler-utils) is missing: tests/run installs it.");
+        }
+        const QTemporaryDir folder;
+        const QString report = folder.filePath("report.pdf");
+        const RunResult result = start({"render", "--what", "report", "--output", report}, {},
+                                       {QString("LC_ALL=") + kEnglishLocale, "LANGUAGE=es"});
+        QCOMPARE(result.status, 0);
+        QProcess process;
+        process.start("pdftotext", {report, "-"});
+        QVERIFY(process.waitForFinished(kPatience));
+        const QString text = QString::fromUtf8(process.readAllStandardOutput());
+        const QString month = QLocale(QLocale::Spanish).monthName(QDate::currentDate().month());
+        QVERIFY2(text.contains(" de " + month + " de "), qPrintable(text.left(300)));
     }
 
     void everythingIsTranslated()

@@ -80,9 +80,8 @@ void AnimationForm::showOutcome()
     const Animation chosen = animation();
     const bool fits = chosen.frameCount() <= Animation::kMaxFrames;
     m_outcome->setText(
-        fits ? tr("%1 frames: %2 s at the playback speed of %3×.")
-                   .arg(QString::number(chosen.frameCount()), numberText(std::abs(chosen.duration) / chosen.speed, 3),
-                        numberText(chosen.speed, 3))
+        fits ? tr("%n frames: %1 s at the playback speed of %2×.", nullptr, static_cast<int>(chosen.frameCount()))
+                   .arg(numberText(std::abs(chosen.duration) / chosen.speed, 3), numberText(chosen.speed, 3))
              : tr("More than %1 frames: choose a shorter length, fewer frames per second or a higher playback speed.")
                    .arg(QString::number(Animation::kMaxFrames)));
     m_export->setEnabled(fits);

@@ -6,6 +6,7 @@
 #include "ui/text/comparison_text.h"
 #include "ui/text/explanation.h"
 #include "ui/text/identification_text.h"
+#include "ui/text/language.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
 #include "ui/text/parameter_text.h"
@@ -13,7 +14,6 @@
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -169,9 +169,8 @@ QString errorTable(const std::vector<ChannelComparison> &comparison, const Refer
 QString fileText(const Reference &reference)
 {
     const ReferenceData &data = reference.data;
-    QString html =
-        paragraph(Report::tr("Reference: %1, %2, %3 rows.")
-                      .arg(displayName(reference.source.paths), abscissaText(data), QString::number(data.time.size())));
+    QString html = paragraph(Report::tr("Reference: %1, %2, %n rows.", nullptr, static_cast<int>(data.time.size()))
+                                 .arg(displayName(reference.source.paths), abscissaText(data)));
     for (const QString &doubt : doubtTexts(data)) {
         html += note(doubt);
     }
@@ -216,12 +215,12 @@ QString methodText(const Result &result)
         text = Report::tr("Closed form, exact to rounding.");
     } else {
         text =
-            Report::tr("Newton-Raphson in the 12 absolute coordinates: tolerance %1 (%2), at most %3 iterations per "
-                       "time step. Iterations: %4; largest residual: %5.")
+            Report::tr("Newton-Raphson in the 12 absolute coordinates: tolerance %1 (%2), at most %n iterations per "
+                       "time step. Iterations: %3; largest residual: %4.",
+                       nullptr, newton.maxIterations)
                 .arg(numberText(newton.tolerance),
                      newton.toleranceKind == ToleranceKind::Absolute ? Report::tr("absolute") : Report::tr("relative"),
-                     QString::number(newton.maxIterations), iterationsText(summary),
-                     numberText(summary.largestResidual, 2));
+                     iterationsText(summary), numberText(summary.largestResidual, 2));
     }
     text +=
         u' ' + Report::tr("%1 time steps from t = %2 s to %3 s, %4 of them solved.")
@@ -277,7 +276,7 @@ QString reportHtml(const ReportContent &content, DrawingPlace place)
     }
     return element("h1", Report::tr("Motion of an offset slider-crank")) +
            note(Report::tr("%1, by %2 %3")
-                    .arg(QLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
+                    .arg(textLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
            (place == DrawingPlace::BesideParameters
                 ? beside(parameters, kMechanismPlace) + note(caption) + position + values

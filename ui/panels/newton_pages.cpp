@@ -153,9 +153,9 @@ QString statusSentence(Status status, const NewtonOptions &options)
         return NewtonPages::tr("The coupler is perpendicular to the slider's line: the position exists, velocity and "
                                "acceleration do not, because the Jacobian is singular.");
     case Status::IterationLimit:
-        return NewtonPages::tr("Newton-Raphson did not converge within %1 iterations: allow more iterations or a "
-                               "larger tolerance.")
-            .arg(QString::number(options.maxIterations));
+        return NewtonPages::tr("Newton-Raphson did not converge within %n iterations: allow more iterations or a "
+                               "larger tolerance.",
+                               nullptr, options.maxIterations);
     case Status::NotAssemblable: return NewtonPages::tr("The mechanism cannot be assembled: the coupler is too short.");
     case Status::NotFinite: return NewtonPages::tr("The result exceeds the range of floating-point numbers.");
     }

@@ -2,6 +2,7 @@
 #include "ui/text/language.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QSettings>
@@ -16,6 +17,7 @@ namespace
 
 const QString kKey = "language";
 const QString kTranslator = "translator"; // object name of the installed translators
+const QString kTexts = "slidercrank";     // name of the translations of this program
 
 /// Loads the first translation in a language of the locale, such as slidercrank_es.
 void install(const QLocale &locale, const QString &name, const QString &folder)
@@ -39,7 +41,19 @@ void setLanguage(Language language)
     qDeleteAll(QCoreApplication::instance()->findChildren<QTranslator *>(kTranslator));
     const QLocale spoken = isSystem ? QLocale::system() : chosen;
     install(spoken, "qtbase", QLibraryInfo::path(QLibraryInfo::TranslationsPath));
-    install(spoken, "slidercrank", ":/translations");
+    install(QLocale(QLocale::English), kTexts, ":/translations"); // the plural forms, if there is no other translation
+    install(spoken, kTexts, ":/translations");
+}
+
+QLocale textLocale()
+{
+    QLocale::Language spoken = QLocale::English; // of the sources
+    for (const QTranslator *translator : QCoreApplication::instance()->findChildren<QTranslator *>(kTranslator)) {
+        if (QFileInfo(translator->filePath()).fileName().startsWith(kTexts)) { // the last one is the one in use
+            spoken = QLocale(translator->language()).language();
+        }
+    }
+    return QLocale(spoken, QLocale().territory());
 }
 
 Language chosenLanguage()
