@@ -209,16 +209,17 @@ struct DrawingLayout {
 DrawingLayout layOutDrawing(const ReportContent &content, const QFont &font, double textWidth)
 {
     constexpr double kSpacing = 48.0; // px, between table and drawing
-    constexpr double kMinWidth = 240.0;
     constexpr double kMaxWidth = 380.0;
-    constexpr double kWidthBesideValues = 270.0;
     constexpr double kHeightRatio = 0.6; // height of the drawing over its width
-    QTextDocument table;
-    setText(table, font, parameterTable(content));
-    const double beside = textWidth - table.idealWidth() - kSpacing;
-    const bool hasSpace = beside >= kMinWidth;
-    const double width = hasSpace ? std::min(beside, kMaxWidth) : kWidthBesideValues;
-    return {hasSpace ? DrawingPlace::BesideParameters : DrawingPlace::BesideValues,
+    const auto widthBeside = [&](const QString &html) {
+        QTextDocument table;
+        setText(table, font, html);
+        return std::min(kMaxWidth, textWidth - table.idealWidth() - kSpacing);
+    };
+    const double besideParameters = widthBeside(parameterTable(content));
+    const double besideValues = widthBeside(valueTable(content));
+    const double width = std::max(besideParameters, besideValues);
+    return {besideParameters == width ? DrawingPlace::BesideParameters : DrawingPlace::BesideValues,
             {static_cast<int>(width), static_cast<int>(kHeightRatio * width)}};
 }
 

@@ -41,7 +41,10 @@ bool hasFoundMechanism(const ReportContent &content);
 /// Returns the table of the parameters of the model and of the mechanism found for the file, as HTML.
 QString parameterTable(const ReportContent &content);
 
-/// Where the mechanism is drawn: beside the table of the parameters or, where that is wide, beside the values.
+/// Returns the table of the values of coupler and slider at the chosen position, as HTML.
+QString valueTable(const ReportContent &content);
+
+/// Where the mechanism is drawn: beside the table of the parameters or, if there is more space, beside the values.
 enum class DrawingPlace { BesideParameters, BesideValues };
 
 /// Returns the report as HTML. Each section begins with a heading.

@@ -92,19 +92,6 @@ QString equation(const ReportContent &content, const OutputChannel &channel)
     return QStringLiteral("%1 = %2").arg(symbolOf(channel), withUnit(shortNumber(value, kDigits), shownUnit(channel)));
 }
 
-/// Returns the values of coupler and slider at the chosen position.
-QString valueTable(const ReportContent &content)
-{
-    std::vector<QStringList> rows{{QString(), Report::tr("coupler"), Report::tr("slider"), QString()},
-                                  {Report::tr("position")},
-                                  {Report::tr("velocity")},
-                                  {Report::tr("acceleration")}};
-    for (const Channel channel : kPlottedChannels) {
-        rows[static_cast<std::size_t>(channel.order) + 1] << equation(content, channel);
-    }
-    return table(rows);
-}
-
 QString derivedValues(const ReportContent &content)
 {
     const DerivedChannel mu{DerivedQuantity::TransmissionAngle, Order::Position};
@@ -252,6 +239,18 @@ QString parameterTable(const ReportContent &content)
             rows[i + 1] << measuredText(kAllParameters[i], found, notation());
         }
         rows.back() << assemblyText(found.parameters.branch);
+    }
+    return table(rows);
+}
+
+QString valueTable(const ReportContent &content)
+{
+    std::vector<QStringList> rows{{QString(), Report::tr("coupler"), Report::tr("slider"), QString()},
+                                  {Report::tr("position")},
+                                  {Report::tr("velocity")},
+                                  {Report::tr("acceleration")}};
+    for (const Channel channel : kPlottedChannels) {
+        rows[static_cast<std::size_t>(channel.order) + 1] << equation(content, channel);
     }
     return table(rows);
 }

@@ -6,6 +6,7 @@
 #include "ui/export/figure_export.h"
 #include "ui/export/motion_csv.h"
 #include "ui/export/report.h"
+#include "ui/text/language.h"
 #include "ui/text/theme.h"
 
 #include <QApplication>
@@ -340,6 +341,29 @@ private slots:
         QVERIFY2(pdf.count("/Type /Page\n") == 2, QByteArray::number(pdf.count("/Type /Page\n")));
         QVERIFY(exportReport(path("gone/report.pdf"), content, draw, draw)->contains("cannot be written"));
         QCOMPARE(entriesOf(m_folder->path()), QStringList(QStringLiteral("report.pdf")));
+    }
+
+    /// A former defect: with the longer Spanish names of a comparison, the mechanism was drawn 71 mm wide.
+    void theDrawingIsLargeInEveryReport()
+    {
+        const auto restore = qScopeGuard([usual = QLocale()] {
+            setLanguage(Language::English);
+            QLocale::setDefault(usual);
+        });
+        for (const Language language : {Language::English, Language::Spanish}) {
+            setLanguage(language);
+            for (const PaperSize paper : {PaperSize::A4, PaperSize::Letter}) {
+                for (const bool isCompared : {true, false}) {
+                    QSize drawn;
+                    const auto note = [&drawn](QPainter &, const QSize &size) { drawn = size; };
+                    ReportContent content = contentWith(62.0, isCompared ? referenceIn({kSample}) : nullptr);
+                    content.paper = paper;
+                    QCOMPARE(exportReport(path("report.pdf"), content, note, [](QPainter &, const QSize &) {}),
+                             std::nullopt);
+                    QVERIFY2(drawn.width() >= 340, qPrintable(QString::number(drawn.width()))); // px, 90 mm
+                }
+            }
+        }
     }
 
 private:
