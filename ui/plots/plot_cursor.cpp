@@ -5,9 +5,7 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
-#include <limits>
 
 namespace slidercrank
 {
@@ -15,83 +13,145 @@ namespace slidercrank
 namespace
 {
 
-enum class Side { Right, Left };
+/// Where a label stands beside its line or its dot.
+enum class Side { Right, Left, Centre };
 
-/// Returns the left end of a label on that side of the line, or on the other side where it does not fit. A label that
-/// fits on neither side begins at the left edge of the axes, beside their numbers.
-double labelLeft(double line, double width, const QRectF &axes, Side side)
+/// Returns the left end of a label on that side of the line, within the axes, or nullopt if it does not fit there.
+std::optional<double> labelLeft(double line, double width, const QRectF &axes, Side side, const QFont &font)
 {
-    constexpr double kGap = 6.0; // px, between the line and the text
-    const double right = line + kGap;
-    const double left = line - kGap - width;
-    const bool fitsRight = right + width <= axes.right();
-    const bool fitsLeft = left > axes.left();
-    if (fitsRight && (side == Side::Right || !fitsLeft)) {
-        return right;
+    const double gap = std::max(6.0, dotRadius(font) + 2.5); // px, so that the text does not touch the dot
+    const double leftmost = axes.left() + 1.0;
+    const double rightmost = axes.right() - width;
+    if (side == Side::Centre) {
+        return std::max(leftmost, std::min(line - 0.5 * width, rightmost));
     }
-    return std::max(axes.left() + 1.0, left);
+    const double left = side == Side::Right ? line + gap : line - gap - width;
+    return left >= leftmost && left <= rightmost ? std::optional(left) : std::nullopt;
 }
 
-/// Returns the places of the labels, which are in the order of their heights. Headings are at the top, values `shift`
-/// (px) below the height of their dots, moved only so far that they do not overlap.
-std::vector<QRectF> labelPlaces(const PlotCursor &cursor, const QRectF &axes, double height, Side side, double shift)
+/// Returns the left end of a column of labels: to the right of the line, or to the left where it does not fit. A column
+/// that fits on neither side begins at the left edge of the axes, beside their numbers.
+double columnLeft(const PlotCursor &cursor, double width, const QRectF &axes, const QFont &font)
 {
-    const double total = static_cast<double>(cursor.labels.size()) * height;
-    // The next label may begin between these two: below the labels before it, with space for those after it.
-    double highest = std::max(0.0, std::min(axes.top(), axes.bottom() - total));
-    double lowest = std::max(highest, axes.bottom() - total);
-    std::vector<QRectF> places;
+    const std::optional<double> right = labelLeft(cursor.x, width, axes, Side::Right, font);
+    const std::optional<double> left = labelLeft(cursor.x, width, axes, Side::Left, font);
+    return right ? *right : left.value_or(axes.left() + 1.0);
+}
+
+/// Returns how many points of the curves, and how many dots, are below a label. Dots count as many points.
+std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const QRectF &place, double radiusOfDot)
+{
+    constexpr std::ptrdiff_t kPointsOfDot = 10;
+    std::ptrdiff_t covered =
+        std::ranges::count_if(cursor.curves, [&place](QPointF point) { return place.contains(point); });
+    const QRectF around = place.adjusted(-radiusOfDot, -radiusOfDot, radiusOfDot, radiusOfDot);
     for (const PlotCursor::Label &label : cursor.labels) {
-        const double width = label.text.size().width();
-        const double wanted = std::max(highest, label.dot ? label.dot->y() - 0.5 * height + shift : highest);
-        const QRectF place(labelLeft(cursor.x, width, axes, side), std::min(lowest, wanted), width, height);
-        places.push_back(place);
-        highest = place.bottom();
-        lowest += height;
-    }
-    return places;
-}
-
-/// Returns how many points of the curves are below values. Headings stand at the top in any case.
-std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const std::vector<QRectF> &places)
-{
-    std::ptrdiff_t covered = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (cursor.labels[i].dot) {
-            covered += std::ranges::count_if(cursor.curves,
-                                             [&place = places[i]](QPointF point) { return place.contains(point); });
-        }
+        covered += label.dot && around.contains(*label.dot) ? kPointsOfDot : 0;
     }
     return covered;
 }
 
-/// Places the labels where they cover the fewest points of the curves: if possible to the right of the line, at the
-/// height of their dots.
-void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font)
+/// Returns the possible places of a value, the best first: to the right or the left of the line at the height of its
+/// dot, then above and below the dot, then farther and farther away.
+std::vector<QRectF> possiblePlaces(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
+                                   const QFont &font)
 {
-    constexpr std::array kShifts{0.0, -0.5, 0.5, -1.0, 1.0, -1.5, 1.5}; // heights of a label
+    constexpr int kMaxShift = 6; // half heights of a label
+    const double height = QFontMetricsF(font).height();
+    const double width = label.text.size().width();
+    const double middle = label.dot->y() - 0.5 * height;
+    std::vector<QRectF> places;
+    const auto add = [&](Side side, double top) {
+        const double within = std::max(axes.top(), std::min(top, axes.bottom() - height));
+        if (const std::optional<double> left = labelLeft(cursor.x, width, axes, side, font)) {
+            places.emplace_back(*left, within, width, height);
+        }
+    };
+    for (int shift = 0; shift <= kMaxShift; ++shift) {
+        for (const double top : {middle - 0.5 * shift * height, middle + 0.5 * shift * height}) {
+            add(Side::Right, top);
+            add(Side::Left, top);
+            if (shift > 1) { // otherwise it would cover its own dot
+                add(Side::Centre, top);
+            }
+        }
+    }
+    return places;
+}
+
+/// Places a value where it covers nothing, or the fewest points of the curves. `taken`: where other labels are. Returns
+/// how many points it covers there, or nullopt if there is no place.
+std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::Label &label,
+                                         const std::vector<QRectF> &taken, const QRectF &axes, const QFont &font)
+{
+    std::optional<std::ptrdiff_t> fewest;
+    for (const QRectF &place : possiblePlaces(cursor, label, axes, font)) {
+        if (std::ranges::any_of(taken, [&place](const QRectF &other) { return other.intersects(place); })) {
+            continue;
+        }
+        const std::ptrdiff_t covered = coveredPoints(cursor, place, dotRadius(font));
+        if (!fewest || covered < *fewest) {
+            fewest = covered;
+            label.place = place;
+        }
+        if (covered == 0) {
+            break;
+        }
+    }
+    return fewest;
+}
+
+void leaveOut(PlotCursor::Label &label)
+{
+    label.text.setText({});
+    label.place = QRectF();
+}
+
+/// Places all labels in a column beside the line, which begins above the axes if it is higher than they are.
+void stackLabels(PlotCursor &cursor, const QRectF &axes, const QFont &font)
+{
+    const double height = QFontMetricsF(font).height();
+    double widest = 0.0;
+    for (const PlotCursor::Label &label : cursor.labels) {
+        widest = std::max(widest, label.text.size().width());
+    }
+    const double left = columnLeft(cursor, widest, axes, font);
+    double top =
+        std::max(0.0, std::min(axes.top(), axes.bottom() - height * static_cast<double>(cursor.labels.size())));
+    for (PlotCursor::Label &label : cursor.labels) {
+        label.place = QRectF(QPointF(left, top), QSizeF(label.text.size().width(), height));
+        top += height;
+    }
+}
+
+/// Places the headings at the top, one below the other, and each value where it covers the curves least.
+void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, WhereCrowded whereCrowded)
+{
+    constexpr std::ptrdiff_t kMaxCovered = 1; // points: the corner of a label may touch a curve
     const double height = QFontMetricsF(font).height();
     std::ranges::stable_sort(cursor.labels, {},
                              [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
     for (PlotCursor::Label &label : cursor.labels) {
         label.text.prepare({}, font);
     }
-    std::ptrdiff_t fewest = std::numeric_limits<std::ptrdiff_t>::max();
-    for (const Side side : {Side::Right, Side::Left}) {
-        for (const double shift : kShifts) {
-            const std::vector<QRectF> places = labelPlaces(cursor, axes, height, side, shift * height);
-            const std::ptrdiff_t covered = coveredPoints(cursor, places);
-            if (covered >= fewest) {
-                continue;
-            }
-            fewest = covered;
-            for (std::size_t i = 0; i < places.size(); ++i) {
-                cursor.labels[i].place = places[i];
-            }
-            if (covered == 0) {
+    std::vector<QRectF> taken;
+    for (PlotCursor::Label &label : cursor.labels) {
+        if (!label.dot) {
+            const QSizeF size(label.text.size().width(), height);
+            const double top = axes.top() + height * static_cast<double>(taken.size());
+            label.place = QRectF(QPointF(columnLeft(cursor, size.width(), axes, font), top), size);
+        } else {
+            const std::optional<std::ptrdiff_t> covered = placeValue(cursor, label, taken, axes, font);
+            if (!covered && whereCrowded == WhereCrowded::CoverLeast) {
+                stackLabels(cursor, axes, font);
                 return;
             }
+            if (!covered || (*covered > kMaxCovered && whereCrowded == WhereCrowded::LeaveOut)) {
+                leaveOut(label);
+                continue;
+            }
         }
+        taken.push_back(label.place);
     }
 }
 
@@ -114,15 +174,14 @@ double dotRadius(const QFont &font)
     return std::max(3.5, 0.27 * font.pixelSize());
 }
 
-void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font)
+void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font, WhereCrowded whereCrowded)
 {
     for (PlotCursor &cursor : cursors) {
-        placeLabelsOf(cursor, axes, font);
+        placeLabelsOf(cursor, axes, font, whereCrowded);
         for (PlotCursor::Label &covered : cursors.front().labels) {
             const auto covers = [&](const PlotCursor::Label &label) { return label.place.intersects(covered.place); };
             if (&cursor != &cursors.front() && std::ranges::any_of(cursor.labels, covers)) {
-                covered.text.setText({});
-                covered.place = QRectF();
+                leaveOut(covered);
             }
         }
     }

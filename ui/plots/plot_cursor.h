@@ -43,9 +43,15 @@ double curveSpacing(const QFont &font);
 /// The radius (px) of a dot beside text of that font.
 double dotRadius(const QFont &font);
 
-/// Places the labels of the cursors of one plot with these axes, where they cover the curves least. Where a label of a
-/// later cursor covers one of the first cursor, only the dot of the covered one remains.
-void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font);
+/// What becomes of a value that would cover a curve in every place near its dot.
+enum class WhereCrowded {
+    CoverLeast, ///< it covers the curves least
+    LeaveOut    ///< only its dot remains
+};
+
+/// Places the labels of the cursors of one plot with these axes beside the curves. Where a label of a later cursor
+/// covers one of the first cursor, only the dot of the covered one remains.
+void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font, WhereCrowded whereCrowded);
 
 /// Paints the cursors, whose labels have been placed.
 void paintCursors(QPainter &painter, std::span<const PlotCursor> cursors, const QRectF &axes, const QFont &font,

@@ -363,22 +363,38 @@ std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, c
     return cursor;
 }
 
-/// Adds the points of the plot's curves on both sides of the cursor.
+/// Adds points of the straight line from one point to another, both in px. The first one is left out.
+static void addLine(std::vector<QPointF> &points, QPointF from, QPointF to, double spacing)
+{
+    const double steps = std::ceil(std::max(std::abs(to.x() - from.x()), std::abs(to.y() - from.y())) / spacing);
+    for (int i = 1; i <= static_cast<int>(steps); ++i) {
+        points.push_back(from + (i / steps) * (to - from));
+    }
+}
+
+/// Adds the points of the plot's curves on both sides of the cursor, and between them where a curve is steep.
 void PlotFigure::addCurvesBeside(PlotCursor &cursor, const Plot &plot) const
 {
     const double reach = curveReach(m_fonts.tick);
     const double spacing = curveSpacing(m_fonts.tick);
+    const QRectF axes(plot.axes->rect());
+    std::vector<std::optional<QPointF>> previous(plot.curves.size());
     for (double x = cursor.x - reach; x <= cursor.x + reach; x += spacing) {
         const double time = plot.timeAxis->pixelToCoord(x);
         if (!timeRange().contains(time)) {
             continue;
         }
         const ReadTime read = readTime(time);
-        for (const PlotCurve &curve : plot.curves) {
+        for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+            const PlotCurve &curve = plot.curves[i];
             const double value = curve.read ? curve.read(read) : kNone;
-            if (std::isfinite(value)) {
-                cursor.curves.emplace_back(x, plot.valueAxis->coordToPixel(value));
+            if (!std::isfinite(value)) {
+                previous[i].reset();
+                continue;
             }
+            const double y = std::clamp(plot.valueAxis->coordToPixel(value), axes.top(), axes.bottom());
+            addLine(cursor.curves, previous[i].value_or(QPointF(x - spacing, y)), {x, y}, spacing);
+            previous[i] = QPointF(x, y);
         }
     }
 }

@@ -413,7 +413,7 @@ void PlotFigure::paint(QPainter &painter, const std::optional<double> &cursorTim
         if (const std::optional<PlotCursor> cursor = cursorAt(index, *cursorTime, heading)) {
             cursors.push_back(*cursor);
         }
-        placeLabels(cursors, axes, m_fonts.tick);
+        placeLabels(cursors, axes, m_fonts.tick, WhereCrowded::LeaveOut);
         paintCursors(painter, cursors, axes, m_fonts.tick, m_colours);
     }
 }

@@ -23,7 +23,7 @@ void PlotPane::setCursors(std::vector<PlotCursor> cursors, const QRect &axes)
     const QRect before = m_painted;
     m_axes = axes;
     m_cursors = std::move(cursors);
-    placeLabels(m_cursors, m_axes, font());
+    placeLabels(m_cursors, m_axes, font(), WhereCrowded::CoverLeast);
     QRectF painted;
     for (const PlotCursor &cursor : m_cursors) {
         painted |= QRectF(cursor.x, m_axes.top(), 1.0, m_axes.height());

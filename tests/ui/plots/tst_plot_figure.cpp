@@ -79,6 +79,51 @@ class TestPlotFigure : public QObject
 {
     Q_OBJECT
 
+private:
+    /// Checks that no value of a figure with a file covers a curve, and how many are left out.
+    void checkValuesOfAFigure(int width, double mostLeftOut)
+    {
+        constexpr int kCorner = 6; // px: a corner may touch a curve
+        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
+        QFont font;
+        font.setPixelSize(12);
+        PlotFigure &figure = figureOf({.reference = referenceOf(62.0)});
+        figure.compose({all, font, paletteFor(Theme::Light)}, {width, PlotFigure::heightFor(all, width, font)});
+        int values = 0;
+        int leftOut = 0;
+        for (const std::size_t plot : all) {
+            const Plot &shown = figure.shownPlot(plot);
+            for (int step = 0; step <= 40; ++step) {
+                std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 40.0, {})};
+                placeLabels(cursors, shown.axes->rect(), PlotFonts(font).tick, WhereCrowded::LeaveOut);
+                std::vector<QRectF> places;
+                for (const PlotCursor::Label &label : cursors.front().labels) {
+                    ++values;
+                    leftOut += label.place.isEmpty() ? 1 : 0;
+                    if (!label.place.isEmpty()) {
+                        places.push_back(label.place.adjusted(0.0, 2.0, 0.0, -2.0));
+                    }
+                }
+                for (const QRectF &place : places) {
+                    QVERIFY(QRectF(shown.axes->rect()).contains(place));
+                    for (const PlotCursor::Label &label : cursors.front().labels) {
+                        QVERIFY(!label.dot || !place.contains(*label.dot));
+                    }
+                    for (const PlotCurve &curve : shown.curves) {
+                        int columns = 0; // of pixels in which the curve is behind the value
+                        for (double x = place.left(); curve.read && x <= place.right(); x += 1.0) {
+                            const double value = curve.read(figure.readTime(shown.timeAxis->pixelToCoord(x)));
+                            columns += place.contains(x, shown.valueAxis->coordToPixel(value)) ? 1 : 0;
+                        }
+                        QVERIFY2(columns <= kCorner, qPrintable(QString("plot %1, step %2").arg(plot).arg(step)));
+                    }
+                }
+            }
+        }
+        qInfo("%d px: %d of %d values are left out", width, leftOut, values);
+        QVERIFY(leftOut <= mostLeftOut * values);
+    }
+
 private slots:
     void errorsAreInPercentOfThePeakUnlessChosenOtherwise()
     {
@@ -379,7 +424,7 @@ private slots:
             const Plot &shown = figure.shownPlot(plot);
             for (int step = 0; step <= 50; ++step) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 50.0, {})};
-                placeLabels(cursors, shown.axes->rect(), PlotFonts(font).tick);
+                placeLabels(cursors, shown.axes->rect(), PlotFonts(font).tick, WhereCrowded::CoverLeast);
                 const QRectF place = cursors.front().labels.front().place.adjusted(0.0, 2.0, 0.0, -2.0);
                 QVERIFY(QRectF(shown.axes->rect()).contains(place));
                 int columns = 0; // of pixels in which the curve is behind the value
@@ -391,6 +436,18 @@ private slots:
             }
         }
         QVERIFY2(covering == 0, qPrintable(QString::number(covering)));
+    }
+
+    /// A former defect: in a figure of 85 mm with a file, white boxes with values lay over parts of other curves.
+    void valuesOfAFigureCoverNoCurve()
+    {
+        struct Row {
+            int width;          // px
+            double mostLeftOut; // part of the values
+        };
+        for (const Row &row : {Row{321, 0.7}, Row{605, 0.2}}) { // 85 mm: each plot is 12 mm wide; 160 mm
+            checkValuesOfAFigure(row.width, row.mostLeftOut);
+        }
     }
 
     /// A former defect: six plots, which are drawn in three rows, had the height of two.
