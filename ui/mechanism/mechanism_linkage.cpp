@@ -41,6 +41,7 @@ void MechanismSketch::addLinkage()
     }
     const MechanismSettings &settings = m_scene->settings;
     avoid(QRectF(m_O2 - QPointF(17.0, 0.0), QSizeF(34.0, 24.0))); // the ground below O2
+    avoid(rail());
     if (cornerLineCount() > 0) {
         constexpr double kUsualWidth = 240.0;
         avoid(QRectF(0.0, 0.0, kUsualWidth, cornerLineTop(cornerLineCount())));

@@ -2,6 +2,7 @@
 #include "ui/mechanism/mechanism_sketch.h"
 
 #include "core/limits/instant_centre.h"
+#include "core/mechanism/turn.h"
 #include "ui/text/channel_text.h"
 #include "ui/text/notation.h"
 #include "ui/text/written_number.h"
@@ -222,6 +223,11 @@ void MechanismSketch::addAngle(const QString &name, const QLineF &link, double a
     path.arcTo(circle, 0.0, std::fmod(kDegreesPerRadian * angle, 360.0));
     add(path, QPen(faded(m_ink, 0.7), 1.0));
     avoid(base, 2.0);
+    constexpr double kStep = 0.1; // rad; smaller than a letter
+    for (double along = 0.0; along < std::abs(std::fmod(angle, kTurn)); along += kStep) {
+        const double direction = std::copysign(along, angle);
+        avoid(QRectF(link.p1() + radius * QPointF(std::cos(direction), -std::sin(direction)), QSizeF(1.0, 1.0)));
+    }
     // The label is on the side of the base line away from the arc, so that it need not move while the angle changes.
     addLabelBeside(link.p1(), {1.0, angle < 0.0 ? -0.5 : 0.5}, 20.0,
                    QStringLiteral("%1 = %2").arg(name, angleText(angle)), m_ink);

@@ -112,22 +112,30 @@ void MechanismSketch::addCrankCircle()
     }
 }
 
-/// Adds the slider's line, the rail along the slider's travel, and the dead centres.
-void MechanismSketch::addGuide()
+/// Returns the rail along the slider's travel, with its hatching.
+QRectF MechanismSketch::rail() const
 {
     constexpr double kOverhang = 23.0;   // px that the rail is longer than the stroke, at either end
     constexpr double kOutOfSight = 20.0; // px
-    constexpr double kMark = 20.0;       // px that a dead centre's mark rises above the line
-    const double y = toPixels({0.0, mechanism().c()}).y();
-    addLine({0.0, y}, {projection().size.width(), y}, QPen(m_muted, 1.0, Qt::DashDotLine), Guide);
     const QRectF bounds = motionBounds(mechanism(), limits());
     double left = bounds.left();
     double right = bounds.right();
     if (limits().mobility == Mobility::FullTurn && limits().inner && limits().outer) {
         std::tie(left, right) = std::minmax(limits().inner->R4x, limits().outer->R4x);
     }
-    addGround({std::max(toPixels({left, 0.0}).x() - kOverhang, -kOutOfSight), y + kBelowLine},
-              std::min(toPixels({right, 0.0}).x() + kOverhang, projection().size.width() + kOutOfSight), Guide);
+    const QPointF from(std::max(toPixels({left, 0.0}).x() - kOverhang, -kOutOfSight),
+                       toPixels({0.0, mechanism().c()}).y() + kBelowLine);
+    const double to = std::min(toPixels({right, 0.0}).x() + kOverhang, projection().size.width() + kOutOfSight);
+    return {from, QSizeF(to - from.x(), kHatch)};
+}
+
+/// Adds the slider's line, the rail and the dead centres.
+void MechanismSketch::addGuide()
+{
+    constexpr double kMark = 20.0; // px that a dead centre's mark rises above the line
+    const double y = toPixels({0.0, mechanism().c()}).y();
+    addLine({0.0, y}, {projection().size.width(), y}, QPen(m_muted, 1.0, Qt::DashDotLine), Guide);
+    addGround(rail().topLeft(), rail().right(), Guide);
     for (const auto &[centre, part] : {std::pair(limits().outer, OuterDeadCentre), {limits().inner, InnerDeadCentre}}) {
         if (centre) {
             const double x = toPixels({centre->R4x, 0.0}).x();

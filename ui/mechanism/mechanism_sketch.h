@@ -55,6 +55,7 @@ private:
     void addGrid();
     void addGround(QPointF from, double to, DrawnPart part);
     void addCrankCircle();
+    QRectF rail() const;
     void addGuide();
     void addPath();
     void addPivot();

@@ -55,6 +55,29 @@ private slots:
         QCOMPARE(overlaps, 0);
     }
 
+    /// A former defect: in the notation of textbooks, θ₃ at B covered a part of the rail.
+    void theAngleAtTheSliderKeepsClearOfTheRailAndItsArc()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        setNotation({.symbols = Symbols::Textbook});
+        for (const Parameters &parameters : {Parameters(), Parameters{.a = 50.8, .b = 152.4, .c = -76.2},
+                                             Parameters{.c = 0.0}, Parameters{.b = 60.0, .branch = Branch::Crossed}}) {
+            for (int i = 0; i < 40; ++i) {
+                const Drawn drawn(parameters, i / 40.0, {.names = true, .angles = true});
+                const QRectF box = drawn.label("θ₃").adjusted(2.0, 3.0, -2.0, -3.0);
+                const QPointF pin =
+                    drawn.sketch->toPixels({drawn.scene.motion(LinkagePoint::B).position.x, parameters.c});
+                QVERIFY(!box.isEmpty());
+                for (const DrawnShape &shape : drawn.sketch->shapes()) {
+                    const bool isArc = shape.path.elementCount() > 4 && shape.part == DrawnPart::Background &&
+                                       QLineF(shape.path.elementAt(0), pin).length() < 0.5;
+                    const bool isRail = shape.part == DrawnPart::Guide && shape.path.boundingRect().height() > 2.0;
+                    QVERIFY2(!(isArc || isRail) || !shape.path.intersects(box), qPrintable(QString::number(i)));
+                }
+            }
+        }
+    }
+
     /// A former defect: the names stood beside the mark of the other dead centre, and moved while playing.
     void namesOfTheDeadCentresAreBelowTheirOwnMarks()
     {
