@@ -3153,6 +3153,10 @@ PA = %4, PB = %5</translation>
         <source>The curves are for a constant speed.</source>
         <translation>Las curvas son para velocidad constante.</translation>
     </message>
+    <message>
+        <source>Your values are shown again at %1.</source>
+        <translation>Sus valores volverán a mostrarse en %1.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::NativeDialogText</name>

@@ -15,6 +15,7 @@
 #include "ui/text/quantity_text.h"
 #include "ui/text/subscripts.h"
 #include "ui/text/typed_value.h"
+#include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/formula.h"
 #include "ui/widgets/named.h"
@@ -270,14 +271,16 @@ void MotionTablePanel::makeTables()
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // so that m_presentRow can reserve its width
     m_present->setFixedHeight(1);   // until fitColumns() knows the rows; a higher one would make the tabs higher
     constexpr int kMyValuesRow = 1; // below the present position
+    constexpr int kMinRows = 2;     // where the panel itself scrolls
     m_present->setEditable(kMyValuesRow, kFirstChannelColumn);
-    m_present->setSelectionMode(QAbstractItemView::NoSelection); // it would hide the colours of the verdicts
-    m_table->setMinimumHeight(fontMetrics().height()); // so that the sentences about typed values are not cut off
+    m_present->setSelectionMode(QAbstractItemView::NoSelection);          // it would hide the colours of the verdicts
+    m_table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // the panel may be as low as its other parts
+    m_table->setMinimumHeight(kMinRows * m_table->verticalHeader()->defaultSectionSize());
     m_presentRow->setContentsMargins(0, 0, m_table->verticalScrollBar()->sizeHint().width(), 0);
     m_presentRow->addWidget(m_present);
     m_layout->addWidget(m_table, 1);
     connect(m_present, &NumberTable::typed, this, [this](int column, const QString &text) {
-        m_myValues[columnName(m_settings.columns[static_cast<std::size_t>(column - kFirstChannelColumn)])] = text;
+        typeValue(m_settings.columns[static_cast<std::size_t>(column - kFirstChannelColumn)], text.trimmed());
         QMetaObject::invokeMethod(this, &MotionTablePanel::showPresent,
                                   Qt::QueuedConnection); // after the cell is closed
     });
@@ -343,7 +346,49 @@ void MotionTablePanel::showPresent()
     }
 }
 
-/// Returns the values that were typed, with their verdicts as colours, and shows what is said about them.
+/// Returns whether two crank angles (rad) are the same position, except for rounding.
+static bool isSamePosition(double x, double y)
+{
+    constexpr double kRounding = 1e-9; // rad
+    return std::abs(wrapToPi(x - y)) < kRounding;
+}
+
+void MotionTablePanel::typeValue(const OutputChannel &channel, const QString &text)
+{
+    const double theta2 = wrapToPi(presentPlace().theta2);
+    auto here = std::ranges::find_if(
+        m_myValues, [theta2](const TypedTexts &typed) { return isSamePosition(typed.theta2, theta2); });
+    if (here == m_myValues.end()) {
+        here = m_myValues.insert(here, {theta2, {}});
+    }
+    if (text.isEmpty()) {
+        here->byColumn.erase(columnName(channel));
+    } else {
+        here->byColumn[columnName(channel)] = text;
+    }
+    if (here->byColumn.empty()) {
+        m_myValues.erase(here);
+    }
+}
+
+const MotionTablePanel::TypedTexts *MotionTablePanel::textsAtPresent() const
+{
+    const auto here = std::ranges::find_if(
+        m_myValues, [this](const TypedTexts &typed) { return isSamePosition(typed.theta2, presentPlace().theta2); });
+    return here == m_myValues.end() ? nullptr : &*here;
+}
+
+QString MotionTablePanel::otherPositions() const
+{
+    QStringList angles;
+    for (const TypedTexts &typed : m_myValues) {
+        angles << QStringLiteral("θ₂ = ") + crankAngleWithUnit(typed.theta2);
+    }
+    return angles.isEmpty() ? QString() : tr("Your values are shown again at %1.").arg(listed(angles));
+}
+
+/// Returns the values that were typed at this position, with their verdicts as colours, and shows what is said about
+/// them.
 TableRow MotionTablePanel::myValues()
 {
     TableRow row{.cells = {{.text = tr("my values"), .tone = Tone::Muted}, {}},
@@ -354,11 +399,13 @@ TableRow MotionTablePanel::myValues()
     const Units &units = notation().units;
     std::vector<TypedValue> values;
     QStringList sentences;
+    const TypedTexts *typedHere = textsAtPresent();
     for (const OutputChannel &channel : m_settings.columns) {
-        TableCell &cell = row.cells.emplace_back(TableCell{.text = m_myValues[columnName(channel)].trimmed()});
-        if (cell.text.isEmpty()) {
+        TableCell &cell = row.cells.emplace_back();
+        if (!typedHere || !typedHere->byColumn.contains(columnName(channel))) {
             continue;
         }
+        cell.text = typedHere->byColumn.at(columnName(channel));
         const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
         const TypedValue typed = readTypedValue(number, channel, units);
         if (typed.written.fault) {
@@ -382,6 +429,9 @@ TableRow MotionTablePanel::myValues()
         if (!isRight) {
             wrong << symbolOf(values[i].channel);
         }
+    }
+    if (!typedHere && !m_myValues.empty()) {
+        sentences << otherPositions();
     }
     m_judgement->setVisible(!sentences.isEmpty());
     if (!values.empty()) {

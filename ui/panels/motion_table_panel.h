@@ -3,7 +3,8 @@
 
 // The tab with the table of the motion. The first row is the present position and stays; below it are rows at equal
 // steps of the crank angle, or for time steps. A person can type values of a calculation by hand below the present
-// position, which are checked at once. The tab also finds the positions in which a quantity has a value.
+// position, which are checked at once, and shown again when the crank returns to that position. The tab also finds the
+// positions in which a quantity has a value.
 
 #include "ui/panels/motion_table.h"
 #include "ui/text/notation.h"
@@ -58,6 +59,13 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
+    /// The values that a person typed at a position, as they were typed. They belong to its crank angle: a length or a
+    /// speed may still be corrected.
+    struct TypedTexts {
+        double theta2;                       ///< rad, within [-π, π)
+        std::map<QString, QString> byColumn; ///< by the name of the column; none of them is empty
+    };
+
     QLayout *makeControls();
     QLayout *makeFindLine();
     void fillColumnsMenu();
@@ -68,6 +76,9 @@ private:
     void showRows();
     void showPresent();
     void showAlpha2();
+    void typeValue(const OutputChannel &channel, const QString &text);
+    const TypedTexts *textsAtPresent() const; ///< null if no values were typed at this position
+    QString otherPositions() const;           ///< says at which other crank angles values were typed
     TableRow myValues();
     void fitColumns();
     TablePlace presentPlace() const;
@@ -99,7 +110,7 @@ private:
     QToolButton *m_next;
     QToolButton *m_useAsSpeed;
     QLabel *m_answer;
-    std::map<QString, QString> m_myValues{}; ///< by the name of the column; as they were typed
+    std::vector<TypedTexts> m_myValues{};
     QLabel *m_judgement;
     QVBoxLayout *m_layout;
     QHBoxLayout *m_presentRow; ///< of m_present, with a margin as wide as the scroll bar of m_table

@@ -2,10 +2,10 @@
 #include "ui/panels/segmented_pages.h"
 
 #include "ui/widgets/named.h"
+#include "ui/widgets/scrollable.h"
 
 #include <QHBoxLayout>
 #include <QListWidget>
-#include <QScrollArea>
 #include <QStackedWidget>
 
 namespace slidercrank
@@ -36,12 +36,7 @@ SegmentedPages::SegmentedPages(const QString &listName, QWidget *parent)
 
 void SegmentedPages::addPage(const QString &title, QWidget *page)
 {
-    auto *scroll = new QScrollArea;
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidgetResizable(true);
-    scroll->setWidget(page);
-    m_pages->addWidget(scroll);
+    m_pages->addWidget(scrollable(page));
     m_titles->addItem(title);
     setCurrent(0);
 }

@@ -25,6 +25,7 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/open_dialog.h"
+#include "ui/widgets/scrollable.h"
 #include "ui/window/exports.h"
 #include "ui/window/ghost.h"
 #include "ui/window/key_filter.h"
@@ -265,7 +266,7 @@ QWidget *MainWindow::makeMotionTable()
                                : ReferencePose());
     };
     connect(table, &MotionTablePanel::placeHovered, m_views.mechanism, mark);
-    return table;
+    return scrollable(table); // otherwise a window on a small screen would become higher than the screen
 }
 
 QWidget *MainWindow::makeLimitsPanel()

@@ -246,6 +246,40 @@ private slots:
         QCOMPARE(shown.rowOf("presentPosition", 1).mid(1), QStringList(9, QString()));
     }
 
+    /// A former defect: the values stayed when the crank turned, and were judged at another position.
+    void typedValuesBelongToTheirPosition()
+    {
+        ShownTable shown;
+        shown.session.setParameters({.a = 40.0, .b = 120.0, .c = 20.0});
+        shown.session.setTime(1.0 / 6.0); // θ2 = 60°
+        const auto *judgement = child<QLabel>(shown.panel, "judgement");
+        const auto type = [&shown](const char *text) {
+            auto *table = child<NumberTable>(shown.panel, "presentPosition");
+            table->model()->setData(table->model()->index(1, 5), QString::fromUtf8(text));
+            settle(shown.panel);
+        };
+        const auto typedHere = [&shown] { return shown.rowOf("presentPosition", 1)[5]; };
+        type("139.1");
+        shown.session.setTime(0.25);
+        settle(shown.panel);
+        QCOMPARE(typedHere(), QString());
+        QVERIFY2(judgement->isVisible() && judgement->text().contains("at θ₂ = 60.00°."),
+                 qPrintable(judgement->text()));
+        type("17");
+        QVERIFY2(judgement->text().contains("off by"), qPrintable(judgement->text()));
+        shown.session.setTime(1.0 / 6.0);
+        settle(shown.panel);
+        QCOMPARE(typedHere(), QString("139.1"));
+        QVERIFY2(judgement->text().contains("All values are right"), qPrintable(judgement->text()));
+        // A corrected length is judged at the same position.
+        shown.session.setParameters({.a = 40.0, .b = 121.0, .c = 20.0});
+        settle(shown.panel);
+        QCOMPARE(typedHere(), QString("139.1"));
+        QVERIFY2(judgement->text().contains("off by"), qPrintable(judgement->text()));
+        type("");
+        QVERIFY2(judgement->text().contains("at θ₂ = 90.00°."), qPrintable(judgement->text()));
+    }
+
     /// A former defect: the table kept its height in a low panel, and the first line of the sentences was cut off.
     void sentencesAboutTypedValuesAreNotCutOff()
     {
