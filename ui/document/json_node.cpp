@@ -20,36 +20,36 @@ QJsonValue JsonNode::exchange(const QJsonValue &standard)
     return value.type() == standard.type() ? value : standard;
 }
 
-void JsonNode::field(const char *name, const std::function<void(JsonNode &)> &fill)
+void JsonNode::field(const char *name, const std::function<void(JsonNode &)> &readOrWriteValue)
 {
     QJsonObject object = value.toObject();
     JsonNode node{isReading, object.value(QLatin1String(name))};
-    fill(node);
+    readOrWriteValue(node);
     object.insert(QLatin1String(name), node.value);
     value = object;
 }
 
-void describe(bool &value, JsonNode &node)
+void readOrWrite(bool &value, JsonNode &node)
 {
     value = node.exchange(value).toBool();
 }
 
-void describe(QString &value, JsonNode &node)
+void readOrWrite(QString &value, JsonNode &node)
 {
     value = node.exchange(value).toString();
 }
 
-void describe(double &value, JsonNode &node, double smallest, double largest)
+void readOrWrite(double &value, JsonNode &node, double smallest, double largest)
 {
     value = std::clamp(node.exchange(value).toDouble(), smallest, largest);
 }
 
-void describe(int &value, JsonNode &node, int largest)
+void readOrWrite(int &value, JsonNode &node, int largest)
 {
     value = std::clamp(node.exchange(value).toInt(), 1, largest); // a number that is not whole gives 0
 }
 
-void describe(QStringList &list, JsonNode &node)
+void readOrWrite(QStringList &list, JsonNode &node)
 {
     if (node.isReading) {
         list = node.value.toVariant().toStringList();
@@ -58,24 +58,24 @@ void describe(QStringList &list, JsonNode &node)
     }
 }
 
-void describe(Channel &channel, JsonNode &node)
+void readOrWrite(Channel &channel, JsonNode &node)
 {
     const QString name = node.exchange(QString::fromUtf8(nameOf(channel))).toString();
     channel = channelNamed(name.toStdString()).value_or(channel);
 }
 
-void describe(Interval &interval, JsonNode &node)
+void readOrWrite(Interval &interval, JsonNode &node)
 {
     std::vector<double> ends{interval.lower, interval.upper};
-    describe(ends, node, -kLargestNumber, kLargestNumber);
+    readOrWrite(ends, node, -kLargestNumber, kLargestNumber);
     ends.resize(2);
     interval = {ends[0], ends[1]};
 }
 
-void describe(QRectF &rectangle, JsonNode &node)
+void readOrWrite(QRectF &rectangle, JsonNode &node)
 {
     std::vector<double> edges{rectangle.left(), rectangle.top(), rectangle.right(), rectangle.bottom()};
-    describe(edges, node, -kLargestNumber, kLargestNumber);
+    readOrWrite(edges, node, -kLargestNumber, kLargestNumber);
     edges.resize(4);
     rectangle = QRectF(QPointF(edges[0], edges[1]), QPointF(edges[2], edges[3]));
 }

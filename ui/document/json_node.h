@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Reads or writes JSON values. A function describe(value, node) does both for a type: here for the types of single
-// values and lists, in settings_fields.h for structs of settings.
+// Reads or writes JSON values. A function readOrWrite(value, node) reads the value from the node, or writes it into the
+// node, as the node says: here for the types of single values and lists, in settings_fields.h for structs of settings.
 //
 // A value that is missing or not valid is replaced by a default, which is valid. So JSON is valid if writing what was
 // read gives the same JSON again.
@@ -36,24 +36,25 @@ struct JsonNode {
     /// type does not match.
     QJsonValue exchange(const QJsonValue &standard);
 
-    /// Reads or writes the field `name` of an object: calls describeValue() with a node for its value.
-    void field(const char *name, const std::function<void(JsonNode &)> &describeValue);
+    /// Reads or writes the field `name` of an object: calls readOrWriteValue() with a node for its value.
+    void field(const char *name, const std::function<void(JsonNode &)> &readOrWriteValue);
 
     template <typename Value, typename... Limits>
     void operator()(const char *name, Value &member, const Limits &...limits)
     {
-        field(name, [&](JsonNode &node) { describe(member, node, limits...); });
+        field(name, [&](JsonNode &node) { readOrWrite(member, node, limits...); });
     }
 };
 
-void describe(bool &value, JsonNode &node);
-void describe(QString &value, JsonNode &node);
-void describe(double &value, JsonNode &node, double smallest = -kLargestParameter, double largest = kLargestParameter);
-void describe(int &value, JsonNode &node, int largest); ///< from 1 to `largest`
-void describe(QStringList &list, JsonNode &node);       ///< one string, or a list of several
-void describe(Channel &channel, JsonNode &node);
-void describe(Interval &interval, JsonNode &node); ///< a list of its two ends
-void describe(QRectF &rectangle, JsonNode &node);  ///< a list of its left, top, right and bottom edges
+void readOrWrite(bool &value, JsonNode &node);
+void readOrWrite(QString &value, JsonNode &node);
+void readOrWrite(double &value, JsonNode &node, double smallest = -kLargestParameter,
+                 double largest = kLargestParameter);
+void readOrWrite(int &value, JsonNode &node, int largest); ///< from 1 to `largest`
+void readOrWrite(QStringList &list, JsonNode &node);       ///< one string, or a list of several
+void readOrWrite(Channel &channel, JsonNode &node);
+void readOrWrite(Interval &interval, JsonNode &node); ///< a list of its two ends
+void readOrWrite(QRectF &rectangle, JsonNode &node);  ///< a list of its left, top, right and bottom edges
 
 bool isValid(const Interval &interval);
 bool isValid(const QRectF &rectangle);
@@ -61,7 +62,7 @@ bool isValid(const QRectF &rectangle);
 /// An enumerator as its word.
 template <typename Enum>
 requires std::is_enum_v<Enum>
-void describe(Enum &value, JsonNode &node)
+void readOrWrite(Enum &value, JsonNode &node)
 {
     const auto &rows = EnumWords<Enum>::rows;
     const QString word = node.exchange(QLatin1String(rowOf(rows, value).word)).toString();
@@ -71,10 +72,10 @@ void describe(Enum &value, JsonNode &node)
 
 /// A value that may be missing or null.
 template <typename Value>
-void describe(std::optional<Value> &value, JsonNode &node)
+void readOrWrite(std::optional<Value> &value, JsonNode &node)
 {
     if (value || !(node.value.isUndefined() || node.value.isNull())) {
-        describe(value ? *value : value.emplace(), node);
+        readOrWrite(value ? *value : value.emplace(), node);
         value = isValid(*value) ? value : std::nullopt;
     } else {
         node.value = QJsonValue();
@@ -82,14 +83,14 @@ void describe(std::optional<Value> &value, JsonNode &node)
 }
 
 template <typename Item, typename... Limits>
-void describe(std::vector<Item> &list, JsonNode &node, const Limits &...limits)
+void readOrWrite(std::vector<Item> &list, JsonNode &node, const Limits &...limits)
 {
     const QJsonArray read = node.value.toArray();
     list.resize(node.isReading ? static_cast<std::size_t>(read.size()) : list.size());
     QJsonArray array;
     for (Item &item : list) {
         JsonNode element{node.isReading, read.at(array.size())};
-        describe(item, element, limits...);
+        readOrWrite(item, element, limits...);
         array += element.value;
     }
     node.value = array;

@@ -84,7 +84,7 @@ QStringList findDifferences(const QJsonValue &value, const QJsonValue &read, con
 
 } // namespace
 
-static void describe(Scene &scene, JsonNode &node)
+static void readOrWrite(Scene &scene, JsonNode &node)
 {
     int version = kVersion;
     node("version", version, kVersion);
@@ -98,10 +98,10 @@ static void describe(Scene &scene, JsonNode &node)
     node.field("view", [&](JsonNode &view) {
         view("time", scene.time, -kLargestTime, kLargestTime);
         view("alpha2", scene.alpha2, -kLargestParameter, kLargestParameter);
-        describe(scene.plots, view);
+        readOrWrite(scene.plots, view);
         view("zoom", scene.zoom);
         view.field("mechanism", [&](JsonNode &mechanism) {
-            describe(scene.mechanism, mechanism);
+            readOrWrite(scene.mechanism, mechanism);
             mechanism("frame", scene.mechanismFrame);
         });
         view("table", scene.table);

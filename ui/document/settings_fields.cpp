@@ -57,7 +57,7 @@ void setMeaning(ColumnChoice &choice, const QString &name)
     choice.channel = channelNamed(name.toStdString()).value_or(Channel());
 }
 
-void describe(Parameters &parameters, JsonNode &node)
+void readOrWrite(Parameters &parameters, JsonNode &node)
 {
     node("a", parameters.a, kShortestLink);
     node("b", parameters.b, kShortestLink);
@@ -67,14 +67,14 @@ void describe(Parameters &parameters, JsonNode &node)
     node("branch", parameters.branch);
 }
 
-void describe(Sampling &sampling, JsonNode &node)
+void readOrWrite(Sampling &sampling, JsonNode &node)
 {
     node("start", sampling.start);
     node("duration", sampling.duration, kMinPositive);
     node("steps", sampling.steps, kMaxSteps);
 }
 
-void describe(SolverSettings &solver, JsonNode &node)
+void readOrWrite(SolverSettings &solver, JsonNode &node)
 {
     NewtonOptions &newton = solver.newton;
     node("method", solver.method);
@@ -85,7 +85,7 @@ void describe(SolverSettings &solver, JsonNode &node)
     node("elimination", newton.elimination);
 }
 
-void describe(ColumnChoice &choice, JsonNode &node)
+void readOrWrite(ColumnChoice &choice, JsonNode &node)
 {
     int number = static_cast<int>(choice.column) + 1;
     node("column", number, kMaxColumns);
@@ -100,7 +100,7 @@ void describe(ColumnChoice &choice, JsonNode &node)
     choice.unit = unit.toStdString();
 }
 
-void describe(Convention &convention, JsonNode &node)
+void readOrWrite(Convention &convention, JsonNode &node)
 {
     using Kind = Convention::Kind;
     QString kind = conventionName(convention.kind);
@@ -113,7 +113,7 @@ void describe(Convention &convention, JsonNode &node)
     node("amount", convention.amount, changesUnit ? kMinPositive : -kLargestParameter);
 }
 
-void describe(ReferenceSource &source, JsonNode &node)
+void readOrWrite(ReferenceSource &source, JsonNode &node)
 {
     node("file", source.paths);
     source.paths.removeAll(QString());
@@ -126,7 +126,7 @@ bool isValid(const ReferenceSource &source)
     return !source.paths.isEmpty();
 }
 
-void describe(PlotSettings &plots, JsonNode &node)
+void readOrWrite(PlotSettings &plots, JsonNode &node)
 {
     node("error", plots.error);
     node("logarithmicError", plots.logarithmicError);
@@ -134,7 +134,7 @@ void describe(PlotSettings &plots, JsonNode &node)
     node("abscissa", plots.abscissa);
 }
 
-void describe(PlotZoom &zoom, JsonNode &node)
+void readOrWrite(PlotZoom &zoom, JsonNode &node)
 {
     node("time", zoom.time);
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
@@ -142,7 +142,7 @@ void describe(PlotZoom &zoom, JsonNode &node)
     }
 }
 
-void describe(MechanismSettings &settings, JsonNode &node)
+void readOrWrite(MechanismSettings &settings, JsonNode &node)
 {
     node("velocity", settings.velocity);
     node("acceleration", settings.acceleration);
@@ -153,13 +153,13 @@ void describe(MechanismSettings &settings, JsonNode &node)
     node("instantCentre", settings.instantCentre);
 }
 
-void describe(OutputChannel &channel, JsonNode &node)
+void readOrWrite(OutputChannel &channel, JsonNode &node)
 {
     const QString name = node.exchange(QString::fromUtf8(nameOf(channel))).toString();
     channel = outputChannelNamed(name.toStdString()).value_or(channel);
 }
 
-void describe(MotionTableSettings &table, JsonNode &node)
+void readOrWrite(MotionTableSettings &table, JsonNode &node)
 {
     node("step", table.step);
     node("angleStep", table.angleStep, kShortestTableStep, kLongestTableStep);

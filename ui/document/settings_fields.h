@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Describes the fields of each struct of settings once, by their names in files and their limits. Scenes, recovery
-// files, saved column choices and the JSON of the command line are read and written by these functions.
+// States the fields of each struct of settings once, by their names in files and their limits: readOrWrite() reads them
+// from a node or writes them into it (json_node.h). Scenes, recovery files, saved column choices and the JSON of the
+// command line are read and written by these functions.
 
 #include "core/sampling/trajectory.h"
 #include "ui/document/json_node.h"
@@ -12,17 +13,17 @@
 namespace slidercrank
 {
 
-void describe(Parameters &parameters, JsonNode &node);
-void describe(Sampling &sampling, JsonNode &node);
-void describe(SolverSettings &solver, JsonNode &node);
-void describe(ColumnChoice &choice, JsonNode &node);
-void describe(Convention &convention, JsonNode &node);
-void describe(ReferenceSource &source, JsonNode &node); ///< reads and writes the paths as they are
-void describe(PlotSettings &plots, JsonNode &node);
-void describe(PlotZoom &zoom, JsonNode &node);
-void describe(MechanismSettings &settings, JsonNode &node);
-void describe(OutputChannel &channel, JsonNode &node);
-void describe(MotionTableSettings &table, JsonNode &node);
+void readOrWrite(Parameters &parameters, JsonNode &node);
+void readOrWrite(Sampling &sampling, JsonNode &node);
+void readOrWrite(SolverSettings &solver, JsonNode &node);
+void readOrWrite(ColumnChoice &choice, JsonNode &node);
+void readOrWrite(Convention &convention, JsonNode &node);
+void readOrWrite(ReferenceSource &source, JsonNode &node); ///< reads and writes the paths as they are
+void readOrWrite(PlotSettings &plots, JsonNode &node);
+void readOrWrite(PlotZoom &zoom, JsonNode &node);
+void readOrWrite(MechanismSettings &settings, JsonNode &node);
+void readOrWrite(OutputChannel &channel, JsonNode &node);
+void readOrWrite(MotionTableSettings &table, JsonNode &node);
 
 /// The name of a column's meaning in files and options: "ignored", "time", "crank-angle", or that of the channel.
 QString meaningName(ColumnRole role, Channel channel);
@@ -42,7 +43,7 @@ template <typename Settings>
 QJsonValue toJson(Settings settings)
 {
     JsonNode node;
-    describe(settings, node);
+    readOrWrite(settings, node);
     return node.value;
 }
 
@@ -52,7 +53,7 @@ Settings fromJson(const QJsonValue &json)
 {
     JsonNode node{true, json};
     Settings settings;
-    describe(settings, node);
+    readOrWrite(settings, node);
     return settings;
 }
 

@@ -116,6 +116,29 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
 {
     named("figureForm", this);
     setWindowTitle(tr("Export"));
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+    m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    prepareFields(options);
+    QLayout *form = makeForm(options);
+    auto *layout = new QGridLayout(this);
+    layout->addLayout(form, 0, 0);
+    layout->setColumnMinimumWidth(0, form->sizeHint().width()); // otherwise the preview cuts long labels
+    layout->addWidget(m_preview, 0, 1);
+    layout->addWidget(buttons, 1, 0, 1, 2);
+    layout->setColumnStretch(1, 1);
+    connect(m_width, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
+    connect(m_fontSize, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
+    connect(m_unit, &QComboBox::currentIndexChanged, this, &FigureForm::changeUnit);
+    connect(m_format, &QComboBox::currentIndexChanged, this, &FigureForm::showPreview);
+    connect(m_cursor, &QCheckBox::toggled, this, &FigureForm::showPreview);
+    showPreview();
+}
+
+/// Gives the fields their choices and the values of the options.
+void FigureForm::prepareFields(const FigureOptions &options)
+{
     addChoice(m_unit, WidthUnit::Millimetre, tr("mm"));
     addChoice(m_unit, WidthUnit::Pixel, tr("px"));
     choose(m_unit, options.unit);
@@ -128,16 +151,16 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
     addChoice(m_format, FigureFormat::Pdf, "PDF");
     choose(m_format, options.format);
     m_cursor->setChecked(options.showsCursor);
-    m_cursor->setVisible(subject.hasCursor);
+    m_cursor->setVisible(m_subject.hasCursor);
     m_preview->setFrameShape(QFrame::Box);
     m_preview->setAlignment(Qt::AlignCenter);
     m_preview->setMinimumSize(kMaxPreviewSize);
     m_preview->setAccessibleName(tr("Preview"));
+}
 
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+/// Arranges the fields with their labels.
+QLayout *FigureForm::makeForm(const FigureOptions &options)
+{
     auto *width = new QHBoxLayout;
     width->addWidget(m_width);
     width->addWidget(m_unit);
@@ -150,19 +173,7 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
     addPlots(options, *form);
     form->addRow(m_cursor);
     form->addRow(m_outcome);
-    auto *layout = new QGridLayout(this);
-    layout->addLayout(form, 0, 0);
-    layout->setColumnMinimumWidth(0, form->sizeHint().width()); // otherwise the preview cuts long labels
-    layout->addWidget(m_preview, 0, 1);
-    layout->addWidget(buttons, 1, 0, 1, 2);
-    layout->setColumnStretch(1, 1);
-
-    connect(m_width, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
-    connect(m_fontSize, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
-    connect(m_unit, &QComboBox::currentIndexChanged, this, &FigureForm::changeUnit);
-    connect(m_format, &QComboBox::currentIndexChanged, this, &FigureForm::showPreview);
-    connect(m_cursor, &QCheckBox::toggled, this, &FigureForm::showPreview);
-    showPreview();
+    return form;
 }
 
 void FigureForm::addPlots(const FigureOptions &options, QFormLayout &form)

@@ -52,6 +52,8 @@ public:
     FigureOptions options() const;
 
 private:
+    void prepareFields(const FigureOptions &options);
+    QLayout *makeForm(const FigureOptions &options);
     void addPlots(const FigureOptions &options, QFormLayout &form);
     void changeUnit();
     void showPreview();

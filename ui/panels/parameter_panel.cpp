@@ -160,67 +160,101 @@ void ParameterPanel::Row::showUnit(const std::function<bool(const ShownUnit &)> 
 
 void ParameterPanel::addRow(Parameter parameter, const QString &explanation, const std::vector<ShownUnit> &units)
 {
-    const int line = static_cast<int>(parameter);
-    const QString key = optionName(parameter);
-    const QString symbol = symbolText(parameter);
-    const QString name = tr("%1 (%2)").arg(explanation, symbol);
     Row &row = m_rows[indexOf(parameter)];
     row.explanation = explanation;
     row.units = units;
-
-    row.label = new QLabel(tr("<b>%1</b> %2").arg(symbol, parameterName(parameter)));
-    row.label->setWordWrap(true); // large fonts and long translations must leave space for the slider
-    row.label->setToolTip(explanation);
-    if (parameter != Parameter::Theta20) {
-        row.label->setToolTip(explanation + u'\n' +
-                              tr("Click to see how the limits of the motion depend on %1").arg(symbol));
-        row.label->setCursor(Qt::PointingHandCursor);
-        row.label->installEventFilter(this);
-    }
-    m_grid->addWidget(row.label, line, 0);
-
-    row.slider = named("slider_" + key, new ParameterSlider, tr("%1, slider").arg(name));
-    m_grid->addWidget(row.slider, line, 1);
-    row.slider->setToolTip(explanation);
-    connect(row.slider, &QSlider::valueChanged, this,
-            [this, parameter, &row] { edit(parameter, row.slider->number()); });
-    connect(row.slider, &QSlider::sliderPressed, m_session, &Session::beginDrag);
-    connect(row.slider, &QSlider::sliderReleased, m_session, &Session::endDrag);
-
-    row.box = named("box_" + key, new NumberBox, name);
-    row.box->setToolTip(explanation);
+    row.label = makeLabel(parameter);
+    row.slider = makeSlider(parameter);
+    row.box = makeBox(parameter);
     row.label->setBuddy(row.box);
-    m_grid->addWidget(row.box, line, 2, 1, units.size() > 1 ? 1 : 2);
-    connect(row.box, &NumberBox::edited, this, [this, parameter](double value) { edit(parameter, value); });
+    const int line = static_cast<int>(parameter);
+    m_grid->addWidget(row.label, line, 0);
+    m_grid->addWidget(row.slider, line, 1);
     if (units.size() == 1) {
         row.box->setSuffix(u' ' + units[0].name);
+        m_grid->addWidget(row.box, line, 2, 1, 2);
     } else {
-        row.unit = named("unit_" + key, new QComboBox, tr("Unit of %1").arg(symbol));
-        row.unit->setToolTip(tr("Unit"));
-        row.unit->setSizeAdjustPolicy(QComboBox::AdjustToContents); // also when the letters grow
-        for (const ShownUnit &unit : units) {
-            row.unit->addItem(unit.name);
-        }
+        row.unit = makeUnitBox(parameter);
+        m_grid->addWidget(row.box, line, 2);
         m_grid->addWidget(row.unit, line, 3);
-        connect(row.unit, &QComboBox::currentIndexChanged, this, [this, parameter] {
-            useUnit(parameter);
-            showRow(parameter);
-            if (const auto speedUnit = m_rows[indexOf(parameter)].shownUnit().speedUnit) {
-                emit crankSpeedUnitChosen(*speedUnit);
-            }
-        });
     }
-    useUnit(parameter);
-
-    row.reset = named("reset_" + key, new QToolButton, tr("Reset %1").arg(symbol));
-    row.reset->setText("↺");
-    row.reset->setAutoRaise(true);
-    row.reset->setFixedWidth(20);
-    row.reset->setFocusPolicy(Qt::TabFocus);
-    row.reset->setToolTip(tr("Back to the initial value"));
+    row.reset = makeResetButton(parameter);
     m_grid->addWidget(row.reset, line, 4);
-    connect(row.reset, &QToolButton::clicked, m_session,
+    useUnit(parameter);
+}
+
+QLabel *ParameterPanel::makeLabel(Parameter parameter)
+{
+    const QString symbol = symbolText(parameter);
+    const QString &explanation = m_rows[indexOf(parameter)].explanation;
+    auto *label = new QLabel(tr("<b>%1</b> %2").arg(symbol, parameterName(parameter)));
+    label->setWordWrap(true); // large fonts and long translations must leave space for the slider
+    label->setToolTip(explanation);
+    if (parameter != Parameter::Theta20) {
+        label->setToolTip(explanation + u'\n' +
+                          tr("Click to see how the limits of the motion depend on %1").arg(symbol));
+        label->setCursor(Qt::PointingHandCursor);
+        label->installEventFilter(this);
+    }
+    return label;
+}
+
+/// Returns the name of the row's widgets for a screen reader.
+QString ParameterPanel::spokenName(Parameter parameter) const
+{
+    return tr("%1 (%2)").arg(m_rows[indexOf(parameter)].explanation, symbolText(parameter));
+}
+
+ParameterSlider *ParameterPanel::makeSlider(Parameter parameter)
+{
+    auto *slider = named(QStringLiteral("slider_") + optionName(parameter), new ParameterSlider,
+                         tr("%1, slider").arg(spokenName(parameter)));
+    slider->setToolTip(m_rows[indexOf(parameter)].explanation);
+    connect(slider, &QSlider::valueChanged, this, [this, parameter, slider] { edit(parameter, slider->number()); });
+    connect(slider, &QSlider::sliderPressed, m_session, &Session::beginDrag);
+    connect(slider, &QSlider::sliderReleased, m_session, &Session::endDrag);
+    return slider;
+}
+
+NumberBox *ParameterPanel::makeBox(Parameter parameter)
+{
+    auto *box = named(QStringLiteral("box_") + optionName(parameter), new NumberBox, spokenName(parameter));
+    box->setToolTip(m_rows[indexOf(parameter)].explanation);
+    connect(box, &NumberBox::edited, this, [this, parameter](double value) { edit(parameter, value); });
+    return box;
+}
+
+QComboBox *ParameterPanel::makeUnitBox(Parameter parameter)
+{
+    auto *box = named(QStringLiteral("unit_") + optionName(parameter), new QComboBox,
+                      tr("Unit of %1").arg(symbolText(parameter)));
+    box->setToolTip(tr("Unit"));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents); // also when the letters grow
+    for (const ShownUnit &unit : m_rows[indexOf(parameter)].units) {
+        box->addItem(unit.name);
+    }
+    connect(box, &QComboBox::currentIndexChanged, this, [this, parameter] {
+        useUnit(parameter);
+        showRow(parameter);
+        if (const auto speedUnit = m_rows[indexOf(parameter)].shownUnit().speedUnit) {
+            emit crankSpeedUnitChosen(*speedUnit);
+        }
+    });
+    return box;
+}
+
+QToolButton *ParameterPanel::makeResetButton(Parameter parameter)
+{
+    auto *button = named(QStringLiteral("reset_") + optionName(parameter), new QToolButton,
+                         tr("Reset %1").arg(symbolText(parameter)));
+    button->setText("↺");
+    button->setAutoRaise(true);
+    button->setFixedWidth(20);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setToolTip(tr("Back to the initial value"));
+    connect(button, &QToolButton::clicked, m_session,
             [this, parameter] { m_session->setParameter(parameter, valueOf(Parameters(), parameter)); });
+    return button;
 }
 
 /// Returns the chosen unit of lengths. `range`: that of the slider, mm.

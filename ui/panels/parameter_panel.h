@@ -74,6 +74,12 @@ private:
 
     static ShownUnit lengthUnit(double range);
     void addRow(Parameter parameter, const QString &explanation, const std::vector<ShownUnit> &units);
+    QLabel *makeLabel(Parameter parameter);
+    ParameterSlider *makeSlider(Parameter parameter);
+    NumberBox *makeBox(Parameter parameter);
+    QComboBox *makeUnitBox(Parameter parameter);
+    QToolButton *makeResetButton(Parameter parameter);
+    QString spokenName(Parameter parameter) const;
     void useUnit(Parameter parameter);
     void edit(Parameter parameter, double value); ///< `value` is in the displayed unit
     void showParameters();

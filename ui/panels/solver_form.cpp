@@ -79,65 +79,76 @@ QString samplingText(const Result &result)
 
 SolverForm::SolverForm(Session *session, QWidget *parent)
     : QWidget(parent)
+    , m_session(session)
+    , m_method(new QComboBox)
+    , m_tolerance(new NumberBox)
+    , m_kind(new QComboBox)
+    , m_iterations(new NumberBox)
+    , m_outcome(named("outcomeLabel", plainText()))
 {
     named("solverForm", this, tr("Settings and outcome"));
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(4, 0, 0, 0);
+    rows->addLayout(makeFields());
+    rows->addWidget(m_outcome);
+    rows->addStretch(1);
+    for (const QComboBox *box : {m_method, m_kind}) {
+        connect(box, &QComboBox::activated, this, &SolverForm::edit);
+    }
+    for (const NumberBox *box : {m_tolerance, m_iterations}) {
+        connect(box, &NumberBox::edited, this, &SolverForm::edit);
+    }
+    connect(session, &Session::settingsChanged, this, &SolverForm::showSettings);
+    connect(session, &Session::resultChanged, this, &SolverForm::showSettings);
+    showSettings();
+}
+
+QLayout *SolverForm::makeFields()
+{
     auto *form = new QFormLayout;
     form->setVerticalSpacing(4);
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows); // on small screens
-    auto *method = addField(form, "methodBox", tr("Method"), new QComboBox, tr("How the curves are computed"));
-    addChoice(method, Method::Newton, tr("Newton-Raphson"));
-    addChoice(method, Method::ClosedForm, tr("closed form, exact"));
-    auto *tolerance = addField(form, "toleranceBox", tr("Tolerance"), new NumberBox,
-                               tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
-    tolerance->setRange(0.0, kLargestParameter);
-    auto *kind = addField(form, "toleranceKindBox", tr("Tolerance type"), new QComboBox,
-                          tr("Absolute: mm and rad mixed. Relative: lengths divided by "
-                             "a + b + |c|, the same at every scale"));
-    addChoice(kind, ToleranceKind::Absolute, tr("absolute"));
-    addChoice(kind, ToleranceKind::Relative, tr("relative"));
-    auto *iterations = addField(form, "iterationsBox", tr("Maximum iterations"), new NumberBox, tr("At one time step"));
-    iterations->setRange(1.0, kMaximumIterations);
-    iterations->setFixedDecimals(0);
-    for (QWidget *field : std::initializer_list<QWidget *>{method, tolerance, kind, iterations}) {
+    addField(form, "methodBox", tr("Method"), m_method, tr("How the curves are computed"));
+    addChoice(m_method, Method::Newton, tr("Newton-Raphson"));
+    addChoice(m_method, Method::ClosedForm, tr("closed form, exact"));
+    addField(form, "toleranceBox", tr("Tolerance"), m_tolerance,
+             tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
+    m_tolerance->setRange(0.0, kLargestParameter);
+    addField(form, "toleranceKindBox", tr("Tolerance type"), m_kind,
+             tr("Absolute: mm and rad mixed. Relative: lengths divided by a + b + |c|, the same at every scale"));
+    addChoice(m_kind, ToleranceKind::Absolute, tr("absolute"));
+    addChoice(m_kind, ToleranceKind::Relative, tr("relative"));
+    addField(form, "iterationsBox", tr("Maximum iterations"), m_iterations, tr("At one time step"));
+    m_iterations->setRange(1.0, kMaximumIterations);
+    m_iterations->setFixedDecimals(0);
+    for (QWidget *field : std::initializer_list<QWidget *>{m_method, m_tolerance, m_kind, m_iterations}) {
         field->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     }
+    return form;
+}
 
-    auto *outcome = named("outcomeLabel", plainText());
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(4, 0, 0, 0);
-    rows->addLayout(form);
-    rows->addWidget(outcome);
-    rows->addStretch(1);
+void SolverForm::showSettings()
+{
+    const auto &[method, newton] = m_session->solver();
+    choose(m_method, method);
+    m_tolerance->setValue(newton.tolerance);
+    choose(m_kind, newton.toleranceKind);
+    m_iterations->setValue(newton.maxIterations);
+    for (QWidget *field : std::initializer_list<QWidget *>{m_tolerance, m_kind, m_iterations}) {
+        field->setEnabled(method == Method::Newton);
+    }
+    m_outcome->setText(outcomeText(*m_session->result()));
+}
 
-    const auto show = [=] {
-        const auto &[shownMethod, newton] = session->solver();
-        choose(method, shownMethod);
-        tolerance->setValue(newton.tolerance);
-        choose(kind, newton.toleranceKind);
-        iterations->setValue(newton.maxIterations);
-        for (QWidget *field : std::initializer_list<QWidget *>{tolerance, kind, iterations}) {
-            field->setEnabled(shownMethod == Method::Newton);
-        }
-        outcome->setText(outcomeText(*session->result()));
-    };
-    const auto edit = [=] {
-        SolverSettings solver = session->solver();
-        solver.method = chosen<Method>(method);
-        solver.newton.tolerance = tolerance->value();
-        solver.newton.toleranceKind = chosen<ToleranceKind>(kind);
-        solver.newton.maxIterations = static_cast<int>(iterations->value());
-        session->setSolver(solver);
-    };
-    for (const QComboBox *box : {method, kind}) {
-        connect(box, &QComboBox::activated, session, edit);
-    }
-    for (const NumberBox *box : {tolerance, iterations}) {
-        connect(box, &NumberBox::edited, session, edit);
-    }
-    connect(session, &Session::settingsChanged, this, show);
-    connect(session, &Session::resultChanged, this, show);
-    show();
+void SolverForm::edit()
+{
+    SolverSettings solver = m_session->solver();
+    solver.method = chosen<Method>(m_method);
+    solver.newton.tolerance = m_tolerance->value();
+    solver.newton.toleranceKind = chosen<ToleranceKind>(m_kind);
+    solver.newton.maxIterations = static_cast<int>(m_iterations->value());
+    m_session->setSolver(solver);
 }
 
 } // namespace slidercrank

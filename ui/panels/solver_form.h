@@ -5,9 +5,13 @@
 
 #include <QWidget>
 
+class QComboBox;
+class QLabel;
+
 namespace slidercrank
 {
 
+class NumberBox;
 class Session;
 struct Result;
 
@@ -21,6 +25,18 @@ class SolverForm : public QWidget
 
 public:
     explicit SolverForm(Session *session, QWidget *parent = nullptr);
+
+private:
+    QLayout *makeFields();
+    void showSettings();
+    void edit(); ///< gives the session the values of the fields
+
+    Session *m_session;
+    QComboBox *m_method;
+    NumberBox *m_tolerance;
+    QComboBox *m_kind; ///< of the tolerance
+    NumberBox *m_iterations;
+    QLabel *m_outcome;
 };
 
 } // namespace slidercrank

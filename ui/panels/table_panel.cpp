@@ -53,6 +53,30 @@ TablePanel::TablePanel(Session *session, const QString &name, const QString &tit
     , m_note(named(name + "Note", plainText()))
 {
     named(name, this, title);
+    prepareFindings();
+    prepareChartAndScrollArea();
+    auto *rows = new QVBoxLayout(this);
+    rows->setContentsMargins(6, 4, 6, 2);
+    rows->setSpacing(3);
+    rows->addLayout(makeHead(name));
+    auto *columns = new QHBoxLayout;
+    columns->setSpacing(12);
+    columns->addWidget(m_chart, 1);
+    columns->addWidget(m_scroll, 1);
+    rows->addLayout(columns, 1);
+    rows->addWidget(m_note);
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kReadingTime);
+    connect(&m_pause, &QTimer::timeout, this, [this] {
+        if (m_stale) {
+            refresh();
+        }
+    });
+}
+
+/// Makes the first line: the sentence and the buttons. `name`: that of the panel.
+QLayout *TablePanel::makeHead(const QString &name)
+{
     auto *head = new QHBoxLayout;
     head->addWidget(m_sentence, 1);
     m_copy = addButton(head, name + "Copy", tr("Copy"), tr("Copies the tables as CSV, at full precision"));
@@ -65,12 +89,21 @@ TablePanel::TablePanel(Session *session, const QString &name, const QString &tit
                      QStringList(tr("Tables (*.csv)")) + (page.chart ? figureFilters() : QStringList()),
                      accessibleName(), [this](const QString &path) { return exportTo(path); });
     });
+    return head;
+}
+
+void TablePanel::prepareFindings()
+{
     auto *grid = new QGridLayout(m_findings);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(2);
     grid->setColumnStretch(0, 1);
     m_findings->hide();
+}
 
+/// The findings and the tables scroll; the chart beside them does not.
+void TablePanel::prepareChartAndScrollArea()
+{
     auto *parts = new QWidget;
     auto *content = new QVBoxLayout(parts);
     content->setContentsMargins(0, 0, 0, 0);
@@ -86,25 +119,6 @@ TablePanel::TablePanel(Session *session, const QString &name, const QString &tit
     m_scroll->setWidgetResizable(true);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setWidget(parts);
-
-    auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(6, 4, 6, 2);
-    rows->setSpacing(3);
-    rows->addLayout(head);
-    auto *columns = new QHBoxLayout;
-    columns->setSpacing(12);
-    columns->addWidget(m_chart, 1);
-    columns->addWidget(m_scroll, 1);
-    rows->addLayout(columns, 1);
-    rows->addWidget(m_note);
-
-    m_pause.setSingleShot(true);
-    m_pause.setInterval(kReadingTime);
-    connect(&m_pause, &QTimer::timeout, this, [this] {
-        if (m_stale) {
-            refresh();
-        }
-    });
 }
 
 void TablePanel::refresh()

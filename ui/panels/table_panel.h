@@ -53,6 +53,9 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    QLayout *makeHead(const QString &name);
+    void prepareFindings();
+    void prepareChartAndScrollArea();
     void fill();
     void fillFindings(const Page &page);
     void fillTables(const Page &page);
