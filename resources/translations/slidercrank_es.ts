@@ -4233,10 +4233,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <source>At %1</source>
         <translation>En %1</translation>
     </message>
-    <message>
-        <source>identified in the file</source>
-        <translation>identificado en el archivo</translation>
-    </message>
     <message numerus="yes">
         <source>Reference: %1, %2, %n rows.</source>
         <translation>

@@ -200,27 +200,17 @@ void setText(QTextDocument &document, const QFont &font, const QString &html)
     document.setHtml(html);
 }
 
-/// Where the mechanism is drawn, and how large.
-struct DrawingLayout {
-    DrawingPlace place = DrawingPlace::BesideParameters;
-    QSize size; ///< px
-};
-
-DrawingLayout layOutDrawing(const ReportContent &content, const QFont &font, double textWidth)
+/// Returns the size (px) of the mechanism's drawing beside the table of the parameters.
+QSize drawingSize(const ReportContent &content, const QFont &font, double textWidth)
 {
     constexpr double kSpacing = 48.0; // px, between table and drawing
+    constexpr double kMinWidth = 240.0;
     constexpr double kMaxWidth = 380.0;
     constexpr double kHeightRatio = 0.6; // height of the drawing over its width
-    const auto widthBeside = [&](const QString &html) {
-        QTextDocument table;
-        setText(table, font, html);
-        return std::min(kMaxWidth, textWidth - table.idealWidth() - kSpacing);
-    };
-    const double besideParameters = widthBeside(parameterTable(content));
-    const double besideValues = widthBeside(valueTable(content));
-    const double width = std::max(besideParameters, besideValues);
-    return {besideParameters == width ? DrawingPlace::BesideParameters : DrawingPlace::BesideValues,
-            {static_cast<int>(width), static_cast<int>(kHeightRatio * width)}};
+    QTextDocument table;
+    setText(table, font, parameterTable(content));
+    const double width = std::clamp(textWidth - table.idealWidth() - kSpacing, kMinWidth, kMaxWidth);
+    return {static_cast<int>(width), static_cast<int>(kHeightRatio * width)};
 }
 
 /// A report laid out on pages of a size (px).
@@ -230,14 +220,13 @@ public:
     LaidOutReport(const ReportContent &content, const QFont &font, const QSizeF &page, const FigureDrawing &mechanism,
                   const FigureDrawing &figure)
         : m_font(font)
-        , m_drawing(layOutDrawing(content, font, page.width()))
-        , m_mechanism(mechanism, font, m_drawing.size)
+        , m_mechanism(mechanism, font, drawingSize(content, font, page.width()))
         , m_figure(figure, font, {static_cast<int>(page.width()), 1})
     {
         constexpr double kMaxHeightRatio = 1.4; // height of the figure over its width
         constexpr int kMechanismType = QTextFormat::UserObject;
         constexpr int kFigureType = QTextFormat::UserObject + 1;
-        setText(m_document, font, reportHtml(content, m_drawing.place));
+        setText(m_document, font, reportHtml(content));
         insertDrawing(m_document, kMechanismPlace, kMechanismType, m_mechanism);
         insertDrawing(m_document, kFigurePlace, kFigureType, m_figure);
         m_document.setPageSize(page);
@@ -288,7 +277,6 @@ public:
 
 private:
     QFont m_font;
-    DrawingLayout m_drawing;
     DrawingObject m_mechanism; ///< these outlive the document, which draws them
     DrawingObject m_figure;
     QTextDocument m_document;

@@ -35,20 +35,11 @@ struct ReportContent {
 inline constexpr const char *kMechanismPlace = "[mechanism]";
 inline constexpr const char *kFigurePlace = "[figure]";
 
-/// Whether the report states the mechanism that was found for the file, beside the parameters of the model.
-bool hasFoundMechanism(const ReportContent &content);
-
-/// Returns the table of the parameters of the model and of the mechanism found for the file, as HTML.
+/// Returns the table of the parameters of the model as HTML. The mechanism is drawn beside it.
 QString parameterTable(const ReportContent &content);
 
-/// Returns the table of the values of coupler and slider at the chosen position, as HTML.
-QString valueTable(const ReportContent &content);
-
-/// Where the mechanism is drawn: beside the table of the parameters or, if there is more space, beside the values.
-enum class DrawingPlace { BesideParameters, BesideValues };
-
 /// Returns the report as HTML. Each section begins with a heading.
-QString reportHtml(const ReportContent &content, DrawingPlace place = DrawingPlace::BesideParameters);
+QString reportHtml(const ReportContent &content);
 
 /// Writes the report with these drawings, on white. Returns nullopt on success, else a message; an older file of that
 /// name is then unchanged.

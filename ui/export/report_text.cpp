@@ -92,6 +92,19 @@ QString equation(const ReportContent &content, const OutputChannel &channel)
     return QStringLiteral("%1 = %2").arg(symbolOf(channel), withUnit(shortNumber(value, kDigits), shownUnit(channel)));
 }
 
+/// Returns the values of coupler and slider at the chosen position.
+QString valueTable(const ReportContent &content)
+{
+    std::vector<QStringList> rows{{QString(), Report::tr("coupler"), Report::tr("slider"), QString()},
+                                  {Report::tr("position")},
+                                  {Report::tr("velocity")},
+                                  {Report::tr("acceleration")}};
+    for (const Channel channel : kPlottedChannels) {
+        rows[static_cast<std::size_t>(channel.order) + 1] << equation(content, channel);
+    }
+    return table(rows);
+}
+
 QString derivedValues(const ReportContent &content)
 {
     const DerivedChannel mu{DerivedQuantity::TransmissionAngle, Order::Position};
@@ -175,8 +188,8 @@ QString comparisonText(const ReportContent &content)
          explanationsOf(found, result.mechanism.parameters(), result.reference->data.layout)) {
         html += paragraph(explanation.text);
     }
-    if (hasFoundMechanism(content)) {
-        html += paragraph(roundNumbersText(found)) +
+    if (found.hasMechanism()) {
+        html += paragraph(found.agreesWithGiven ? summaryText(found) : QString()) + paragraph(roundNumbersText(found)) +
                 note(Report::tr("Found by weighted least squares; ± is one standard error."));
     }
     return html + errorTable(result.comparison, &result.reference->data) +
@@ -218,52 +231,24 @@ QString methodText(const Result &result)
 
 } // namespace
 
-bool hasFoundMechanism(const ReportContent &content)
-{
-    return content.result->reference && content.found.hasMechanism();
-}
-
 QString parameterTable(const ReportContent &content)
 {
     const Parameters &model = content.result->mechanism.parameters();
-    const Identification &found = content.found;
     std::vector<QStringList> rows{{QString(), Report::tr("model")}};
     for (const Parameter parameter : kAllParameters) {
         rows.push_back({QStringLiteral("%1, %2").arg(symbolText(parameter), parameterName(parameter)),
                         parameterText(parameter, valueOf(model, parameter))});
     }
     rows.push_back({Report::tr("assembly"), assemblyText(model.branch)});
-    if (hasFoundMechanism(content)) {
-        rows.front() << Report::tr("identified in the file");
-        for (std::size_t i = 0; i < kAllParameters.size(); ++i) {
-            rows[i + 1] << measuredText(kAllParameters[i], found, notation());
-        }
-        rows.back() << assemblyText(found.parameters.branch);
-    }
     return table(rows);
 }
 
-QString valueTable(const ReportContent &content)
-{
-    std::vector<QStringList> rows{{QString(), Report::tr("coupler"), Report::tr("slider"), QString()},
-                                  {Report::tr("position")},
-                                  {Report::tr("velocity")},
-                                  {Report::tr("acceleration")}};
-    for (const Channel channel : kPlottedChannels) {
-        rows[static_cast<std::size_t>(channel.order) + 1] << equation(content, channel);
-    }
-    return table(rows);
-}
-
-QString reportHtml(const ReportContent &content, DrawingPlace place)
+QString reportHtml(const ReportContent &content)
 {
     const Result &result = *content.result;
     const auto beside = [](const QString &left, const QString &right) {
         return QStringLiteral("<table width=100%><tr><td>%1</td><td align=right>%2</td></tr></table>").arg(left, right);
     };
-    const QString parameters = parameterTable(content);
-    const QString values = valueTable(content);
-    const QString position = heading(Report::tr("At %1").arg(crankText(content)));
     QString caption = Report::tr("The mechanism at %1.").arg(crankText(content));
     if (result.isCompared()) {
         caption += u' ' + (result.reference ? Report::tr("Thin lines: the motion in the file.")
@@ -277,11 +262,9 @@ QString reportHtml(const ReportContent &content, DrawingPlace place)
            note(Report::tr("%1, by %2 %3")
                     .arg(textLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
-           (place == DrawingPlace::BesideParameters
-                ? beside(parameters, kMechanismPlace) + note(caption) + position + values
-                : parameters + position + beside(values, kMechanismPlace) + note(caption)) +
-           derivedValues(content) + heading(Report::tr("Motion limits")) +
-           paragraph(mobilitySentence(result.mechanism, result.limits)) +
+           beside(parameterTable(content), kMechanismPlace) + note(caption) +
+           heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) + derivedValues(content) +
+           heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
            table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling, notation()))) +
            heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +
            QStringLiteral("<p>%1</p>").arg(kFigurePlace) + heading(Report::tr("Method")) +
