@@ -44,6 +44,14 @@ int exponentOf(double magnitude)
     return static_cast<int>(std::floor(std::log10(magnitude)));
 }
 
+/// Returns the exponent of a magnitude that is rounded to that many significant digits: 1 for 9.9999 and 4 digits.
+int exponentOfRounded(double magnitude, int digits)
+{
+    const int exponent = exponentOf(magnitude);
+    const double next = std::pow(10.0, exponent + 1);
+    return magnitude >= next - 0.5 * std::pow(10.0, exponent + 1 - digits) ? exponent + 1 : exponent;
+}
+
 QString withMinusSign(QString text)
 {
     return text.replace(QLocale().negativeSign(), "−");
@@ -82,7 +90,7 @@ QString shortNumber(std::optional<double> value, int digits)
     if (*value == 0.0) {
         return QLocale().toString(0);
     }
-    const int exponent = exponentOf(std::abs(*value));
+    const int exponent = exponentOfRounded(std::abs(*value), digits);
     const bool isPlain = exponent >= -6 && exponent < 6;
     return withMinusSign(formatted(*value, isPlain ? 'f' : 'e',
                                    isPlain ? std::max(0, digits - 1 - exponent) : digits - 1,
