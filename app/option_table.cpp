@@ -116,6 +116,8 @@ public:
            QT_TR_NOOP("as --at, for the first time from --start on at which the crank is at this angle")},
           {"check", "at-angle", "DEGREES", QT_TR_NOOP("crank angle at which the values are checked (--theta20)")},
           {"check", "alpha2", "RAD_PER_S2", QT_TR_NOOP("crank acceleration (0)")},
+          {"render", "alpha2", "RAD_PER_S2",
+           QT_TR_NOOP("crank acceleration in the values of a report and in polygons (0)")},
           {"solve", "when", "CHANNEL=VALUE",
            QT_TR_NOOP("a row for each position of one revolution in which a quantity has this value: x=60, "
                       "theta3=10deg, v=-0.2m/s, or any channel")},
@@ -188,7 +190,8 @@ public:
                "ones; hard and all begin with the mechanism of the options if one is given (nominal)")},
           {"render", "what", "WHAT",
            QT_TR_NOOP(
-               "figure (all plots), mechanism, frames (the mechanism moving), report, or one plot: theta3, R4_x, "
+               "figure (all plots), mechanism, polygons (of velocity and acceleration), frames (the mechanism moving), "
+               "report, or one plot: theta3, R4_x, "
                "theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, "
                "error_acceleration (figure)")},
           {"render", "size", "WxH", QT_TR_NOOP("pixels of a picture, instead of --width (frames: 1920x1080)")},

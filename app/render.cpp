@@ -14,6 +14,7 @@
 #include "ui/export/figure_export.h"
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
+#include "ui/panels/polygon_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/notation.h"
 #include "ui/text/theme.h"
@@ -36,11 +37,12 @@ namespace slidercrank
 namespace
 {
 
-enum class Subject { Figure, Mechanism, Report, Frames, Plot };
+enum class Subject { Figure, Mechanism, Polygons, Report, Frames, Plot };
 
 /// The words of --what. A Plot has none: its word is the name of the plot.
 constexpr EnumWord<Subject> kSubjects[] = {{Subject::Figure, "figure"},
                                            {Subject::Mechanism, "mechanism"},
+                                           {Subject::Polygons, "polygons"},
                                            {Subject::Report, "report"},
                                            {Subject::Frames, "frames"}};
 
@@ -49,11 +51,14 @@ struct RenderRequest {
     FigureOptions figure;           ///< for pictures
     std::optional<FigureSize> size; ///< by --size; otherwise figure.width decides
     double scale = 1.0;
-    Scene scene;         ///< the settings and the time that is drawn
+    Scene scene;         ///< the settings, the time that is drawn, and the crank acceleration
     Animation animation; ///< for Subject::Frames
     PaperSize paper = PaperSize::A4;
     Theme theme = Theme::Light;
     QString output;
+
+    /// Whether the subject shows a single position, so that it may be asked for a time outside the time range.
+    bool isOnePosition() const { return subject == Subject::Mechanism || subject == Subject::Polygons; }
 };
 
 /// Returns the names of the plots: "theta3", …, "error_acceleration".
@@ -203,10 +208,20 @@ void readTime(const OptionReader &options, RenderRequest &request)
     double &time = request.scene.time;
     time = options.has("scene") ? std::clamp(time, sampling.start, end) : sampling.start;
     time = readTimeStamp(options, Mechanism(request.scene.parameters)).value_or(time);
-    if (request.subject != Subject::Mechanism && (time < sampling.start || time > end)) {
+    if (!request.isOnePosition() && (time < sampling.start || time > end)) {
         throw UsageError{CommandLine::tr("t = %1 s lies outside the time range from %2 s to %3 s: choose another time, "
                                          "or another --start or --duration.")
                              .arg(numberText(time), numberText(sampling.start), numberText(end))};
+    }
+}
+
+/// Reads --alpha2.
+void readAcceleration(const OptionReader &options, RenderRequest &request)
+{
+    request.scene.alpha2 = readCrankAcceleration(options);
+    if (request.subject != Subject::Report && request.subject != Subject::Polygons) {
+        options.refuse({"alpha2"}, CommandLine::tr("Plots are for a constant crank speed, and only a report and "
+                                                   "polygons show an acceleration of the crank: remove %1."));
     }
 }
 
@@ -252,6 +267,7 @@ RenderRequest readRequest(const OptionReader &options)
     request.theme = options.choice("theme", Theme::Light);
     readPicture(options, request);
     readTime(options, request);
+    readAcceleration(options, request);
     options.refuseFiles();
     return request;
 }
@@ -330,7 +346,8 @@ std::optional<QString> writePicture(const RenderRequest &request, const Mechanis
 /// Writes the subject of the request into its file. Returns a sentence if that fails.
 std::optional<QString> write(const RenderRequest &request, const std::shared_ptr<const Result> &result)
 {
-    const bool showsMechanism = request.subject != Subject::Figure && request.subject != Subject::Plot;
+    const bool showsMechanism = request.subject == Subject::Mechanism || request.subject == Subject::Frames ||
+                                request.subject == Subject::Report;
     Identification found;
     if (result->reference && showsMechanism) {
         found = identify(result->reference->data, result->mechanism);
@@ -346,6 +363,11 @@ std::optional<QString> write(const RenderRequest &request, const std::shared_ptr
     case Subject::Mechanism:
         return writePicture(request, result->mechanism, pictures.palette(), drawMechanism,
                             [&](int width, const QFont &) { return pictures.mechanismHeight(width); });
+    case Subject::Polygons:
+        return writePicture(
+            request, result->mechanism, pictures.palette(),
+            polygonFigure(result->mechanism, request.scene.time, request.scene.alpha2, pictures.palette()),
+            polygonHeight);
     case Subject::Frames: {
         const auto drawFrame = [&](QPainter &painter, const QSize &size, double time) {
             const FigureDrawing draw = [&](QPainter &target, const QSize &part) {
@@ -379,8 +401,8 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
         options.refuse({"column", "abscissa"},
                        CommandLine::tr("%1 describes a reference file: name the file with --reference."));
     }
-    if (request.subject == Subject::Mechanism) {
-        scene.sampling.start = scene.time; // a drawing may be asked for a time outside the time range
+    if (request.isOnePosition()) {
+        scene.sampling.start = scene.time;
     }
     Choices choices{scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned};
     if (scene.reference) {
@@ -396,7 +418,7 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     }
     SamplingSummary summary = result->summary;
     summary.add(result->atReference.summary);
-    if (request.subject == Subject::Mechanism) {
+    if (request.isOnePosition()) {
         summary = sample(result->mechanism, {scene.time}, ChannelSet(), {}).summary;
     }
     return reportTimeSteps(streams, summary, result->mechanism, result->solver.newton);

@@ -19,7 +19,7 @@ _slidercrank() {
         choices=${choices%% *}
         case $choices in
         FILE*) mapfile -t COMPREPLY < <(compgen -f -- "$current") && return ;;
-        WHAT) choices='figure|mechanism|frames|report|theta3|R4_x|theta3_diff|R4_x_diff|theta3_diff2|R4_x_diff2|error_position|error_velocity|error_acceleration' ;;
+        WHAT) choices='figure|mechanism|polygons|frames|report|theta3|R4_x|theta3_diff|R4_x_diff|theta3_diff2|R4_x_diff2|error_position|error_velocity|error_acceleration' ;;
         esac
         if [[ $choices == *'|'* ]]; then
             mapfile -t COMPREPLY < <(compgen -W "${choices//|/ }" -- "$current")

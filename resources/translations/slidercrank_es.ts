@@ -821,10 +821,6 @@
         <translation>nominal: el mecanismo de las opciones; hard: los casos difíciles; all: diez casos corrientes y los difíciles; hard y all empiezan con el mecanismo de las opciones si se da uno (nominal)</translation>
     </message>
     <message>
-        <source>figure (all plots), mechanism, frames (the mechanism moving), report, or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
-        <translation>figure (todas las gráficas), mechanism, frames (el mecanismo en movimiento), report, o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
-    </message>
-    <message>
         <source>required: a name that ends in .png, .svg or .pdf; for frames the name of a new folder, or of a video that ends in .mp4, .webm or .gif (needs ffmpeg)</source>
         <translation>necesario: un nombre que termine en .png, .svg o .pdf; para frames el nombre de una carpeta nueva, o de un vídeo que termine en .mp4, .webm o .gif (necesita ffmpeg)</translation>
     </message>
@@ -1240,6 +1236,18 @@ Equipo: %1. Tiempo: %2 s.
             <numerusform>%1: %2, %n fila</numerusform>
             <numerusform>%1: %2, %n filas</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>crank acceleration in the values of a report and in polygons (0)</source>
+        <translation>aceleración de la manivela en los valores de un informe y en los polígonos (0)</translation>
+    </message>
+    <message>
+        <source>figure (all plots), mechanism, polygons (of velocity and acceleration), frames (the mechanism moving), report, or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
+        <translation>figure (todas las gráficas), mechanism, polygons (de velocidad y aceleración), frames (el mecanismo en movimiento), report, o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
+    </message>
+    <message>
+        <source>Plots are for a constant crank speed, and only a report and polygons show an acceleration of the crank: remove %1.</source>
+        <translation>Las gráficas son para una velocidad constante de la manivela; solo un informe y los polígonos muestran una aceleración de la manivela: quite %1.</translation>
     </message>
 </context>
 <context>
@@ -2748,6 +2756,10 @@ PA = %4, PB = %5</translation>
     <message>
         <source>&amp;in</source>
         <translation>p&amp;ulgadas</translation>
+    </message>
+    <message>
+        <source>&amp;Polygons…</source>
+        <translation>&amp;Polígonos…</translation>
     </message>
 </context>
 <context>

@@ -9,7 +9,11 @@
 #include "tests/support/accelerating_motion.h"
 #include "tests/support/random_mechanisms.h"
 #include "tests/support/suite.h"
+#include "ui/text/written_number.h"
 
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cmath>
@@ -251,6 +255,38 @@ private slots:
         // The message names the angle of the first position that does not exist: 25 - 20 sin θ2 > 40 at 240°.
         const RunResult missing = run("solve --omega2 0 --b 40 --step-angle 15 --channels theta2");
         QVERIFY2(missing.status == 4 && missing.error.contains("θ₂ = 240.00°"), missing.error);
+    }
+
+    /// Norton's P7-2 row b with ω2 = 10 rad/s: a_B = 35.39 in/s² with α2, and 50.47 in/s² without.
+    void drawsPolygonsAndReportsWithAnAcceleration()
+    {
+        const QTemporaryDir folder;
+        const QString row =
+            "render --a 2in --b 6in --c -3in --omega2 10 --at-angle 60 --length-unit in --notation textbook ";
+        const QString picture = folder.filePath("polygons.svg");
+        QCOMPARE(run(row + "--what polygons --alpha2 5 -o " + picture).status, 0);
+        static const QRegularExpression kTag("<[^>]*>");
+        const QString text = QString::fromUtf8(contentOf(picture)).remove(kTag).simplified(); // also of hard spaces
+        QVERIFY(text.contains("θ₂ = 60°, α₂ = 5 rad/s²") && text.contains("a = 2 in"));
+        const double bTimesOmega3 = 6.0 * 2.7108639; // in/s, ω3 = -a ω2 cos θ2 / (b cos θ3)
+        for (const double amount :
+             {20.0, bTimesOmega3, 30.14845, 200.0, 10.0, 35.39473}) { // v_A, v_BA, v_B, a_Aⁿ, a_Aᵗ, a_B
+            QVERIFY2(text.contains(" = " + shortNumber(amount)), qPrintable(QString::number(amount)));
+        }
+        const QString report = folder.filePath("report.pdf");
+        if (!QStandardPaths::findExecutable("pdftotext").isEmpty()) {
+            for (const auto &[option, value] : {std::pair("", "= 50.4690 in/s²"), {"--alpha2 5 ", "= 35.3947 in/s²"}}) {
+                QCOMPARE(run(row + option + "--what report -o " + report).status, 0);
+                QProcess process;
+                process.start("pdftotext", {report, "-"});
+                QVERIFY(process.waitForFinished(kPatience));
+                const QString words = QString::fromUtf8(process.readAllStandardOutput()).replace(QChar::Nbsp, u' ');
+                QVERIFY2(words.contains(value), qPrintable(words.left(800)));
+            }
+        }
+        const RunResult figure = run(row + "--alpha2 5 -o " + picture);
+        QVERIFY2(figure.status == 2 && figure.error.contains("remove --alpha2"), figure.error);
+        QCOMPARE(run("render --b 30 --what polygons --at-angle 270 -o " + picture).status, 4);
     }
 
     void findsTheCrankSpeedForAVelocity()

@@ -2,10 +2,12 @@
 // The translation into Spanish is complete, and the window does not mix languages.
 
 #include "core/study/cases.h"
+#include "ui/export/figure_form.h"
 #include "ui/panels/study_panel.h"
 #include "ui/text/language.h"
 #include "ui/text/study_text.h"
 #include "ui/widgets/folding_tabs.h"
+#include "ui/window/exports.h"
 #include "ui/window/main_window.h"
 
 #include "tests/program/run_program.h"
@@ -524,6 +526,14 @@ private slots:
             QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
         }
         QCOMPARE(window.size(), size);
+        for (const FigureSubject &subject : {window.exports().polygons(), window.exports().plot()}) {
+            window.exports().choose(subject);
+            auto *form = window.findChild<FigureForm *>();
+            QVERIFY(QTest::qWaitForWindowExposed(form));
+            const QStringList found = cutOffTexts(window);
+            QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
+            delete form;
+        }
     }
 
     void csvAndJsonAreTheSameInBothLanguages()

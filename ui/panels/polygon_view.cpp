@@ -11,9 +11,11 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
 
+#include <QHelpEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -75,7 +77,27 @@ void drawArrow(QPainter &painter, QPointF from, QPointF to)
     painter.drawPolygon(QPolygonF{to, left.p2(), right.p2()});
 }
 
-/// Draws one polygon, and its scale below it.
+/// Returns the magnitude of each vector: "v_A = 20.00", …, "v_B = 30.15 in/s". The last one has the unit.
+QStringList magnitudes(const std::vector<PlacedVector> &polygon, Measure measure)
+{
+    constexpr double kRounding = 1e-12; // of the largest magnitude: what is smaller is 0
+    std::vector<double> lengths;
+    for (const PlacedVector &placed : polygon) {
+        lengths.push_back(std::hypot(placed.to.x - placed.from.x, placed.to.y - placed.from.y));
+    }
+    const double largest = lengths.empty() ? 0.0 : std::ranges::max(lengths);
+    QStringList texts;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const double length = lengths[i] > kRounding * largest ? lengths[i] : 0.0;
+        const QString amount = shortNumber(shownValue(measure, length, notation().units));
+        const bool isLast = i + 1 == polygon.size();
+        texts << QStringLiteral("%1 = %2").arg(vectorText(polygon[i].vector),
+                                               isLast ? withUnit(amount, shownUnit(measure)) : amount);
+    }
+    return texts;
+}
+
+/// Draws one polygon, its scale below it and, if there is space, the magnitudes of its vectors.
 class PolygonDrawing
 {
 public:
@@ -92,8 +114,10 @@ public:
     void draw()
     {
         const QFontMetricsF metrics(m_painter.font());
-        const double margin = 2.5 * metrics.height();       // for the names
-        const double belowPolygon = 3.2 * metrics.height(); // for a name and the scale
+        const double margin = 2.5 * metrics.height(); // for the names
+        m_magnitudes = magnitudeLines();
+        const double belowPolygon =
+            3.2 * metrics.height() + magnitudesHeight(); // for a name, the scale and these lines
         const QRectF inside = m_area.adjusted(margin, metrics.height(), -margin, -belowPolygon);
         const QRectF bounds = boundsOf(m_polygon);
         m_scale = std::min(inside.width() / std::max(bounds.width(), 1e-300),
@@ -108,9 +132,45 @@ public:
         }
         drawPole();
         drawScale();
+        drawMagnitudes();
     }
 
 private:
+    /// Returns the magnitudes in lines that are not wider than the area; none if the area is too low for them.
+    QStringList magnitudeLines() const
+    {
+        constexpr double kMinHeight = 14.0; // lines of text
+        if (m_area.height() < kMinHeight * QFontMetricsF(m_painter.font()).height()) {
+            return {};
+        }
+        QStringList lines(QString{});
+        for (const QString &magnitude : magnitudes(m_polygon, m_measure)) {
+            const QString longer = lines.last().isEmpty() ? magnitude : lines.last() + ", " + magnitude;
+            if (withSubscripts(longer, m_painter.font()).size().width() <= m_area.width()) {
+                lines.last() = longer;
+            } else {
+                lines.last() += ',';
+                lines << magnitude;
+            }
+        }
+        return lines;
+    }
+
+    double magnitudesHeight() const
+    {
+        return static_cast<double>(m_magnitudes.size()) * QFontMetricsF(m_painter.font()).height();
+    }
+
+    void drawMagnitudes()
+    {
+        double top = m_area.bottom() - magnitudesHeight();
+        for (const QString &line : m_magnitudes) {
+            const QStaticText text = withSubscripts(line, m_painter.font());
+            m_painter.drawStaticText(QPointF(m_area.center().x() - 0.5 * text.size().width(), top), text);
+            top += QFontMetricsF(m_painter.font()).height();
+        }
+    }
+
     QPointF toPixels(const PlaneVector &point) const { return m_pole + m_scale * QPointF(point.x, -point.y); }
 
     void drawVector(const PlacedVector &placed)
@@ -209,7 +269,7 @@ private:
         double amount = nextRoundNumber(kUsualLength / m_scale * unit); // in the unit that is shown
         const double length = amount / unit * m_scale;
         const QFontMetricsF metrics(m_painter.font());
-        const double y = m_area.bottom() - 1.2 * metrics.height();
+        const double y = m_area.bottom() - magnitudesHeight() - 1.2 * metrics.height();
         const double left = m_area.center().x() - 0.5 * length;
         m_painter.setPen(QPen(m_palette.color(QPalette::Text), 1.2));
         m_painter.drawLine(QPointF(left, y), QPointF(left + length, y));
@@ -227,6 +287,7 @@ private:
     const QPalette &m_palette;
     double m_scale = 1.0; ///< px per mm/s or mm/s²
     QPointF m_pole;
+    QStringList m_magnitudes;    ///< the lines below the scale
     std::vector<QRectF> m_names; ///< px; the names that have been drawn
 };
 
@@ -245,6 +306,20 @@ protected:
         QPainter painter(this);
         painter.setRenderHint(QPainter::Antialiasing);
         drawPolygons(painter, rect(), m_polygons(), palette());
+    }
+
+    /// Tells the magnitudes, for which the canvas may be too low.
+    bool event(QEvent *event) override
+    {
+        if (event->type() == QEvent::ToolTip) {
+            const Polygons polygons = m_polygons();
+            const QStringList lines{magnitudes(polygons.velocity, Measure::Speed).join(", "),
+                                    magnitudes(polygons.acceleration, Measure::Acceleration).join(", ")};
+            QToolTip::showText(static_cast<QHelpEvent *>(event)->globalPos(),
+                               subscriptHtml(lines.join("\n")).replace('\n', "<br>"), this);
+            return true;
+        }
+        return QWidget::event(event);
     }
 
 private:
@@ -272,6 +347,47 @@ void drawPolygons(QPainter &painter, const QRectF &area, const Polygons &polygon
         .draw();
 }
 
+/// Returns the crank angle (rad) of the polygons, and the crank acceleration unless it is 0.
+static QString positionText(double theta2, double alpha2)
+{
+    const QString angle = withUnit(numberText(shownCrankAngle(theta2)), shownUnit(Measure::Angle));
+    const QString position = QStringLiteral("θ₂ = %1").arg(angle);
+    return alpha2 == 0.0 ? position : QStringLiteral("%1, α₂ = %2 rad/s²").arg(position, numberText(alpha2));
+}
+
+FigureDrawing polygonFigure(const Mechanism &mechanism, double t, double alpha2, const QPalette &palette)
+{
+    const double theta2 = mechanism.theta20() + mechanism.omega2() * t;
+    return [palette, polygons = polygonsAt(mechanism, t, alpha2),
+            position = positionText(theta2, alpha2)](QPainter &painter, const QSize &size) {
+        const QRectF area({0.0, 0.0}, QSizeF(size));
+        const double heading = 1.5 * QFontMetricsF(painter.font()).height();
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.fillRect(area, palette.base());
+        painter.setPen(palette.color(QPalette::Text));
+        painter.drawText(QRectF(0.0, 0.0, area.width(), heading), Qt::AlignCenter, position);
+        drawPolygons(painter, area.adjusted(0.0, heading, 0.0, 0.0), polygons, palette);
+    };
+}
+
+int polygonHeight(int width, const QFont &font)
+{
+    constexpr int kLines = 2; // of magnitudes below each polygon
+    return width / 2 + kLines * QFontMetrics(font).height();
+}
+
+FigureSubject polygonSubject(const Session &session)
+{
+    const Mechanism mechanism(session.parameters());
+    const QPalette light = paletteFor(Theme::Light);
+    const FigureDrawing drawing = polygonFigure(mechanism, session.time(), session.alpha2(), light);
+    FigureSubject subject;
+    subject.name = PolygonView::tr("polygons");
+    subject.height = [=](const FigureOptions &) { return withParameters(polygonHeight, mechanism); };
+    subject.draw = [=](const FigureOptions &) { return withParameters(drawing, mechanism, light); };
+    return subject;
+}
+
 PolygonView::PolygonView(Session *session, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
@@ -285,9 +401,10 @@ PolygonView::PolygonView(Session *session, QWidget *parent)
             this, &PolygonView::copy);
     connect(addButton(head, "polygonExport", tr("Export…"), tr("Writes the polygons to an image file")),
             &QToolButton::clicked, this, [this] {
-                chooseFigure(this, figure(), [this](const FigureOptions &options, const QString &path) {
-                    m_session->reportWritten(path, exportFigure(path, figure(), options));
-                });
+                chooseFigure(
+                    this, polygonSubject(*m_session), [this](const FigureOptions &options, const QString &path) {
+                        m_session->reportWritten(path, exportFigure(path, polygonSubject(*m_session), options));
+                    });
             });
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(2, 0, 0, 0);
@@ -305,41 +422,10 @@ void PolygonView::refresh()
     }
 }
 
-/// Returns the crank angle of the polygons, and the crank acceleration unless it is 0.
-QString PolygonView::positionText() const
-{
-    const double theta2 = shownCrankAngle(m_session->pose().motion.theta2);
-    const QString position = QStringLiteral("θ₂ = %1").arg(withUnit(numberText(theta2), shownUnit(Measure::Angle)));
-    const double alpha2 = m_session->alpha2();
-    return alpha2 == 0.0 ? position : QStringLiteral("%1, α₂ = %2 rad/s²").arg(position, numberText(alpha2));
-}
-
-FigureSubject PolygonView::figure() const
-{
-    const Mechanism mechanism(m_session->parameters());
-    const QPalette light = paletteFor(Theme::Light);
-    const FigureDrawing drawing = [light, polygons = presentPolygons(*m_session),
-                                   position = positionText()](QPainter &painter, const QSize &size) {
-        const QRectF area({0.0, 0.0}, QSizeF(size));
-        const double heading = 1.5 * QFontMetricsF(painter.font()).height();
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.fillRect(area, light.base());
-        painter.setPen(light.color(QPalette::Text));
-        painter.drawText(QRectF(0.0, 0.0, area.width(), heading), Qt::AlignCenter, position);
-        drawPolygons(painter, area.adjusted(0.0, heading, 0.0, 0.0), polygons, light);
-    };
-    const FigureHeight height = [](int width, const QFont &) { return width / 2; };
-    FigureSubject subject;
-    subject.name = tr("polygons");
-    subject.height = [=](const FigureOptions &) { return withParameters(height, mechanism); };
-    subject.draw = [=](const FigureOptions &) { return withParameters(drawing, mechanism, light); };
-    return subject;
-}
-
 void PolygonView::copy()
 {
     const FigureOptions options = storedFigureOptions();
-    const FigureSubject subject = figure();
+    const FigureSubject subject = polygonSubject(*m_session);
     const FigureSize size = figureSize(options, subject.height(options));
     if (const std::optional<QString> problem = copyFigureToClipboard(size, subject.draw(options))) {
         emit m_session->failed(*problem);

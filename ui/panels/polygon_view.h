@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The velocity polygon and the acceleration polygon at the present position, drawn to scale with named vectors. They
-// follow the animation.
+// The velocity polygon and the acceleration polygon at the present position, drawn to scale with named vectors, whose
+// magnitudes are stated. They follow the animation.
 
 #include "core/limits/polygon.h"
 #include "ui/export/figure_form.h"
@@ -21,9 +21,6 @@ class PolygonView : public QWidget
 public:
     explicit PolygonView(Session *session, QWidget *parent = nullptr);
 
-    /// Returns the polygons as a figure, which states their position and the parameters.
-    FigureSubject figure() const;
-
     QSize minimumSizeHint() const override { return {300, 120}; }
 
 protected:
@@ -31,14 +28,23 @@ protected:
 
 private:
     void refresh();
-    QString positionText() const;
     void copy();
 
     Session *m_session;
     QWidget *m_canvas;
 };
 
-/// Draws both polygons side by side, each to its own scale, which is shown below it.
+/// Draws both polygons side by side, each to its own scale, which is shown below it, with the magnitudes if there is
+/// space.
 void drawPolygons(QPainter &painter, const QRectF &area, const Polygons &polygons, const QPalette &palette);
+
+/// Returns a drawing of both polygons at time t (s), with the crank acceleration alpha2 (rad/s²), below their position.
+FigureDrawing polygonFigure(const Mechanism &mechanism, double t, double alpha2, const QPalette &palette);
+
+/// Returns the polygons at the present position as a figure, which states the position and the parameters.
+FigureSubject polygonSubject(const Session &session);
+
+/// Returns the height of such a drawing, px.
+int polygonHeight(int width, const QFont &font);
 
 } // namespace slidercrank

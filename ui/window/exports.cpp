@@ -9,6 +9,7 @@
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/motion_table_panel.h"
+#include "ui/panels/polygon_view.h"
 #include "ui/panels/timeline.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/notation.h"
@@ -101,6 +102,11 @@ FigureSubject Exports::mechanism() const
         return withParameters(mechanismDrawing(), m_session->result()->mechanism, paletteFor(Theme::Light));
     };
     return subject;
+}
+
+FigureSubject Exports::polygons() const
+{
+    return polygonSubject(*m_session);
 }
 
 void Exports::choose(const FigureSubject &subject)

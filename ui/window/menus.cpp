@@ -132,6 +132,7 @@ void Menus::addExportMenu(QMenu *menu)
     Exports *exports = &m_window.exports();
     menu->addAction(tr("&Figure…"), Qt::CTRL | Qt::Key_E, exports, [exports] { exports->choose(exports->plot()); });
     menu->addAction(tr("&Mechanism…"), exports, [exports] { exports->choose(exports->mechanism()); });
+    menu->addAction(tr("&Polygons…"), exports, [exports] { exports->choose(exports->polygons()); });
     menu->addAction(tr("&Data…"), exports, &Exports::chooseData);
     menu->addAction(tr("&Report…"), exports, &Exports::chooseReport);
     menu->addAction(tr("&Animation…"), exports, &Exports::chooseAnimation)->setObjectName("exportAnimation");

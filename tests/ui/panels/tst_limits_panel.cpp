@@ -440,9 +440,8 @@ private slots:
             session.setTime(between(0.0, 1.0));
             const double theta2 = parameters.theta20 + parameters.omega2 * session.time();
             const double alpha2 = between(-300.0, 300.0);
-            PolygonView view(&session);
             session.setAlpha2(alpha2);
-            QCOMPARE(exportFigure(path, view.figure(), {}), std::nullopt);
+            QCOMPARE(exportFigure(path, polygonSubject(session), {}), std::nullopt);
             QFile file(path);
             QVERIFY(file.open(QIODevice::ReadOnly));
             const QString svg = QString::fromUtf8(file.readAll());

@@ -301,7 +301,8 @@ private slots:
         for (const Row &row :
              {Row{"Figure…", 0, "new.png", "\x89PNG\r"}, Row{"Figure…", 1, "new.svg", "<?xml"},
               Row{"Figure…", 2, "new.pdf", "%PDF-"}, Row{"Mechanism…", 1, "mechanism.svg", "<?xml"},
-              Row{"Data…", 1, "new.csv", "time,"}, Row{"Report…", 0, "report.pdf", "%PDF-"},
+              Row{"Polygons…", 1, "polygons.svg", "<?xml"}, Row{"Data…", 1, "new.csv", "time,"},
+              Row{"Report…", 0, "report.pdf", "%PDF-"},
               Row{"Animation…", framesFilter(), "motion/frame_0001.png", "\x89PNG\r"},
               Row{"Save scene as…", 0, "new.slidercrank", "{\n   "}, Row{"Save scene as…", 1, "new.json", "{\n   "}}) {
             action(QString::fromUtf8(row.action))->trigger();
@@ -321,7 +322,7 @@ private slots:
             QVERIFY2(contentOf(written).startsWith(row.beginning), row.written);
             QCOMPARE(QSettings().value("lastFolder").toString(), m_folder->path());
         }
-        for (const char *figure : {"new.svg", "mechanism.svg"}) {
+        for (const char *figure : {"new.svg", "mechanism.svg", "polygons.svg"}) {
             QVERIFY(contentOf(path(figure)).contains("a = 20 mm"));
         }
         action("Figure…")->trigger();
