@@ -11,7 +11,6 @@
 #include "core/limits/tolerance.h"
 #include "core/mechanism/turn.h"
 #include "ui/document/settings_fields.h"
-#include "ui/document/with.h"
 #include "ui/text/channel_text.h"
 #include "ui/text/design_text.h"
 #include "ui/text/motion_facts.h"
@@ -113,7 +112,7 @@ struct PrintedLimits {
     QString table() const
     {
         std::vector<QStringList> rows =
-            limitTable(motionFacts(mechanism, motion, oneRevolution(mechanism), {.units = units}));
+            limitTable(motionFacts(mechanism, motion, oneRevolution(mechanism), notation()));
         if (ranges) {
             rows[0] += {CommandLine::tr("minus"), CommandLine::tr("plus")};
             for (std::size_t i = 0; i < limits.size(); ++i) { // rows[0] contains the headings
@@ -265,7 +264,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
 {
     const Question question(options);
     const Units units = readUnits(options);
-    setNotation(with(notation(), &Notation::units, units)); // the sentences use it
+    setNotation({.symbols = options.choice("notation", Symbols::AbsoluteCoordinates), .units = units}); // of the text
     options.refuseFiles();
     Mechanism mechanism = question.mechanism;
     QString design;

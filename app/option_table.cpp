@@ -154,6 +154,9 @@ public:
            QT_TR_NOOP(
                "all, or names separated by commas: theta3,R4_x_diff (all); also transmission_angle, displacement "
                "(from the outer dead centre), A_x and A_y, with _diff and _diff2")},
+          {"limits", "notation", kJoinedWords<Symbols>.data(),
+           QT_TR_NOOP("coupler angles in the text: absolute coordinates (θ³ at A), or those of textbooks (θ₃ at B) "
+                      "(absolute)")},
           {"render", "notation", kJoinedWords<Symbols>.data(),
            QT_TR_NOOP("symbols in the output: absolute coordinates (θ³, Rₓ⁴), or those of textbooks (θ₃ measured at B, "
                       "x_B, v_B, a_B) (absolute)")},

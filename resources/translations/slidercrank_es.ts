@@ -1249,6 +1249,10 @@ Equipo: %1. Tiempo: %2 s.
         <source>Plots are for a constant crank speed, and only a report and polygons show an acceleration of the crank: remove %1.</source>
         <translation>Las gráficas son para una velocidad constante de la manivela; solo un informe y los polígonos muestran una aceleración de la manivela: quite %1.</translation>
     </message>
+    <message>
+        <source>coupler angles in the text: absolute coordinates (θ³ at A), or those of textbooks (θ₃ at B) (absolute)</source>
+        <translation>ángulos de la biela en el texto: coordenadas absolutas (θ³ en A), o los de los libros de texto (θ₃ en B) (absolute)</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>

@@ -257,6 +257,17 @@ private slots:
         QVERIFY2(missing.status == 4 && missing.error.contains("θ₂ = 240.00°"), missing.error);
     }
 
+    /// θ3 at A reaches -asin(20/120) = -9.594°, which a textbook measures at B.
+    void statesTheExtremesOfTheCouplerInTheNotationOfTextbooks()
+    {
+        const QString line = "limits --a 40 --b 120 --c 20";
+        QVERIFY(run(line).output.contains("−9.59407°"));
+        const QByteArray textbook = run(line + " --notation textbook").output;
+        QVERIFY2(textbook.contains(" 170.406°") && !textbook.contains("−9.59"), textbook);
+        QVERIFY(run(line).output.contains("−9.59407°")); // the choice is that of one command
+        QCOMPARE(run(line + " --notation textbook --format json").output, run(line + " --format json").output);
+    }
+
     /// Norton's P7-2 row b with ω2 = 10 rad/s: a_B = 35.39 in/s² with α2, and 50.47 in/s² without.
     void drawsPolygonsAndReportsWithAnAcceleration()
     {
