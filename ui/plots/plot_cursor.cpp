@@ -51,31 +51,55 @@ std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const QRectF &place, doub
     return covered;
 }
 
-/// Returns the possible places of a value, the best first: to the right or the left of the line at the height of its
-/// dot, then above and below the dot, then farther and farther away.
+/// Returns where a value of that size stands that keeps its place beside its dot, or nullopt if it has had none, or one
+/// that is far from the dot or is not within the axes now.
+std::optional<QRectF> keptPlace(const PlotCursor::Label &label, const QRectF &axes, double height)
+{
+    constexpr double kFar = 1.6; // heights of a label
+    if (!label.before || std::abs(label.before->center().y()) > kFar * height) {
+        return std::nullopt;
+    }
+    const QPointF dot = *label.dot;
+    QRectF place(QPointF(), QSizeF(label.text.size().width(), height));
+    place.moveCenter(dot + label.before->center());
+    if (label.before->left() > 0.0) {
+        place.moveLeft(dot.x() + label.before->left());
+    } else if (label.before->right() < 0.0) {
+        place.moveRight(dot.x() + label.before->right());
+    }
+    return axes.contains(place) ? std::optional(place) : std::nullopt;
+}
+
+/// Returns the possible places of a value, the best first: where it stood before, to the right or the left of the line
+/// near its dot, above and below the dot, and then farther away.
 std::vector<QRectF> possiblePlaces(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
                                    const QFont &font)
 {
-    constexpr int kMaxShift = 6; // half heights of a label
+    // In half heights of a label, upwards and downwards from its dot.
+    constexpr int kNear = 3;
+    constexpr int kFar = 6;
+    constexpr int kBeyondDot = 2; // above or below its dot without covering it
     const double height = QFontMetricsF(font).height();
     const double width = label.text.size().width();
     const double middle = label.dot->y() - 0.5 * height;
     std::vector<QRectF> places;
-    const auto add = [&](Side side, double top) {
-        const double within = std::max(axes.top(), std::min(top, axes.bottom() - height));
-        if (const std::optional<double> left = labelLeft(cursor.x, width, axes, side, font)) {
-            places.emplace_back(*left, within, width, height);
-        }
-    };
-    for (int shift = 0; shift <= kMaxShift; ++shift) {
-        for (const double top : {middle - 0.5 * shift * height, middle + 0.5 * shift * height}) {
-            add(Side::Right, top);
-            add(Side::Left, top);
-            if (shift > 1) { // otherwise it would cover its own dot
-                add(Side::Centre, top);
+    if (const std::optional<QRectF> kept = keptPlace(label, axes, height)) {
+        places.push_back(*kept);
+    }
+    const auto add = [&](Side side, int first, int last) {
+        const std::optional<double> left = labelLeft(cursor.x, width, axes, side, font);
+        for (int shift = first; left && shift <= last; ++shift) {
+            for (const double top : {middle - 0.5 * shift * height, middle + 0.5 * shift * height}) {
+                const double within = std::max(axes.top(), std::min(top, axes.bottom() - height));
+                places.emplace_back(*left, within, width, height);
             }
         }
-    }
+    };
+    add(Side::Right, 0, kNear);
+    add(Side::Left, 0, kNear);
+    add(Side::Centre, kBeyondDot, kFar);
+    add(Side::Right, kNear + 1, kFar);
+    add(Side::Left, kNear + 1, kFar);
     return places;
 }
 
@@ -182,6 +206,24 @@ void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFo
             const auto covers = [&](const PlotCursor::Label &label) { return label.place.intersects(covered.place); };
             if (&cursor != &cursors.front() && std::ranges::any_of(cursor.labels, covers)) {
                 leaveOut(covered);
+            }
+        }
+    }
+}
+
+void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before)
+{
+    for (PlotCursor &cursor : cursors) {
+        const auto old = std::ranges::find(before, cursor.isLight, &PlotCursor::isLight);
+        if (old == before.end() || old->x == cursor.x) { // other curves at the same time have other places
+            continue;
+        }
+        for (PlotCursor::Label &label : cursor.labels) {
+            const auto same = std::ranges::find_if(old->labels, [&label](const PlotCursor::Label &other) {
+                return label.dot && other.dot && other.colour == label.colour && !other.place.isEmpty();
+            });
+            if (same != old->labels.end()) {
+                label.before = same->place.translated(-*same->dot);
             }
         }
     }

@@ -26,8 +26,9 @@ struct PlotCursor {
     struct Label {
         QStaticText text;
         QColor colour;
-        std::optional<QPointF> dot = {}; ///< a heading has none
-        QRectF place = {};               ///< of the text; placeLabels() chooses it
+        std::optional<QPointF> dot = {};   ///< a heading has none
+        std::optional<QRectF> before = {}; ///< the last place, from the dot: a value stays there while it is free
+        QRectF place = {};                 ///< of the text; placeLabels() chooses it
     };
 
     double x = 0.0;       ///< px
@@ -42,6 +43,9 @@ double curveSpacing(const QFont &font);
 
 /// The radius (px) of a dot beside text of that font.
 double dotRadius(const QFont &font);
+
+/// Tells each cursor that has moved where its values stood before, so that values do not jump in an animation.
+void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before);
 
 /// What becomes of a value that would cover a curve in every place near its dot.
 enum class WhereCrowded {

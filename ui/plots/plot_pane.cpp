@@ -22,6 +22,7 @@ void PlotPane::setCursors(std::vector<PlotCursor> cursors, const QRect &axes)
 {
     const QRect before = m_painted;
     m_axes = axes;
+    keepPlaces(cursors, m_cursors);
     m_cursors = std::move(cursors);
     placeLabels(m_cursors, m_axes, font(), WhereCrowded::CoverLeast);
     QRectF painted;

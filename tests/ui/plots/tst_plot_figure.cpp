@@ -450,6 +450,37 @@ private slots:
         }
     }
 
+    /// A former defect: while the motion was played, every fourth value jumped from one side of its curve to the other.
+    void valuesKeepTheirPlacesWhilePlaying()
+    {
+        constexpr int kFrames = 240;
+        constexpr double kJump = 8.0; // px
+        QFont font;
+        font.setPixelSize(12);
+        PlotFigure &figure = figureOf({.reference = referenceOf(62.0)});
+        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
+        figure.compose({all, font, paletteFor(Theme::Light)}, {1400, 900});
+        int values = 0;
+        int jumps = 0;
+        for (const std::size_t plot : all) {
+            std::vector<PlotCursor> before;
+            for (int frame = 0; frame <= kFrames; ++frame) {
+                std::vector<PlotCursor> cursors{*figure.cursorAt(plot, static_cast<double>(frame) / kFrames, {})};
+                keepPlaces(cursors, before);
+                placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick,
+                            WhereCrowded::CoverLeast);
+                for (const PlotCursor::Label &label : cursors.front().labels) {
+                    const QPointF fromDot = label.place.center() - *label.dot;
+                    ++values;
+                    jumps += label.before && QLineF(label.before->center(), fromDot).length() > kJump ? 1 : 0;
+                }
+                before = cursors;
+            }
+        }
+        qInfo("%d of %d values jumped", jumps, values);
+        QVERIFY2(jumps < values / 15, qPrintable(QString::number(jumps)));
+    }
+
     /// A former defect: six plots, which are drawn in three rows, had the height of two.
     void figuresAreHighEnoughForTheirRows()
     {
