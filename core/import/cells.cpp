@@ -15,7 +15,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::string_view kGaps = "nan -nan na n/a n.a. null none - -- --- #n/a #nv #div/0! #num! #value! #wert! "
+constexpr std::string_view kGaps = "nan -nan na n/a n.a. null none - -- --- | #n/a #nv #div/0! #num! #value! #wert! "
                                    "#ref! #bezug! 1.#qnan -1.#ind 1.#ind 1.#ind00 -1.#ind00";
 
 constexpr char kApostrophe = '\'';

@@ -19,6 +19,10 @@ namespace
 
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
+/// Characters that draw the lines of a table.
+constexpr char16_t kFirstBox = u'\u2500';
+constexpr char16_t kLastBox = u'\u257F';
+
 /// Windows-1252 from 0x80 to 0x9F, where it differs from Latin-1.
 constexpr std::u16string_view kWindowsCharacters =
     u"\u20AC?\u201A\u0192\u201E\u2026\u2020\u2021\u02C6\u2030\u0160\u2039\u0152?\u017D??\u2018\u2019\u201C\u201D\u2022"
@@ -90,6 +94,30 @@ std::string_view withoutPadding(std::string_view text)
     return text.size() - end <= kLongest ? text.substr(0, end) : text;
 }
 
+/// Returns the text with the lines of tables as terminals draw them in ASCII: "| 0.1 | 85 |" for "│ 0.1 │ 85 │",
+/// "+---+" for "├───┤".
+std::string withAsciiBoxes(std::string_view text)
+{
+    constexpr std::u16string_view kHorizontal = u"\u2500\u2501\u2504\u2505\u2508\u2509\u254C\u254D\u2550";
+    constexpr std::u16string_view kVertical = u"\u2502\u2503\u2506\u2507\u250A\u250B\u254E\u254F\u2551";
+    std::u16string characters = boost::locale::conv::utf_to_utf<char16_t>(text.data(), text.data() + text.size());
+    for (char16_t &c : characters) {
+        if (c >= kFirstBox && c <= kLastBox) {
+            const bool isHorizontal = kHorizontal.find(c) != kHorizontal.npos;
+            const char16_t other = isHorizontal ? u'-' : u'+';
+            c = kVertical.find(c) != kVertical.npos ? u'|' : other;
+        }
+    }
+    return boost::locale::conv::utf_to_utf<char>(characters);
+}
+
+/// Returns whether lines are drawn with box characters near the beginning of a text.
+bool hasBoxes(std::string_view text)
+{
+    const std::string_view beginning = text.substr(0, kFileBeginning);
+    return beginning.find("\xE2\x94") != text.npos || beginning.find("\xE2\x95") != text.npos; // U+2500 to U+257F
+}
+
 } // namespace
 
 std::string_view decodeText(std::string_view bytes, std::string &converted)
@@ -116,6 +144,9 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
     }
     if (!units.empty()) {
         text = converted = boost::locale::conv::utf_to_utf<char>(units);
+    }
+    if (hasBoxes(text)) {
+        text = converted = withAsciiBoxes(text);
     }
     text = withoutPadding(text);
     if (const std::size_t binary = findBinary(text); binary != text.npos) {

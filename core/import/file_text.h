@@ -13,8 +13,8 @@ namespace slidercrank
 
 /// Decodes the bytes of a file. Returns the text without byte order mark, which refers to the bytes or to `converted`.
 /// A byte order mark determines the encoding. Otherwise it is UTF-8, or Windows-1252 (which includes Latin-1) if most
-/// bytes outside ASCII are not valid UTF-8. Throws ReadError if the bytes are not text, or text of another format than
-/// a table.
+/// bytes outside ASCII are not valid UTF-8. The lines of a table drawn with box characters become "|", "-" and "+".
+/// Throws ReadError if the bytes are not text, or text of another format than a table.
 std::string_view decodeText(std::string_view bytes, std::string &converted);
 
 } // namespace slidercrank

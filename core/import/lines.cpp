@@ -52,13 +52,23 @@ std::string_view withoutRemark(std::string_view line)
     return line;
 }
 
+/// Returns whether a line only separates rows: "|---|:--:|", "+====+====+", "----+----" or "____  ____".
+bool isRule(std::string_view line)
+{
+    const auto has = [line](std::string_view part) { return line.find(part) != line.npos; };
+    return line.find_first_not_of("-=_:+| \t") == line.npos &&
+           (has("--") || has("==") || has("__") || line.starts_with('|'));
+}
+
 /// Returns a line of a table in Markdown or LaTeX without its borders; empty for a line between rows.
 std::string_view withoutBorders(std::string_view line)
 {
     std::string_view text = trimmed(line);
+    if (isRule(text)) {
+        return {};
+    }
     if (text.starts_with('|') && text.ends_with('|') && text.size() > 1) {
-        text = trimmed(text.substr(1, text.size() - 2));
-        return text.find_first_not_of("-:=+| ") == text.npos ? std::string_view() : text;
+        return trimmed(text.substr(1, text.size() - 2));
     }
     for (const std::string_view rule : {"\\toprule", "\\midrule", "\\bottomrule", "\\hline"}) {
         text.remove_prefix(text.starts_with(rule) ? rule.size() : 0);

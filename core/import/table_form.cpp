@@ -161,8 +161,9 @@ std::vector<SplitLine> waysToSplit(std::string_view line, const std::optional<Sp
 }
 
 /// Returns whether names may be the headings of the row. If they are as many as the numbers, they may have any
-/// delimiter; but if only the names are separated by spaces, at most one of them may be unknown. Otherwise a remark
-/// has to follow them if they stand after a comment mark, and neither they nor the numbers are separated by spaces.
+/// delimiter; but if only the names are separated by spaces, at most one of them may be unknown. The same holds if only
+/// the column of the row names has no heading. Otherwise a remark has to follow them if they stand after a comment
+/// mark, and neither they nor the numbers are separated by spaces.
 bool mayBeHeadings(const SplitLine &names, const std::optional<SplitLine> &row, bool isMarked)
 {
     const bool areSpaced = names.delimiter == ' ';
@@ -172,6 +173,9 @@ bool mayBeHeadings(const SplitLine &names, const std::optional<SplitLine> &row, 
     const std::size_t numbers = row->cells.size();
     if (names.fit(row)) {
         return !areSpaced || row->delimiter == ' ' || (names.isComplete() && names.known() + 1 >= numbers);
+    }
+    if (areSpaced && names.cells.size() + 1 == numbers) {
+        return names.isComplete() && names.known() == names.cells.size();
     }
     const bool hasRemark = names.isComplete() && (withoutRemark(names.cells).size() == numbers ||
                                                   (names.cells.size() > numbers && names.known() >= numbers));
@@ -278,7 +282,31 @@ std::string_view inBrackets(std::string_view cell)
     return isBracketed ? trimmed(cell.substr(1, cell.size() - 2)) : std::string_view();
 }
 
-/// Interprets the lines between the headings and the first number, which may contain units. Returns how many there are.
+const std::string &textOf(const Heading &heading)
+{
+    return heading.use.heading;
+}
+
+/// Returns whether a line below the headings continues them: it names quantities, and states their units or
+/// distinguishes equal headings, as "Position [mm]" and "Velocity [mm/s]" do below "Piston" and "Piston".
+bool continuesHeadings(const Cells &cells, const std::vector<Heading> &headings)
+{
+    bool namesQuantity = false;
+    bool statesUnit = false;
+    for (const std::string_view cell : cells) {
+        const Heading second = parseHeading(cell);
+        const bool isQuantity = second.meaning.kind >= Kind::Quantity && !second.meaning.hasUnknownWords;
+        namesQuantity = namesQuantity || isQuantity;
+        statesUnit = statesUnit || (isQuantity && !second.use.unit.empty());
+    }
+    const bool areEqual = std::ranges::any_of(headings, [&headings](const Heading &heading) {
+        return !heading.use.heading.empty() && std::ranges::count(headings, heading.use.heading, textOf) > 1;
+    });
+    return namesQuantity && (statesUnit || areEqual) && cells.size() <= headings.size();
+}
+
+/// Interprets the lines between the headings and the first number, which may contain units or continue the headings.
+/// Returns how many there are.
 std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, std::vector<Heading> &headings)
 {
     std::size_t count = 0;
@@ -290,8 +318,13 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
             break;
         }
         const bool areUnits = std::ranges::any_of(cells, [](std::string_view cell) { return !unitIn(cell).empty(); });
+        const bool areNames = continuesHeadings(cells, headings);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const std::string_view unit = unitIn(cells[i]);
+            if (areNames && unit.empty() && !cells[i].empty()) {
+                headings[i] = parseHeading(headings[i].use.heading + ' ' + std::string(cells[i]));
+                continue;
+            }
             setUnit(headings, i, unit.empty() && areUnits ? inBrackets(cells[i]) : unit, number); // "(V)" beside "(mm)"
         }
     }
@@ -404,10 +437,10 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     if (header) {
         layout.headerLine = lines[first].number;
         std::ranges::transform(withoutRemark(header->cells), std::back_inserter(headings), parseHeading);
+        rows = rows.subspan(readAnnotations(firstLines(rows), row, headings));
         if (haveRowNames(rows, layout.delimiter, headings.size())) {
             headings.insert(headings.begin(), Heading());
         }
-        rows = rows.subspan(readAnnotations(firstLines(rows), row, headings));
     }
     for (std::size_t i = 0; row && i < std::min(row->cells.size(), headings.size()); ++i) {
         headings[i].cells.unit = splitUnit(row->cells[i]).unit;

@@ -75,6 +75,33 @@ const std::vector<Layout> kLayouts{
     {"#,tout,x\n1,0.5,85\n2,1.5,84\n3,2.5,80\n", "- time R4_x"},
     {"No.,%time,x\n1,0,85\n2,1,84\n3,2,80\n", "- time R4_x"}, // ROS
     {"foo [s],bar [mm],notes\n0,85,\n1,84,\n2,80,last\n", "time R4_x -"},
+    // Tables as terminals and notebooks print them.
+    {"┌───────┬──────┐\n│ t (s) ┆ x    │\n╞═══════╪══════╡\n│ 0.0   ┆ 85   │\n├╌╌╌╌╌╌╌┼╌╌╌╌╌╌┤\n│ 1.0   ┆ 84   │\n"
+     "│ 2.0   ┆ 80   │\n└───────┴──────┘\n",
+     "time R4_x"},
+    {"╔═══╦════╗\n║ t ║ x  ║\n╠═══╬════╣\n║ 0 ║ 85 ║\n║ 1 ║ 84 ║\n║ 2 ║ 80 ║\n╚═══╩════╝\n", "time R4_x"},
+    {"┏━━━┳━━━━┓\n┃ t ┃ x  ┃\n┡━━━╇━━━━┩\n│ 0 │ 85 │\n│ 1 │ 84 │\n│ 2 │ 80 │\n└───┴────┘\n", "time R4_x"},
+    {"+---+----+\n| t | x  |\n+---+----+\n| 0 | 85 |\n| 1 | 84 |\n| 2 | 80 |\n+---+----+\n", "time R4_x"}, // SQL
+    {"+---+----+\n| t | x  |\n+===+====+\n| 0 | 85 |\n+---+----+\n| 1 | 84 |\n+---+----+\n| 2 | 80 |\n+---+----+\n",
+     "time R4_x"},
+    {" t | x \n---+----\n 0 | 85\n 1 | 84\n 2 | 80\n", "time R4_x"},
+    {"| t | x |\n|--:|:-:|\n| 0 | 85 |\n| 1 | 84 |\n| 2 | 80 |\n", "time R4_x"},
+    {"===  ====\n t    x\n===  ====\n 0    85\n 1    84\n 2    80\n===  ====\n", "time R4_x"},
+    {"    t     x  \n   ___   ___\n\n    0     85\n    1     84\n    2     80\n", "time R4_x"},      // MATLAB
+    {"   t (s)   x (mm)\n0    0.0     85.0\n1    1.0     84.0\n2    2.0     80.0\n", "- time R4_x"}, // pandas
+    {"# A tibble: 3 × 2\n      t     x\n  <dbl> <dbl>\n1     0    85\n2     1    84\n3     2    80\n", "- time R4_x"},
+    {"shape: (3, 2)\n┌─────┬──────┐\n│ t   ┆ x    │\n│ --- ┆ ---  │\n│ f64 ┆ f64  │\n╞═════╪══════╡\n│ 0.0 ┆ 85.0 │\n"
+     "│ 1.0 ┆ 84.0 │\n│ 2.0 ┆ 80.0 │\n└─────┴──────┘\n",
+     "time R4_x"},
+    {" Row │ t        x\n     │ Float64  Float64\n─────┼──────────────────\n   1 │     0.0     85.0\n   2 │     1.0    "
+     " 84.0\n"
+     "   3 │     2.0     80.0\n",
+     "- - time R4_x"}, // Julia
+    // Headings in two lines.
+    {"Time;Piston;Piston\ns;Position [mm];Velocity [mm/s]\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"},
+    {"Time,Slider,Slider\n(s),X (mm),VX (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
+    {"Time,Slider,Slider\n,position,velocity\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
+    {"t;coupler;slider\ns;x [mm];x [mm]\n0;70;85\n1;60;84\n2;50;80\n", "time - R4_x"},
     // Several columns of one quantity.
     {"Pos,Crank deg,Slider mm\n1,0,85\n2,90,84\n3,180,80\n", "- angle R4_x"},
     {"t,x (mm),x (in)\n0,85,3.3\n1,84,3.3\n2,80,3.1\n", "time R4_x -"},
