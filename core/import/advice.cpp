@@ -64,6 +64,9 @@ Channel likelyChannel(const RawColumn &column)
     if (column.meaning.kind >= NameMeaning::Kind::Quantity && suits) {
         return column.meaning.channel;
     }
+    if (column.meaning.reason == ColumnReason::TurnsOrRadians) {
+        return {Theta2, Order::Velocity};
+    }
     if (column.meaning.reason == ColumnReason::UnknownBody && !unit) {
         return {R4x, column.meaning.channel.order};
     }
@@ -78,6 +81,9 @@ Channel likelyChannel(const RawColumn &column)
 /// Returns the unit to state for a column: that of the file if it suits the quantity, else the default unit.
 std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel)
 {
+    if (column.use.reason == ColumnReason::TurnsOrRadians) {
+        return "rad/s";
+    }
     if (column.use.unit.empty() || parseColumnUnit(column.use.unit, role, channel)) {
         return {};
     }
@@ -121,24 +127,30 @@ std::string withoutDigits(std::string heading)
 
 /// Returns the choice for an unused column whose values change:
 ///
-/// 1. the first one whose heading leaves its meaning open,
-/// 2. else the first one with a suitable unit or none that does not turn like the crank,
-/// 3. else the first one with a suitable unit or none.
+/// 1. the first one whose heading leaves its meaning open and which does not only rise, as the crank angle does,
+/// 2. else the first one whose heading leaves its meaning open,
+/// 3. else the first one with a suitable unit or none that does not turn like the crank,
+/// 4. else the first one with a suitable unit or none.
 ///
 /// Of several points, it is the last one, as programs number them from the crank to the slider.
 std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t notColumn)
 {
     const auto isFree = [&](const RawColumn &column) {
         return !column.isUsed() && column.index != notColumn && rangeOf(column.values).width() > 0.0 &&
-               column.use.reason != ColumnReason::RowNumber && column.use.reason != ColumnReason::SameTimeStamps;
+               column.use.reason != ColumnReason::RowNumber && column.use.reason != ColumnReason::SameTimeStamps &&
+               column.use.reason != ColumnReason::CrankPin;
     };
     const auto isOpen = [&](const RawColumn &other) { return isFree(other) && leavesOpen(other.use.reason); };
+    const auto isOpenAndReturns = [&](const RawColumn &other) {
+        return isOpen(other) && findReversal(other.values).has_value();
+    };
     const auto hasUnit = [&](const RawColumn &other) {
         return isFree(other) && (other.use.unit.empty() || parseUnit(other.use.unit) ||
                                  other.meaning.kind >= NameMeaning::Kind::Quantity);
     };
     const auto isOfOthers = [&](const RawColumn &other) { return hasUnit(other) && !makesTurn(other); };
-    const RawColumn *column = findElement(columns, isOpen);
+    const RawColumn *column = findElement(columns, isOpenAndReturns);
+    column = column ? column : findElement(columns, isOpen);
     column = column ? column : findElement(columns, isOfOthers);
     column = column ? column : findElement(columns, hasUnit);
     if (!column) {

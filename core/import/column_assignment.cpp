@@ -452,7 +452,8 @@ void requireData(RawTable &table, std::size_t file)
     }
     ReadFault fault{own.hasAbscissa ? Fault::NoChannel : Fault::NoTime};
     const RawColumn *const open = findElement(columns, [](const RawColumn &column) {
-        return leavesOpen(column.use.reason) || column.use.reason == ColumnReason::UnknownUnit;
+        return leavesOpen(column.use.reason) || column.use.reason == ColumnReason::UnknownUnit ||
+               column.use.reason == ColumnReason::CrankPin;
     });
     if (own.hasAbscissa && open) {
         const RawColumn *const other = findElement(table.columns, [&](const RawColumn &column) {
@@ -467,19 +468,23 @@ void requireData(RawTable &table, std::size_t file)
 }
 
 /// Takes back that the paths of headings imply m and rad where the values are too large for that: no coupler swings by
-/// more than a turn, and hardly any slider moves by more than ten metres.
+/// more than a turn, no crank is sampled less than twice a turn, and hardly any slider moves by more than ten metres.
 void checkImpliedUnits(RawTable &table)
 {
     constexpr double kMaxTravel = 10.0;                  // m
     constexpr double kMaxSwing = 2.0 * std::numbers::pi; // rad
+    constexpr double kMaxStep = std::numbers::pi;        // rad from row to row, on average
     const auto isImplied = [](const RawColumn &column) { return column.meaning.reason == ColumnReason::PathInSi; };
     const auto isTooLarge = [&](const RawColumn &column) {
         if (!isImplied(column) || column.meaning.channel.order != Order::Position) {
             return false;
         }
         const double width = rangeOf(column.values).width();
-        return isAngle(column.meaning.channel.coordinate) ? width > kMaxSwing && findReversal(column.finiteValues())
-                                                          : width > kMaxTravel;
+        if (!isAngle(column.meaning.channel.coordinate)) {
+            return width > kMaxTravel;
+        }
+        const Values angles = column.finiteValues();
+        return width > kMaxSwing && (findReversal(angles) || width > kMaxStep * static_cast<double>(angles.size()));
     };
     if (std::ranges::none_of(table.columns, isTooLarge)) {
         return;

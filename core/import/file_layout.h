@@ -51,6 +51,8 @@ enum class ColumnReason {
     OverAngle,      ///< a derivative with respect to the crank angle, such as dx/dθ, which is no channel
     LikeOther,      ///< another column could be the same channel: a person has to choose
     AngleOrLength,  ///< it is unknown whether it is an angle or a length
+    TurnsOrRadians, ///< a speed in 1/s or Hz: it is unknown whether in rad/s or in turns per second
+    CrankPin,       ///< it is of the crank pin A, which has no channel
     Constant        ///< it does not change, as a parameter, which the quantity would
 };
 
@@ -63,7 +65,7 @@ constexpr bool isGuess(ColumnReason reason)
 constexpr bool leavesOpen(ColumnReason reason)
 {
     return reason == ColumnReason::UnknownBody || reason == ColumnReason::LikeOther ||
-           reason == ColumnReason::AngleOrLength;
+           reason == ColumnReason::AngleOrLength || reason == ColumnReason::TurnsOrRadians;
 }
 
 /// A difference quotient of the values in two rows.

@@ -8,6 +8,7 @@
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <utility>
 
@@ -69,7 +70,7 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     }
     const NameMeaning whole = meaningOf(text, {});
     const bool isKnown = whole.kind != Kind::Nothing && !whole.hasUnknownWords;
-    const bool isIndex = text[begin] == '[' && looksNumeric(content);
+    const bool isIndex = (text[begin] == '[' && looksNumeric(content)) || (begin == 1 && content == "A"); // "x(A)"
     const bool isRemark = text[begin] == '(' && content.size() >= kShortestRemark && content.find('/') == content.npos;
     const bool isUnknownUnit = end + 1 == text.size() && !isKnown && !isIndex && !isRemark && text[begin] != '<';
     return isUnknownUnit ? std::optional(content) : std::nullopt;
@@ -207,7 +208,7 @@ void resolveDoubts(std::vector<Heading> &row)
     for (Heading &heading : row) {
         NameMeaning &meaning = heading.meaning;
         if (isOfPointA(heading, row)) {
-            meaning = {.reason = ColumnReason::UnknownBody};
+            meaning = {.reason = ColumnReason::CrankPin};
         }
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
             continue;
@@ -222,6 +223,41 @@ void resolveDoubts(std::vector<Heading> &row)
         } else if (meaning.doubt == Doubt::IsDerivative || !isIndex) {
             meaning = {.reason = ColumnReason::UnknownBody};
         }
+    }
+}
+
+/// Returns whether a word is the symbol of an angle or angular velocity, or begins like "angular" in some language.
+bool isAngular(const std::string &word)
+{
+    constexpr std::array<std::string_view, 8> kBeginnings{"ang", "winkel", "hoek",   "kat",
+                                                          "uhl", "unghi",  "vinkel", "угл"};
+    const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
+    const auto isBeginning = [&word](std::string_view beginning) { return word.starts_with(beginning); };
+    return (symbol && symbol->dimension == Dimension::Angle) || std::ranges::any_of(kBeginnings, isBeginning);
+}
+
+/// Decides whether a speed of rotation in 1/s or Hz is in rad/s or in turns per second. ω in 1/s is in rad/s; n in 1/s
+/// and a speed in Hz are in turns per second. Otherwise, as for "crank speed (1/s)" and "ω (Hz)", only a person can
+/// tell, and also what turns with a frequency such as "fs (Hz)".
+void resolveReciprocalSeconds(Heading &heading)
+{
+    NameMeaning &meaning = heading.meaning;
+    const std::string unit = lowered(heading.use.unit);
+    const std::optional<Unit> parsed = parseUnit(unit);
+    const bool isHertz = unit == "hz" || unit == "hertz";
+    const bool isReciprocal = isHertz || (parsed == parseUnit("1/s") && unit.find("rad") == unit.npos);
+    if (!isReciprocal || meaning.kind < Kind::Quantity || meaning.kind >= Kind::ChannelName) {
+        return;
+    }
+    const Words words = wordsOf(heading.name);
+    const bool isInTurns = !unitOfRotation(words).empty() || std::ranges::count(words, "n") > 0;
+    const bool isInRadians = !isInTurns && std::ranges::any_of(words, isAngular);
+    if (isInTurns || (isHertz && !isInRadians && !meaning.hasUnknownWords)) {
+        heading.use.unit = "rev/s";
+    } else if (isHertz && meaning.hasUnknownWords) {
+        meaning = {.channel = meaning.channel, .reason = ColumnReason::UnknownBody};
+    } else if (isHertz || !isInRadians) {
+        meaning = {.channel = meaning.channel, .reason = ColumnReason::TurnsOrRadians};
     }
 }
 
@@ -258,13 +294,17 @@ std::string_view divisorOf(Order order)
 }
 
 /// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Paths of some programs imply
-/// m, rad and s; ω and α are in rad/s and rad/s²; and another derivative is in the unit of its position.
+/// m, rad and s; "rpm" and the like are units themselves; ω and α are in rad/s and rad/s²; and another derivative is in
+/// the unit of its position.
 std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
 {
     const NameMeaning &meaning = heading.meaning;
     const std::string perTime(divisorOf(meaning.channel.order));
     if (meaning.reason == ColumnReason::PathInSi) {
         return (isAngle(meaning.channel.coordinate) ? "rad" : "m") + perTime;
+    }
+    if (const std::string_view unit = unitOfRotation(wordsOf(heading.name)); !unit.empty()) {
+        return std::string(unit);
     }
     const auto isAngularRate = [](const std::string &word) { // ω or α
         const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
@@ -313,8 +353,6 @@ Heading parseHeading(std::string_view cell)
     const Unit alone = (mayBeUnit ? parseUnit(unitAlone) : std::nullopt).value_or(Unit{.order = kNoOrder});
     if (text.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
         heading.name = "time";
-    } else if (isInTurnsPerMinute(wordsOf(text)) && text.find_first_of("[(/") == text.npos) {
-        heading.use.unit = "rpm";
     } else if (alone.dimension == Dimension::Time && alone.order == 0) { // "millis", "seconds"
         heading.name = "time";
         heading.use.unit = unitAlone;
@@ -359,6 +397,7 @@ void interpretHeadings(std::vector<Heading> &row)
         }
     }
     resolveDoubts(row);
+    std::ranges::for_each(row, resolveReciprocalSeconds);
     const bool isInSi = std::ranges::any_of(
         row, [](const Heading &heading) { return heading.meaning.reason == ColumnReason::PathInSi; });
     for (Heading &heading : row) {

@@ -108,6 +108,9 @@ bool saysQuantity(const NameReading &name, const std::optional<Unit> &unit, bool
 /// Returns what only the other columns can tell about a name, which is marked by an index such as the A of "x_A".
 NameMeaning::Doubt doubtOf(const NameReading &name, const std::optional<Unit> &unit, bool isAngle, bool hasIndex)
 {
+    if (name.symbol == "q" && unit) { // a generalized coordinate, of the crank only if it turns
+        return Doubt::None;
+    }
     if (hasIndex) {
         return isAngle ? Doubt::IsOfCrank : Doubt::IsOfPoint;
     }
@@ -255,6 +258,35 @@ bool namesZ(const std::string &word)
     return word == "z" || (word.size() == 2 && word[1] == 'z' && findWord(word.substr(0, 1), WordUse::Symbol));
 }
 
+/// Returns whether the crank pin A is named before its x or y, as in "v_Ax" and "A vx", or with their unit: "A x (mm)".
+/// "A x" alone may also be an acceleration, as "A x (mm/s²)" is.
+bool isOfPointA(const Words &words, const std::optional<Unit> &unit)
+{
+    const bool isPosition = unit && unit->dimension == Dimension::Length && unit->order == 0;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const bool isAfterSymbol = i > 0 && findWord(words[i - 1], WordUse::Symbol);
+        const bool isBeforeAxis = words[i] == "a" && i + 1 < words.size() && isAmong(words[i + 1], "x y");
+        const bool isBeforeVelocity = words[i] == "a" && i + 1 < words.size() && isAmong(words[i + 1], "vx vy");
+        if ((isAfterSymbol && (isBeforeAxis || isAmong(words[i], "ax ay"))) ||
+            (i == 0 && (isBeforeVelocity || (isBeforeAxis && isPosition)))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Returns whether a name without another meaning is that of x or y of the crank: "crank pin x".
+bool isOfCrankEnd(std::string_view name)
+{
+    const Words words = wordsOf(name);
+    const auto isOfCrank = [](const std::string &word) {
+        const WordMeaning *const entry = findWord(word, WordUse::Word);
+        return word == "crankpin" || (entry && entry->body == Body::Crank);
+    };
+    return std::ranges::any_of(words, isOfCrank) &&
+           std::ranges::any_of(words, [](const std::string &word) { return word == "x" || word == "y"; });
+}
+
 /// Returns the meaning of the name of a time or of a row number; nullopt if it is neither.
 std::optional<NameMeaning> meaningOfCount(const Words &words, std::string_view lastPart, const std::string &unit)
 {
@@ -330,6 +362,9 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
+    if (isOfPointA(words, parseUnit(unit))) {
+        return {.reason = ColumnReason::CrankPin};
+    }
     std::optional<NameReading> reading = readName(path, derivatives, words);
     if (reading && isElement(name)) {
         reading->isUnknownBody = true;
@@ -342,7 +377,10 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (reading && isAboutZ && !reading->body && unit.empty()) { // "Z_AngVel", of any body
         return {.reason = ColumnReason::UnknownBody};
     }
-    return reading ? meaningOfReading(*reading, path, unit) : NameMeaning();
+    if (!reading) {
+        return {.reason = isOfCrankEnd(name) ? ColumnReason::CrankPin : ColumnReason::UnknownName};
+    }
+    return meaningOfReading(*reading, path, unit);
 }
 
 std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second)

@@ -58,8 +58,12 @@ bool includeNumber(NameReading &all, std::string_view digits, Entries entries)
         return merge(all.body, std::optional(Body::Slider));
     }
     all.isUnknownBody = !isAngle;
-    if (all.axis != ' ' && !all.body && isAmong(digits, "1 2 3")) {
+    const bool isCoordinate = all.symbol == "q"; // generalized
+    if (isCoordinate || (all.axis != ' ' && !all.body && isAmong(digits, "1 2 3"))) {
         all.joints = digits; // "y3"
+    }
+    if (isCoordinate) {
+        return true; // which may be numbered from 0
     }
     all.isFrame = digits == "1";
     std::optional<Body> link;
@@ -85,6 +89,17 @@ bool includeJoint(NameReading &all, std::string_view letter)
     all.isUnknownBody = all.isUnknownBody || !index;
     all.joints = letter;
     return !index || merge(all, *index);
+}
+
+/// Returns whether a name begins with a joint before a symbol: "B vx", "C_x". A is the crank pin, see name_meaning.h.
+bool beginsWithJoint(const Words &words)
+{
+    if (words.size() < 2 || !isAmong(words[0], "b c")) {
+        return false;
+    }
+    const std::string first = words[1].substr(0, 1);
+    const bool hasAxis = words[1].size() == 2 && (words[1][1] == 'x' || words[1][1] == 'y');
+    return findWord(first, WordUse::Symbol) && (words[1].size() == 1 || hasAxis);
 }
 
 /// Includes the joint after "at": "velocity at B", but an angle there is that of the coupler, "θ3 at B".
@@ -162,6 +177,9 @@ bool includeEntry(NameReading &all, std::string_view word, Entries entries)
         all.doubt = word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
         all.joints = word == "p" ? word : std::string_view(all.joints);
         return true;
+    }
+    if (entries == Entries::WithoutSymbols && isAmong(word, "px py")) {
+        return true; // the prismatic joint of "Slider Joint.Px.v"
     }
     const WordMeaning *const symbol = entries == Entries::All ? findWord(word, WordUse::Symbol) : nullptr;
     if (symbol && (symbol->axis != ' ' || (!all.hasSymbol && isOfOrder(*symbol, all.order)))) {
@@ -366,6 +384,8 @@ bool includeWords(NameReading &all, const Words &words, Entries entries)
         if (isNameOfElement(words, i)) {
             all.unknown.point = words[i] + words[i + 1];
             ++i;
+        } else if (i == 0 && entries == Entries::All && !isPair && beginsWithJoint(words)) {
+            isIncluded = includeJoint(all, words[0]);
         } else if (isPlace(words, i)) {
             isIncluded = includePlace(all, words[++i]);
         } else if (isNumberOfPoint(all, words, i)) {
@@ -398,7 +418,7 @@ NamePath splitPath(std::string_view name)
         }
         return {{owner.substr(0, owner.find('@')), before}, std::string(owner)};
     }
-    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point belongs to an abbreviation
+    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point may belong to an abbreviation
     const bool isLatex = name.starts_with('\\') || name.find_first_of("{^$") != name.npos;
     NamePath path;
     std::size_t begin = 0;
@@ -407,7 +427,9 @@ NamePath splitPath(std::string_view name)
         const bool isEnd = i == name.size();
         const bool isComma = i > 1 && i + 3 < name.size() && name.substr(i, 2) == ", "; // "Slider, X Displacement"
         const bool isSeparator = !isEnd && std::string_view("/:|").find(name[i]) != std::string_view::npos;
-        const bool isOther = !isEnd && ((name[i] == '.' && !hasBlank) || (name[i] == '\\' && !isLatex));
+        const bool isBeforeName = i + 1 < name.size() && !isBlank(name[i + 1]); // "Slider Joint.Px.v"
+        const bool isOther =
+            !isEnd && ((name[i] == '.' && (!hasBlank || isBeforeName)) || (name[i] == '\\' && !isLatex));
         if (isEnd || isComma || isSeparator || isOther) {
             if (i > begin) {
                 path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));

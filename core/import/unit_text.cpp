@@ -30,7 +30,7 @@ const Spellings kUnitSpellings(
     "per "
     "=/|_per_=/|.per.=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| "
     "par =/|"
-    " al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
+    "cycle/=rev/|cycles/=rev/|ciclos/=rev/| al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
     "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
     "|^\\circ=deg|\\circ=deg|\\=|"
     "\"=in|″=in|°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
@@ -39,7 +39,7 @@ const Spellings kUnitSpellings(
 std::optional<Unit> unitNamed(std::string_view name)
 {
     using enum Dimension;
-    static constexpr std::array<NamedUnit, 27> kUnits{{
+    static constexpr std::array<NamedUnit, 28> kUnits{{
         {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros "
          "millimetro millimetri",
          {Length, 0, 1.0}},
@@ -64,8 +64,11 @@ std::optional<Unit> unitNamed(std::string_view name)
         {"mrad", {Angle, 0, 1e-3 * kDegreesPerRadian}},
         {"pirad", {Angle, 0, 180.0}},
         {"gon gons gradian gradians grads", {Angle, 0, 0.9}},
-        {"rev revs revolution revolutions turn turns r u об tr giri obr omw varv omdr", {Angle, 0, 360.0}},
+        {"rev revs revolution revolutions turn turns r u об tr tour tours giri vuelta vueltas umdrehungen obr omw varv "
+         "omdr",
+         {Angle, 0, 360.0}},
         {"rpm", {Angle, 1, 6.0}},
+        {"hz hertz cps", {Angle, 1, 360.0}},
         {"s с сек 秒 초 sn sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo "
          "seconden seg segundo segundos segon segons sekundy sekund",
          {Time, 0, 1.0}},
@@ -115,6 +118,10 @@ std::optional<Unit> numeratorNamed(const UnitFactor &factor)
 {
     std::optional<Unit> unit = unitNamed(factor.name);
     if (unit && factor.power == 1) {
+        return unit;
+    }
+    if (unit && unit->order == 1 && factor.name.ends_with("ps")) { // "ips2": in/s²
+        unit->order = factor.power;
         return unit;
     }
     const std::size_t suffix = factor.name.ends_with("ps") ? 2 : 1;

@@ -173,15 +173,14 @@ std::string onlyPart(const std::vector<RawColumn *> &candidates)
     return part;
 }
 
-/// The path of a point with the name of an owner, as far as its x and y are in the table.
+/// The path of a point, as far as its x and y, or their derivatives, tell it.
 enum class Path { Unknown, Straight, Curved };
 
-Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner)
+/// Returns the path of a point whose x and y are in two columns of the same order.
+Path pathOf(const RawColumn *x, const RawColumn *y)
 {
     constexpr double kStraightness = 0.02; // of the travel, for points that were followed in a video
     constexpr double kCurvedness = 0.3;    // of the travel: a camera may be inclined
-    const RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, owner);
-    const RawColumn *const y = findUnnamed(candidates, {R4y, Order::Position}, owner);
     if (!x || !y || isConstant(*x)) {
         return Path::Unknown;
     }
@@ -194,11 +193,38 @@ Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner
     return isCurved ? Path::Curved : Path::Unknown;
 }
 
+/// Returns the path of the point with the name of an owner.
+Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner)
+{
+    Path path = Path::Unknown;
+    for (const Order order : {Order::Acceleration, Order::Velocity, Order::Position}) { // the last one tells most
+        const Path found =
+            pathOf(findUnnamed(candidates, {R4x, order}, owner), findUnnamed(candidates, {R4y, order}, owner));
+        path = found == Path::Unknown ? path : found;
+    }
+    return path;
+}
+
+/// Returns whether the columns x and y without any name are derivatives of a curved path, which is not the slider's. If
+/// they are positions, the identification tells so, as the slider may also move along an inclined line.
+bool isUnnamedCurved(const std::vector<RawColumn *> &candidates)
+{
+    const bool hasPosition = findUnnamed(candidates, {R4x, Order::Position}, {});
+    return !hasPosition && pathOf(candidates, {}) == Path::Curved;
+}
+
+/// Returns whether the owner of a column is A, the crank pin.
+bool isOfCrankPin(const RawColumn &column)
+{
+    return lowered(column.meaning.owner) == "a";
+}
+
 /// Finds the slider among points with x and y: it is the only one whose y does not change. Removes the others, those
 /// whose paths are curved, and those that only the path could tell.
 void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
 {
     const std::string part = onlyPart(candidates);
+    const bool isUnnamedOther = isUnnamedCurved(candidates);
     std::set<std::string> straight;
     std::set<std::string> curved;
     for (const RawColumn *const column : candidates) {
@@ -208,18 +234,22 @@ void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
             (path == Path::Straight ? straight : curved).insert(owner);
         }
     }
-    removeColumns(candidates, ColumnReason::UnknownBody, [&](RawColumn &column) {
-        if (!isOfPoint(&column)) {
-            return false;
-        }
+    const auto isOfOther = [&](RawColumn &column) {
         NameMeaning &meaning = column.meaning;
+        if (!isOfPoint(&column)) {
+            const bool isLength = !isAngle(column.use.channel.coordinate);
+            return isUnnamedOther && isOfUnnamedBody(&column) && isLength && meaning.owner.empty();
+        }
         if (straight.size() == 1 && straight.contains(meaning.owner)) {
             meaning.reason = ColumnReason::StraightPath;
             return false;
         }
         const bool isDoubtful = meaning.doubt == Doubt::IsOfPoint || (meaning.doubt == Doubt::IsOfPart && part.empty());
         return straight.size() == 1 || curved.contains(meaning.owner) || isDoubtful;
-    });
+    };
+    removeColumns(candidates, ColumnReason::CrankPin,
+                  [&](RawColumn &column) { return isOfCrankPin(column) && isOfOther(column); });
+    removeColumns(candidates, ColumnReason::UnknownBody, isOfOther);
 }
 
 } // namespace

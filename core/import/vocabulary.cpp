@@ -38,6 +38,7 @@ constexpr std::string_view kTimeCompanions =
     "latest data set ch mechanism kin";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
+constexpr std::string_view kTurnsPerSecond = "rps drehfrequenz crank_frequency rotation_frequency";
 constexpr std::string_view kRowNumbers =
     "n no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
 constexpr std::string_view kRowNumberCompanions =
@@ -98,6 +99,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
         WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
         WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
+        WordMeaning{Word, kTurnsPerSecond, Angle, Velocity, Crank},
         // Bodies. A wheel with a pin is a crank.
         WordMeaning{Word,
                     "crank motor moteur motore shaft welle eccentric excentrica exzenter input antrieb "
@@ -269,9 +271,18 @@ bool isTimeOfDay(const Words &words)
     return areAmong(words, kTimesOfDay, "");
 }
 
-bool isInTurnsPerMinute(const Words &words)
+std::string_view unitOfRotation(const Words &words)
 {
-    return std::ranges::any_of(words, [](const std::string &word) { return isAmong(word, kTurnsPerMinute); });
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const std::string two = i + 1 < words.size() ? words[i] + '_' + words[i + 1] : words[i];
+        if (isAmong(words[i], kTurnsPerMinute)) {
+            return "rpm";
+        }
+        if (isAmong(words[i], kTurnsPerSecond) || isAmong(two, kTurnsPerSecond)) {
+            return "rps";
+        }
+    }
+    return "";
 }
 
 bool isRowNumber(const Words &words)

@@ -57,8 +57,9 @@ bool isTime(const std::vector<std::string> &words);
 /// Returns whether the words name the time of day, as a clock shows it.
 bool isTimeOfDay(const std::vector<std::string> &words);
 
-/// Returns whether one of the words names a speed of rotation that is in turns per minute if no unit is stated.
-bool isInTurnsPerMinute(const std::vector<std::string> &words);
+/// Returns "rpm" or "rps" if one of the words names a speed of rotation that is in this unit if none is stated; else an
+/// empty text.
+std::string_view unitOfRotation(const std::vector<std::string> &words);
 
 /// Returns whether the words name the number of a row.
 bool isRowNumber(const std::vector<std::string> &words);

@@ -486,6 +486,18 @@
         <translation>Las longitudes no tienen unidad y se leen en mm. Si son metros, añada %1</translation>
     </message>
     <message>
+        <source>If this is the speed of the crank in rad/s, add %1; in turns per second, add %2</source>
+        <translation>Si es la velocidad de la manivela en rad/s, añada %1; en revoluciones por segundo, añada %2</translation>
+    </message>
+    <message>
+        <source>its unit may be rad/s or turns per second: state which one</source>
+        <translation>su unidad puede ser rad/s o revoluciones por segundo: indique cuál</translation>
+    </message>
+    <message>
+        <source>it is of the crank pin A, which is not compared</source>
+        <translation>es del pasador A de la manivela, que no se compara</translation>
+    </message>
+    <message>
         <source>unknown heading</source>
         <translation>encabezado desconocido</translation>
     </message>

@@ -270,6 +270,9 @@ private slots:
         QCOMPARE(json["ignoredColumns"].toArray().first().toString(), QStringLiteral("colour"));
         const RunResult repeated = run({"compare", write("repeated.csv", "time,R4_x\n0,75\n0,76\n0.1,80\n")});
         QVERIFY(repeated.error.contains("the same time") && !repeated.error.contains("could not be read"));
+        const RunResult unclear = run({"compare", write("speed.csv", "t,crank speed [1/s],x\n0,6,75\n1,6,76\n")});
+        QVERIFY(unclear.error.contains("--column \"crank speed [1/s]=theta2_diff [rad/s]\"") &&
+                unclear.error.contains("--column \"crank speed [1/s]=theta2_diff [rev/s]\""));
         const RunResult unreadable = run({"compare", write("empty.csv", "")});
         QVERIFY(unreadable.status == 3 && unreadable.hasOneLineError());
     }

@@ -47,6 +47,8 @@ public:
              "second one")},
         {ColumnReason::LikeOther, QT_TR_NOOP("another column could be the same quantity")},
         {ColumnReason::AngleOrLength, QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length")},
+        {ColumnReason::TurnsOrRadians, QT_TR_NOOP("its unit may be rad/s or turns per second: state which one")},
+        {ColumnReason::CrankPin, QT_TR_NOOP("it is of the crank pin A, which is not compared")},
         {ColumnReason::Constant, QT_TR_NOOP("its values do not change, as those of a parameter")},
     };
 };
@@ -75,6 +77,49 @@ QString channelMeaning(Channel channel)
 {
     const bool isAtA = channel == Channel{Theta3, Order::Position} && notation().symbols == Symbols::Textbook;
     return isAtA ? ColumnText::tr("%1, measured at A").arg(symbolText(channel)) : symbolText(channel);
+}
+
+/// Says that lengths without a unit may be in metres, and the option for it, if the stroke is that short.
+QStringList hintsOfMetres(const ReferenceData &data)
+{
+    constexpr double kShortestStroke = 1.0; // mm: a smaller one is probably in metres
+    const ReferenceSeries *const x = data.find({R4x, Order::Position});
+    const double stroke = x ? rangeOf(x->values).width() : 0.0;
+    std::vector<ColumnChoice> inMetres;
+    for (const FileColumn &column : data.layout.columns) {
+        const bool isLength = column.role == ColumnRole::Channel && !isAngle(column.channel.coordinate);
+        if (isLength && !column.unit.empty()) {
+            return {}; // then the others are not in metres either
+        }
+        if (isLength && !column.heading.empty()) {
+            const std::string unit = std::string(fileUnit(column.channel)).substr(1); // "mm/s" without "m"
+            inMetres.push_back(
+                {.role = column.role, .channel = column.channel, .unit = unit, .heading = column.heading});
+        }
+    }
+    return stroke > 0.0 && stroke < kShortestStroke && !inMetres.empty()
+               ? QStringList(ColumnText::tr("The lengths have no unit and are read as mm. If they are metres, add %1")
+                                 .arg(optionText(inMetres)))
+               : QStringList();
+}
+
+/// Names the options for speeds in 1/s or Hz that may be in rad/s or in turns per second.
+QStringList hintsOfRates(const FileLayout &layout)
+{
+    QStringList hints;
+    for (const FileColumn &column : layout.columns) {
+        if (column.reason == ColumnReason::TurnsOrRadians) {
+            const auto optionFor = [&column](const char *unit) {
+                return optionText({{.role = ColumnRole::Channel,
+                                    .channel = {Theta2, Order::Velocity},
+                                    .unit = unit,
+                                    .heading = column.heading}});
+            };
+            hints << ColumnText::tr("If this is the speed of the crank in rad/s, add %1; in turns per second, add %2")
+                         .arg(optionFor("rad/s"), optionFor("rev/s"));
+        }
+    }
+    return hints;
 }
 
 } // namespace
@@ -148,25 +193,7 @@ QStringList doubtTexts(const ReferenceData &data)
 
 QStringList optionHints(const ReferenceData &data)
 {
-    constexpr double kShortestStroke = 1.0; // mm: a smaller one is probably in metres
-    const ReferenceSeries *const x = data.find({R4x, Order::Position});
-    const double stroke = x ? rangeOf(x->values).width() : 0.0;
-    std::vector<ColumnChoice> inMetres;
-    for (const FileColumn &column : data.layout.columns) {
-        const bool isLength = column.role == ColumnRole::Channel && !isAngle(column.channel.coordinate);
-        if (isLength && !column.unit.empty()) {
-            return {}; // then the others are not in metres either
-        }
-        if (isLength && !column.heading.empty()) {
-            const std::string unit = std::string(fileUnit(column.channel)).substr(1); // "mm/s" without "m"
-            inMetres.push_back(
-                {.role = column.role, .channel = column.channel, .unit = unit, .heading = column.heading});
-        }
-    }
-    return stroke > 0.0 && stroke < kShortestStroke && !inMetres.empty()
-               ? QStringList(ColumnText::tr("The lengths have no unit and are read as mm. If they are metres, add %1")
-                                 .arg(optionText(inMetres)))
-               : QStringList();
+    return hintsOfMetres(data) + hintsOfRates(data.layout);
 }
 
 QString meaningText(const FileColumn &column)

@@ -70,6 +70,8 @@ const std::vector<Layout> kLayouts{
     {"\"t\n(s)\",\"x\r\n(mm)\"\r\n0,85\r\n1,84\r\n2,80\r\n", "time R4_x"}, // a spreadsheet's lines in cells
     {"t;x;v\n0;85;1’000\n1;84;2’000\n2;80;3’000\n", "time R4_x R4_x_diff"},
     {"sep=;\nt;x\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},
+    {"Zeit;Weg;Drehzahl\ns;mm;1/min\n0;85;60\n1;84;61\n2;80;62\n", "time R4_x theta2_diff"},
+    {"Zeit;Weg;Drehzahl\ns;mm;1/s\n0;85;60\n1;84;61\n2;80;62\n", "time R4_x theta2_diff"},
     {"t,x,a\n(s),(mm),(V)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x -"},
     {"#\tt\tx\tv\tNotes\n1\t0\t85\t1\t\n2\t1\t84\t2\t\n3\t2\t80\t3\tlast\n", "- time R4_x R4_x_diff -"},
     {"#,tout,x\n1,0.5,85\n2,1.5,84\n3,2.5,80\n", "- time R4_x"},
@@ -233,6 +235,47 @@ private slots:
         QCOMPARE(adviceIn("p [gon],foo\n0,80\n90,70\n170,60\n"), std::string("foo=R4_x ;"));
         QCOMPARE(adviceIn("time,J3_x,J4_x\n0,80,7\n1,70,8\n"), std::string("J4_x=R4_x ;")); // the last joint
         QCOMPARE(adviceIn("time,load [N],foo\n0,80,7\n1,70,8\n"), std::string("foo=R4_x ;"));
+        QCOMPARE(adviceIn("time,crank speed [1/s]\n0,6\n1,7\n"), std::string("crank speed [1/s]=theta2_diff rad/s;"));
+        QCOMPARE(adviceIn("time,q1,q2\n0,0,80\n1,1,70\n2,2,75\n"), std::string("q2=R4_x ;")); // q1 only rises
+    }
+
+    /// The crank pin A has no channel: its columns are neither used nor advised for the slider.
+    void readsNoSliderIntoTheCrankPin()
+    {
+        for (const char *const headings :
+             {"A x [mm];A y [mm]", "x_A;y_A", "xA;yA", "A.x;A.y", "Point A x (mm);Point A y (mm)", "x of A;y of A",
+              "crank pin x;crank pin y", "A vx;A vy", "x(A) [mm];y(A) [mm]"}) {
+            const Outcome outcome = read(QByteArray("t;") + headings + "\n0;20;0\n1;0;20\n2;-20;0\n3;0;-20\n");
+            const ReadError *const error = std::get_if<ReadError>(&outcome);
+            QVERIFY2(error && error->fault.column == ColumnReason::CrankPin && error->advice.empty(), headings);
+        }
+    }
+
+    /// Without a point's name, both components of the slider's velocity cannot change.
+    void readsNoSliderIntoACurve()
+    {
+        const auto isRead = [](const QByteArray &headings) {
+            return std::holds_alternative<ReferenceData>(read(headings + "\n0;20;0\n1;0;20\n2;-20;0\n3;0;-20\n"));
+        };
+        QVERIFY(!isRead("t;vx;vy"));
+        QVERIFY(!isRead("t;Ax;Ay"));
+        QVERIFY(isRead("t;x;y")); // the identification tells that y changes
+    }
+
+    /// A path implies radians, unless the crank would make more than half a turn from row to row.
+    void readsDegreesOfAPath()
+    {
+        const auto unitIn = [](int step) {
+            QByteArray text = "t,crank.phi,slider.s\n";
+            for (int row = 0; row < 12; ++row) {
+                text += QByteArray::number(row) + ',' + QByteArray::number(step * row) + ",0." +
+                        QByteArray::number(10 + row * (11 - row)) + '\n';
+            }
+            const Outcome outcome = read(text);
+            return std::get<ReferenceData>(outcome).layout.columns[1].unit;
+        };
+        QCOMPARE(unitIn(1), std::string("rad"));
+        QCOMPARE(unitIn(10), std::string());
     }
 
     /// An angle that turns by more than half a turn in one direction is that of the crank, whatever its name.
