@@ -51,7 +51,7 @@ bool isUtf8(std::string_view bytes)
 void refuseFormats(std::string_view text, bool mayBeBinary)
 {
     using enum ReadFault::Kind;
-    constexpr std::array<std::pair<std::string_view, ReadFault::Kind>, 10> kBeginnings{
+    constexpr std::array<std::pair<std::string_view, ReadFault::Kind>, 11> kBeginnings{
         {{"pk\x03\x04", Spreadsheet},
          {"\xD0\xCF\x11\xE0", Spreadsheet},
          {"\x1F\x8B", Spreadsheet},
@@ -59,6 +59,7 @@ void refuseFormats(std::string_view text, bool mayBeBinary)
          {"<!", Markup},
          {"<?", Markup},
          {"<html", Markup},
+         {"<table", Markup},
          {"{\"", Json},
          {"[{", Json},
          {"[[", Json}}};

@@ -149,6 +149,19 @@ void splitAtBeginning(std::string_view text, Heading &heading)
     }
 }
 
+/// Returns where the brace at the beginning of a text is closed; npos if it is not.
+std::size_t closingBrace(std::string_view text)
+{
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        depth += text[i] == '{' ? 1 : text[i] == '}' ? -1 : 0;
+        if (depth == 0) {
+            return i;
+        }
+    }
+    return text.npos;
+}
+
 /// Returns the last part of the name's path: "DX" of "Body_4/DX".
 std::string lastPartOf(const Heading &heading)
 {
@@ -195,6 +208,19 @@ bool isOfPointA(const Heading &heading, std::span<const Heading> row)
            });
 }
 
+/// Returns whether the name is the symbol of a vector whose x component is another column: "v" beside "v_x".
+bool isMagnitude(const Heading &heading, std::span<const Heading> row)
+{
+    const Words words = wordsOf(lastPartOf(heading));
+    if (words.size() != 1 || !isAmong(words[0], "v a")) {
+        return false;
+    }
+    return std::ranges::any_of(row, [&](const Heading &other) {
+        const Words component = wordsOf(lastPartOf(other));
+        return component == Words{words[0], "x"} || component == Words{words[0] + 'x'};
+    });
+}
+
 /// Decides between the meanings of "xp", "dx" and the like by the other columns: beside "xpp" or "d2x" they are
 /// derivatives; beside "v_p", or without an "x", "x_p" is the x of the piston; and "DX", or "dx" beside "vx", is a
 /// displacement. Otherwise only a person can tell.
@@ -209,6 +235,8 @@ void resolveDoubts(std::vector<Heading> &row)
         NameMeaning &meaning = heading.meaning;
         if (isOfPointA(heading, row)) {
             meaning = {.reason = ColumnReason::CrankPin};
+        } else if (isMagnitude(heading, row)) {
+            meaning = {.reason = ColumnReason::Magnitude};
         }
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
             continue;
@@ -336,8 +364,9 @@ Heading parseHeading(std::string_view cell)
     const auto isBetween = [&text](char first, char last) {
         return text.size() > 2 && text.front() == first && text.back() == last;
     };
-    const bool isInBrackets = isBetween('[', ']') && text.find('(') != text.npos; // "[Slider Position (mm)]"
-    if (isInBrackets || isBetween('\'', '\'') || isBetween('<', '>')) { // "<…>" is the label of a signal in Simulink
+    const bool isInBrackets = isBetween('[', ']') && text.find('(') != text.npos;         // "[Slider Position (mm)]"
+    const bool isInBraces = isBetween('{', '}') && closingBrace(text) == text.size() - 1; // "{$x$ (mm)}" of LaTeX
+    if (isInBrackets || isInBraces || isBetween('\'', '\'') || isBetween('<', '>')) { // "<…>": a signal in Simulink
         text = text.substr(1, text.size() - 2);
     } else if (text.starts_with("('") && text.ends_with("')")) {
         text = kPandasSeparators.replacedIn(text.substr(2, text.size() - 4)); // "('slider', 'x')" of pandas

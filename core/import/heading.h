@@ -15,9 +15,10 @@ namespace slidercrank
 
 /// How the cells of a column are written.
 struct CellForm {
-    std::string_view unit{}; ///< after the number in each cell
-    bool isClock = false;    ///< the cells contain times of a clock
-    bool hasDate = false;    ///< before the time of the clock
+    std::string_view label{}; ///< before the number in each cell: "angle:" of "angle:12.5"
+    std::string_view unit{};  ///< after the number in each cell
+    bool isClock = false;     ///< the cells contain times of a clock
+    bool hasDate = false;     ///< before the time of the clock
 };
 
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".

@@ -64,7 +64,7 @@ bool isRule(std::string_view line)
 std::string_view withoutBorders(std::string_view line)
 {
     std::string_view text = trimmed(line);
-    if (isRule(text)) {
+    if (isRule(text) || text.starts_with("\\begin{") || text.starts_with("\\end{")) {
         return {};
     }
     if (text.starts_with('|') && text.ends_with('|') && text.size() > 1) {

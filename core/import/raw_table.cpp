@@ -18,6 +18,9 @@ constexpr std::size_t kFewestCells = 2; // in a row: other missing cells at the 
 
 CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign decimalSign)
 {
+    if (const std::string_view label = column.cells.label; cell.starts_with(label)) {
+        cell = trimmed(cell.substr(label.size()));
+    }
     const std::string_view unit = column.cells.unit;
     if (!unit.empty() && cell.ends_with(unit)) {
         cell = trimmed(cell.substr(0, cell.size() - unit.size()));

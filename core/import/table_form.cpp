@@ -79,6 +79,51 @@ std::optional<SplitLine> findFirstRow(Lines lines)
     return std::nullopt;
 }
 
+/// Returns the label before the number in a cell with its mark, such as "angle:" in "angle:12.5" and "x =" in "x = 85
+/// mm"; empty if there is none.
+std::string_view labelOf(std::string_view cell)
+{
+    const std::size_t mark = cell.find_first_of(":=");
+    const bool isLabelled =
+        mark != cell.npos && mark > 0 && !isDigit(cell[0]) && isNumber(trimmed(cell.substr(mark + 1)));
+    return isLabelled ? cell.substr(0, mark + 1) : std::string_view();
+}
+
+/// Returns the first line whose cells have the same labels before their numbers as those of the next line.
+std::optional<SplitLine> findLabelledRow(Lines lines)
+{
+    const auto labelsOf = [](const Line &line, char delimiter) {
+        Cells labels = splitCells(line.text, delimiter);
+        std::ranges::transform(labels, labels.begin(), labelOf);
+        return labels;
+    };
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+        for (const char delimiter : std::string_view("\t;,| ")) {
+            const Cells labels = labelsOf(lines[i], delimiter);
+            const bool areLabels = labels.size() > 1 && std::ranges::count(labels, std::string_view()) == 0;
+            if (areLabels && labels == labelsOf(lines[i + 1], delimiter)) {
+                return SplitLine{.cells = labels, .delimiter = delimiter, .line = i};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns the headings of a table whose cells contain them as labels, as the serial plotter of Arduino writes it:
+/// "t:0.1,angle:12.5".
+std::vector<Heading> headingsOfLabels(const SplitLine &labels, const Line &row)
+{
+    std::vector<Heading> headings;
+    const Cells cells = splitCells(row.text, labels.delimiter);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::string_view label = labels.cells[i];
+        Heading &heading = headings.emplace_back(parseHeading(trimmed(label.substr(0, label.size() - 1))));
+        heading.cells.label = label;
+        heading.cells.unit = splitUnit(trimmed(cells[i].substr(label.size()))).unit;
+    }
+    return headings;
+}
+
 /// Removes the comment mark that some programs write before the headings.
 std::string_view withoutMark(std::string_view line)
 {
@@ -114,8 +159,8 @@ std::span<const std::string_view> withoutRemark(const Cells &headings)
     return {headings.begin(), remark};
 }
 
-/// Returns whether a cell continues the heading in the cell before it, as the unit in "Time, s" and the symbol with its
-/// unit in "Position, x (mm)" do.
+/// Returns whether a cell continues the heading in the cell before it, as the unit in "Time, s", the symbol with its
+/// unit in "Position, x (mm)" and the number of the measurement in "Position (m), Run #1" do.
 bool continuesHeading(std::string_view before, std::string_view cell)
 {
     const Heading first = parseHeading(before);
@@ -127,7 +172,7 @@ bool continuesHeading(std::string_view before, std::string_view cell)
         isAngle(channel.coordinate) == isAngle(channelOfSymbol.coordinate) && channel.order == channelOfSymbol.order;
     const bool isSymbol = first.meaning.kind != Kind::Nothing && first.use.unit.empty() && !second.use.unit.empty() &&
                           beginsWithSymbol(second);
-    return parseUnit(cell) || (isSymbol && isSameQuantity);
+    return parseUnit(cell) || cell.starts_with("Run #") || (isSymbol && isSameQuantity);
 }
 
 /// Joins cells where unquoted headings contain the delimiter: "Time, s,Position, x (mm)".
@@ -244,6 +289,21 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
     return best;
 }
 
+/// Inserts the heading that pandas prints for the first column in a line of its own, below the others. Returns the
+/// number of these lines, 0 or 1.
+std::size_t takeNameOfIndex(Lines rows, const std::optional<SplitLine> &row, std::vector<Heading> &headings)
+{
+    if (!row || rows.empty() || headings.size() + 1 != row->cells.size()) {
+        return 0;
+    }
+    const Heading heading = parseHeading(trimmed(rows.front().text));
+    if (heading.meaning.kind == Kind::Nothing) {
+        return 0;
+    }
+    headings.insert(headings.begin(), heading);
+    return 1;
+}
+
 /// Returns whether R or pandas wrote the names of the rows, which have no heading, before the cells: quoted, words, or
 /// numbers from 0 or 1.
 bool haveRowNames(Lines rows, char delimiter, std::size_t headings)
@@ -329,6 +389,38 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
         }
     }
     return count;
+}
+
+/// Interprets the lines below the headings that belong to them, and adds a heading for row names without one. Returns
+/// the number of these lines.
+std::size_t completeHeadings(Lines lines, const std::optional<SplitLine> &row, char delimiter,
+                             std::vector<Heading> &headings)
+{
+    std::size_t count = takeNameOfIndex(lines, row, headings);
+    count += readAnnotations(firstLines(lines.subspan(count)), row, headings);
+    if (haveRowNames(lines.subspan(count), delimiter, headings.size())) {
+        headings.insert(headings.begin(), Heading());
+    }
+    return count;
+}
+
+/// Finds the columns of times of a clock by the cells of the first row. Times of day that no clock shows have no
+/// meaning.
+void findClocks(const Cells &cells, std::vector<Heading> &headings)
+{
+    for (std::size_t i = 0; i < std::min(cells.size(), headings.size()); ++i) {
+        if (headings[i].meaning.kind >= Kind::Quantity) {
+            break; // behind a quantity, "1:02" is a duration, as of a lap
+        }
+        const std::size_t colon = cells[i].find(':');
+        headings[i].cells.isClock = colon != cells[i].npos;
+        headings[i].cells.hasDate = cells[i].find_first_of("-/.") < colon;
+    }
+    for (Heading &heading : headings) {
+        if (!heading.cells.isClock && isTimeOfDay(wordsOf(heading.name))) {
+            heading.meaning = {};
+        }
+    }
 }
 
 /// Finds the decimal sign with which most numbers in the first lines can be read: 0,005 and 1.234,5 only with a comma.
@@ -422,42 +514,37 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
     const std::optional<SplitLine> row = findFirstRow(examined);
-    if (!row && isProse(lines)) { // many words, whose meanings would take long to find
+    const std::optional<SplitLine> labels = row ? std::nullopt : findLabelledRow(examined);
+    if (!row && !labels && isProse(lines)) { // many words, whose meanings would take long to find
         throw ReadError{.fault = {ReadFault::Kind::NotATable}};
     }
-    std::optional<SplitLine> header = findHeader(examined, row);
+    const std::optional<SplitLine> header = labels ? labels : findHeader(examined, row);
     const bool isSure = header && header->isComplete() && std::ranges::none_of(header->cells, isNumber);
     if (!isSure && isTransposed(examined)) {
         throw ReadError{.line = lines.front().number, .fault = {ReadFault::Kind::Transposed}};
     }
-    const std::size_t first = header ? header->line : row->line;
     layout.delimiter = row ? row->delimiter : header->delimiter;
-    Lines rows = Lines(lines).subspan(first + (header ? 1 : 0));
-    std::vector<Heading> headings(header ? 0 : row->cells.size());
-    if (header) {
-        layout.headerLine = lines[first].number;
+    layout.headerLine = header ? lines[header->line].number : 0;
+    Lines rows = lines;
+    std::vector<Heading> headings;
+    if (labels) {
+        rows = rows.subspan(labels->line);
+        headings = headingsOfLabels(*labels, rows.front());
+    } else if (header) {
+        rows = rows.subspan(header->line + 1);
         std::ranges::transform(withoutRemark(header->cells), std::back_inserter(headings), parseHeading);
-        rows = rows.subspan(readAnnotations(firstLines(rows), row, headings));
-        if (haveRowNames(rows, layout.delimiter, headings.size())) {
-            headings.insert(headings.begin(), Heading());
-        }
+        rows = rows.subspan(completeHeadings(rows, row, layout.delimiter, headings));
+    } else {
+        rows = rows.subspan(row->line);
+        headings.resize(row->cells.size());
     }
     for (std::size_t i = 0; row && i < std::min(row->cells.size(), headings.size()); ++i) {
         headings[i].cells.unit = splitUnit(row->cells[i]).unit;
         setUnit(headings, i, headings[i].cells.unit, lines[row->line].number);
     }
     interpretHeadings(headings);
-    const Cells cells = rows.empty() ? Cells() : splitCells(rows.front().text, layout.delimiter);
-    for (std::size_t i = 0; i < std::min(cells.size(), headings.size()) && headings[i].meaning.kind < Kind::Quantity;
-         ++i) {
-        const std::size_t colon = cells[i].find(':');
-        headings[i].cells.isClock = colon != cells[i].npos; // but after a quantity, "1:02" is a duration, as of a lap
-        headings[i].cells.hasDate = cells[i].find_first_of("-/.") < colon;
-    }
-    for (Heading &heading : headings) {
-        if (!heading.cells.isClock && isTimeOfDay(wordsOf(heading.name))) {
-            heading.meaning = {};
-        }
+    if (!labels && !rows.empty()) {
+        findClocks(splitCells(rows.front().text, layout.delimiter), headings);
     }
     findDecimalSign(firstLines(rows), layout);
     lines.erase(lines.begin(), lines.end() - static_cast<std::ptrdiff_t>(rows.size()));

@@ -23,8 +23,8 @@ struct NamedUnit {
     Unit unit;
 };
 
-/// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees. Micro has two code points,
-/// one is the Greek letter.
+/// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees; "¡" is the sign ° of a
+/// Macintosh read as Windows-1252. Micro has two code points, one is the Greek letter.
 const Spellings kUnitSpellings(
     "×π rad=pirad|π rad=pirad|pi rad=pirad|2π=rev|2pi=rev|2 pi=rev|2*pi=rev|1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| "
     "per "
@@ -33,7 +33,7 @@ const Spellings kUnitSpellings(
     "cycle/=rev/|cycles/=rev/|ciclos/=rev/| al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
     "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
     "|^\\circ=deg|\\circ=deg|\\=|"
-    "\"=in|″=in|°=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
+    "\"=in|″=in|°=deg|¡=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
     " cw=| ccw=| CW=| CCW=| atdc=| ATDC=| atc=| ATC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=");
 
 std::optional<Unit> unitNamed(std::string_view name)

@@ -156,6 +156,17 @@ bool isOfPoint(const RawColumn *column)
     return isOfUnnamedBody(column) && !column->meaning.owner.empty() && !isAngle(column->use.channel.coordinate);
 }
 
+/// Removes speeds that are never negative while the slider moves to and fro: they are magnitudes.
+void removeMagnitudes(std::vector<RawColumn *> &candidates)
+{
+    removeColumns(candidates, ColumnReason::Magnitude, [&](const RawColumn &column) {
+        const RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, column.meaning.owner);
+        const bool isSpeed = isOfUnnamedBody(&column) && column.use.channel == Channel{R4x, Order::Velocity};
+        return isSpeed && x && x->values.size() >= kFewestRows && findReversal(x->finiteValues()) &&
+               rangeOf(column.values).low >= 0.0;
+    });
+}
+
 /// Returns the only owner of columns of numbered parts, if no other column is the slider's; else an empty text.
 std::string onlyPart(const std::vector<RawColumn *> &candidates)
 {
@@ -298,6 +309,7 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
 {
     findSliderAmongPoints(candidates);
     removeConstants(candidates);
+    removeMagnitudes(candidates);
     findCrank(table, candidates);
     findBodyOfPosition(candidates);
     removeColumns(candidates, ColumnReason::UnknownBody, [](const RawColumn &column) {

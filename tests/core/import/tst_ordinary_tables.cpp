@@ -98,12 +98,19 @@ const std::vector<Layout> kLayouts{
     {" Row │ t        x\n     │ Float64  Float64\n─────┼──────────────────\n   1 │     0.0     85.0\n   2 │     1.0    "
      " 84.0\n"
      "   3 │     2.0     80.0\n",
-     "- - time R4_x"}, // Julia
+     "- - time R4_x"},                                                                                 // Julia
+    {"      x    v\nt           \n0.0  85    1\n1.0  84    2\n2.0  80    3\n", "time R4_x R4_x_diff"}, // pandas
+    {"t:0,x:85\nt:1,x:84\nt:2,x:80\n", "time R4_x"},                                                   // Arduino
+    {"time: 0\tpos_mm: 85\ntime: 1\tpos_mm: 84\ntime: 2\tpos_mm: 80\n", "time R4_x"},
+    {"start\nt=0 x=85mm\nt=1 x=84mm\nt=2 x=80mm\n", "time R4_x"},
+    {"\\begin{tabular}{S S}\n{$t$ (\\si{s})} & {$x$ (\\si{mm})} \\\\\n0 & 85 \\\\\n1 & 84 \\\\\n2 & 80 \\\\\n",
+     "time R4_x"},
     // Headings in two lines.
     {"Time;Piston;Piston\ns;Position [mm];Velocity [mm/s]\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"},
     {"Time,Slider,Slider\n(s),X (mm),VX (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     {"Time,Slider,Slider\n,position,velocity\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     {"t;coupler;slider\ns;x [mm];x [mm]\n0;70;85\n1;60;84\n2;50;80\n", "time - R4_x"},
+    {"Zeit;Kolben [mm];Winkel [\xA1]\n0;85;1\n1;84;2\n2;80;1\n", "time R4_x theta3"}, // Macintosh
     // Several columns of one quantity.
     {"Pos,Crank deg,Slider mm\n1,0,85\n2,90,84\n3,180,80\n", "- angle R4_x"},
     {"t,x (mm),x (in)\n0,85,3.3\n1,84,3.3\n2,80,3.1\n", "time R4_x -"},
@@ -112,6 +119,7 @@ const std::vector<Layout> kLayouts{
     // Headings that contain the delimiter.
     {"Time, s,Piston position, x (mm)\n0,85\n1,84\n2,80\n", "time R4_x"},
     {"Time, t (s), Position, x (mm), Velocity, v (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
+    {"Time (s),Position (mm), Run #1\n0,85\n1,84\n2,80\n", "time R4_x"}, // PASCO
     {"θ (deg), Slider x (mm), first run\n0,85\n90,84\n180,80\n", "angle R4_x -"},
     {"t\tSlider, Displacement, X (mm)\tSlider, Velocity, X (mm/s)\n0\t85\t1\n1\t84\t2\n2\t80\t3\n",
      "time R4_x R4_x_diff"},
@@ -260,6 +268,28 @@ private slots:
         QVERIFY(!isRead("t;vx;vy"));
         QVERIFY(!isRead("t;Ax;Ay"));
         QVERIFY(isRead("t;x;y")); // the identification tells that y changes
+    }
+
+    /// Tracker writes the magnitude of a vector beside its components, or instead of them.
+    void readsNoMagnitude()
+    {
+        const auto rolesIn = [](const QByteArray &headings, double sign) {
+            QByteArray text = headings + '\n';
+            for (int row = 0; row < 12; ++row) {
+                const double angle = row / 2.0;
+                const double velocity = -20.0 * std::sin(angle);
+                const double other = velocity < 0.0 ? sign * velocity : velocity;
+                for (const double value : {row / 10.0, 20.0 * std::cos(angle), 0.0, velocity, other}) {
+                    text += QByteArray::number(value, 'g', 9) + ';';
+                }
+                text.back() = '\n';
+            }
+            const Outcome outcome = read(text);
+            return QString::fromStdString(rolesOf(std::get<ReferenceData>(outcome).layout)).remove('?');
+        };
+        QCOMPARE(rolesIn("t;x;y;v_{x};v", -1.0), QString("time R4_x R4_y R4_x_diff -"));
+        QCOMPARE(rolesIn("t;x;y;foo;v", -1.0), QString("time R4_x R4_y - -"));
+        QCOMPARE(rolesIn("t;x;y;foo;v", 1.0), QString("time R4_x R4_y - R4_x_diff"));
     }
 
     /// A path implies radians, unless the crank would make more than half a turn from row to row.
