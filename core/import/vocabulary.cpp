@@ -177,7 +177,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
         WordMeaning{Filler,
                     "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
-                    "component comp field out output instantaneous relative measured z open crossed o pin obrotu "
+                    "component comp field out output instantaneous relative measured z i open crossed o pin obrotu "
                     "поворота повороту"},
         WordMeaning{
             OtherQuantity,
