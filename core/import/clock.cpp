@@ -42,7 +42,7 @@ std::vector<double> gridNumbers(std::span<const double> time)
 
 Clock clockOf(std::span<const double> time, const Rounding &rounding)
 {
-    constexpr double kPartOfStep = 1e-3; // nine digits are uneven in the last one, and nine-digit values show it
+    constexpr double kPartOfStep = 1e-3; // of the rounding step: rounding itself makes time stamps more uneven
     constexpr double kUlps = 4.0; // rounding errors of two differences: four time stamps, plus the unit conversion
     constexpr std::size_t kFewestTimeStamps = 10; // fewer may be evenly spaced by chance
     Clock clock;

@@ -2,10 +2,12 @@
 #pragma once
 
 // The precision of time stamps. They are rounded like any other number, and the mechanism moves during the rounding
-// error. Evenly spaced time stamps (0, 0.005, 0.01) are taken as exact: the program that wrote 0, 0.0133, 0.0266 may
-// have meant 0, 0.013303, 0.026606, but nothing shows it. Time stamps that are evenly spaced within their rounding (0,
-// 0.033, 0.067, 0.1) were rounded. Missing time stamps of such a grid make no difference. Other ones (0, 0.1, 0.25, 1)
-// may have been chosen.
+// error. Three kinds are distinguished, whether or not some time stamps of an even sequence are missing:
+//
+//     0, 0.005, 0.01          evenly spaced: taken as exact. A program that wrote 0, 0.0133, 0.0266 may have meant
+//                             0, 0.013303, 0.026606, but nothing shows it.
+//     0, 0.033, 0.067, 0.1    evenly spaced within their rounding: they were rounded.
+//     0, 0.1, 0.25, 1         uneven: they may be exact or rounded, and are treated as rounded.
 
 #include "core/import/rounding.h"
 

@@ -243,7 +243,7 @@ void assignAbscissas(RawTable &table)
 // ---- Channels ----
 
 /// Returns the error that two columns are the same channel.
-ReadError conflict(const RawTable &table, const RawColumn &first, const RawColumn &second)
+ReadError sameChannelError(const RawTable &table, const RawColumn &first, const RawColumn &second)
 {
     const Channel channel = first.use.channel;
     return first.use.file == second.use.file
@@ -329,8 +329,8 @@ bool areEqual(const Values &x, const Values &y, double tolerance)
 bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
 {
     const double step = stepOf(column);
-    const double finerStep = stepOf(other);
-    const bool isCoarser = step > finerStep || (step == finerStep && column.index > other.index);
+    const double otherStep = stepOf(other);
+    const bool isCoarser = step > otherStep || (step == otherStep && column.index > other.index);
     return isCoarser && column.factor != other.factor && column.values.size() >= 2 &&
            areEqual(column.values, other.values, step);
 }
@@ -368,13 +368,14 @@ void removeRepeated(std::vector<RawColumn *> &candidates)
     });
 }
 
-/// Replaces the coupler's angle at B, which Norton calls θ3, by the one at A, which differs by half a turn.
+/// Replaces the coupler's angle at B, which Norton calls θ3, by the one at A. They differ by half a turn, in the
+/// direction that brings the angle at A between -90° and 270°.
 void measureAtA(RawColumn &column)
 {
     constexpr double kHalfTurn = 180.0;
     column.values = unwrapped(std::move(column.values));
     const ValueRange range = rangeOf(column.values);
-    column.origin = range.low + range.high > kHalfTurn ? kHalfTurn : -kHalfTurn; // from -90° to 270° at A
+    column.origin = range.low + range.high > kHalfTurn ? kHalfTurn : -kHalfTurn;
     std::ranges::for_each(column.values, [&column](double &value) { value -= column.origin; });
 }
 
@@ -431,7 +432,7 @@ void assignChannels(RawTable &table)
             column->use.role = ColumnRole::Channel;
             column->use.reason = column->meaning.reason;
         } else if (evidence >= Kind::ChannelName && (*rival)->meaning.kind == evidence) {
-            throw conflict(table, *column, **rival);
+            throw sameChannelError(table, *column, **rival);
         } else {
             column->use.reason = ColumnReason::LikeOther;
         }
@@ -460,7 +461,7 @@ void requireData(RawTable &table, std::size_t file)
             return column.use.file != file && column.use.channel == open->use.channel;
         });
         if (open->use.reason == ColumnReason::LikeOther && other) {
-            throw conflict(table, *open, *other);
+            throw sameChannelError(table, *open, *other);
         }
         fault = {Fault::NoCertainChannel, {}, excerpt(open->use.heading), open->use.reason};
     }

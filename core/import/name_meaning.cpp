@@ -105,13 +105,14 @@ bool saysQuantity(const NameReading &name, const std::optional<Unit> &unit, bool
     return namesQuantity || name.body;
 }
 
-/// Returns what only the other columns can tell about a name, which is marked by an index such as the A of "x_A".
-NameMeaning::Doubt doubtOf(const NameReading &name, const std::optional<Unit> &unit, bool isAngle, bool hasIndex)
+/// Returns what only the other columns can tell about a name. `isOfUnknown`: it is of an unknown point or body, such as
+/// the A of "x_A".
+NameMeaning::Doubt doubtOf(const NameReading &name, const std::optional<Unit> &unit, bool isAngle, bool isOfUnknown)
 {
     if (name.symbol == "q" && unit) { // a generalized coordinate, of the crank only if it turns
         return Doubt::None;
     }
-    if (hasIndex) {
+    if (isOfUnknown) {
         return isAngle ? Doubt::IsOfCrank : Doubt::IsOfPoint;
     }
     if (!name.unknown.point.empty() && !name.body && !isAngle) {
@@ -128,6 +129,32 @@ bool isForeignSymbol(const NameReading &name, const std::optional<Unit> &unit)
 {
     return unit && !name.symbol.empty() && name.axis == ' ' && !name.body && name.dimension &&
            unit->dimension != Dimension::Time && unit->dimension != *name.dimension;
+}
+
+/// Returns whether a name has an index or words for a point or body that is none of the three: "x_G", "phase angle".
+/// But "λ (mm)" has no index, and "angle of bar BC" names the joints of its body.
+bool isOfUnknownPoint(const NameReading &name, bool isAngle)
+{
+    const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ' || isAngle;
+    const bool isIndexOfSymbol = namesQuantity && name.unknown.areIndices() && !name.body;
+    const bool isUnknownAngle = isAngle && name.dimension && name.unknown.hasWord && !name.body && name.joints.empty();
+    return name.isUnknownBody || isIndexOfSymbol || isUnknownAngle;
+}
+
+/// Returns whether a name consists of words for a body and its quantity, so that it needs no guess.
+bool namesBodyAndQuantity(const NameReading &name, const std::optional<Unit> &unit, bool isAngle)
+{
+    const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ' || unit || (isAngle && name.dimension);
+    return namesQuantity && name.isBodyNamed && (name.body || name.isFrame);
+}
+
+/// Returns the name of the point or body to which a column belongs together with other columns.
+std::string ownerOf(const NameReading &name, const NamePath &path)
+{
+    if (name.unknown.isAny() && !name.body) {
+        return name.unknown.point.empty() ? name.unknown.text : name.unknown.point;
+    }
+    return path.owner + name.joints;
 }
 
 /// Returns the channel or quantity of a name. Where no word is known, the unit tells the quantity.
@@ -151,24 +178,16 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
         return {.reason = isOfUnknown ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
     }
     const Order order = *knownOrder;
-    const bool isSymbolAlone = name.unknown.areIndices() && !name.body; // "x_G", but "λ (mm)" is no index
-    const bool isOfUnknownBody =                                        // "phase angle", but "angle of bar BC"
-        isAngle && name.dimension && name.unknown.hasWord && !name.body && name.joints.empty();
-    const bool hasIndex = name.isUnknownBody || isOfUnknownBody ||
-                          (isSymbolAlone && (name.order || name.hasSymbol || name.axis != ' ' || isAngle));
+    const bool isOfUnknown = isOfUnknownPoint(name, isAngle);
+    const bool isKnownBody = namesBodyAndQuantity(name, unit, isAngle);
     const bool isCoordinateOfAnyKind = name.symbol == "q" && !unit && !name.isBodyNamed; // an angle or a length
-    const bool namesBody = (name.body || name.isFrame) && name.isBodyNamed &&
-                           (name.order || name.hasSymbol || name.axis != ' ' || unit || (isAngle && name.dimension));
-    NameMeaning meaning{.kind = namesBody && !hasIndex ? Kind::Words : Kind::Quantity,
+    NameMeaning meaning{.kind = isKnownBody && !isOfUnknown ? Kind::Words : Kind::Quantity,
                         .channel = {coordinateOf(name, isAngle), order},
-                        .reason = namesBody ? ColumnReason::KnownName : ColumnReason::QuantityInName,
-                        .owner = path.owner + name.joints,
-                        .doubt = doubtOf(name, unit, isAngle, hasIndex),
-                        .hasUnknownWords = name.unknown.isAny() || hasIndex || isCoordinateOfAnyKind,
+                        .reason = isKnownBody ? ColumnReason::KnownName : ColumnReason::QuantityInName,
+                        .owner = ownerOf(name, path),
+                        .doubt = doubtOf(name, unit, isAngle, isOfUnknown),
+                        .hasUnknownWords = name.unknown.isAny() || isOfUnknown || isCoordinateOfAnyKind,
                         .isAtB = name.isAtB && order == Order::Position};
-    if (name.unknown.isAny() && !name.body) {
-        meaning.owner = name.unknown.point.empty() ? name.unknown.text : name.unknown.point;
-    }
     if (path.isInSi && unitText.empty()) {
         meaning.reason = ColumnReason::PathInSi;
     } else if (meaning.hasUnknownWords) {

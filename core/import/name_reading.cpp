@@ -20,22 +20,22 @@ using Doubt = NameMeaning::Doubt;
 constexpr std::array<std::string_view, 7> kNamesInSi{"_tx",        "qpos",       "qvel",      "qacc",
                                                      "_joint_pos", "_joint_vel", "_joint_acc"};
 
-/// Sets `all` to a value that is known. Returns false if it differs from the one before.
+/// Sets `known` to `value` if there is one. Returns false if it differs from the one that was known before.
 template <typename Value>
-bool merge(std::optional<Value> &all, const std::optional<Value> &value)
+bool merge(std::optional<Value> &known, const std::optional<Value> &value)
 {
-    const bool agrees = !all || !value || *all == *value;
-    all = value ? value : all;
+    const bool agrees = !known || !value || *known == *value;
+    known = value ? value : known;
     return agrees;
 }
 
 /// Includes what an entry of the vocabulary says. Returns false if it contradicts the rest.
-bool merge(NameReading &all, const WordMeaning &entry)
+bool merge(NameReading &reading, const WordMeaning &entry)
 {
-    all.order = std::max(all.order, entry.order);
-    all.axis = entry.axis != ' ' ? entry.axis : all.axis;
-    all.isCentre = all.isCentre || entry.isCentre;
-    return merge(all.dimension, entry.dimension) && merge(all.body, entry.body);
+    reading.order = std::max(reading.order, entry.order);
+    reading.axis = entry.axis != ' ' ? entry.axis : reading.axis;
+    reading.isCentre = reading.isCentre || entry.isCentre;
+    return merge(reading.dimension, entry.dimension) && merge(reading.body, entry.body);
 }
 
 /// Which entries of the vocabulary a word may be.
@@ -46,33 +46,33 @@ enum class Entries {
 
 /// Includes the number of a link after a symbol: the crank is link 2, the coupler 3 and the slider 4. Returns false if
 /// the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1").
-bool includeNumber(NameReading &all, std::string_view digits, Entries entries)
+bool includeNumber(NameReading &reading, std::string_view digits, Entries entries)
 {
-    if (!all.hasSymbol || entries == Entries::WithoutSymbols) {
+    if (!reading.hasSymbol || entries == Entries::WithoutSymbols) {
         return true;
     }
-    const bool isAngle = all.dimension == Dimension::Angle;
-    all.isBodyNamed = true;
+    const bool isAngle = reading.dimension == Dimension::Angle;
+    reading.isBodyNamed = true;
     if (digits == "4" && !isAngle) {
-        all.joints.clear(); // "x14", of link 4 to the frame 1
-        return merge(all.body, std::optional(Body::Slider));
+        reading.joints.clear(); // "x14", of link 4 to the frame 1
+        return merge(reading.body, std::optional(Body::Slider));
     }
-    all.isUnknownBody = !isAngle;
-    const bool isCoordinate = all.symbol == "q"; // generalized
-    if (isCoordinate || (all.axis != ' ' && !all.body && isAmong(digits, "1 2 3"))) {
-        all.joints = digits; // "y3"
+    reading.isUnknownBody = !isAngle;
+    const bool isCoordinate = reading.symbol == "q"; // generalized
+    if (isCoordinate || (reading.axis != ' ' && !reading.body && isAmong(digits, "1 2 3"))) {
+        reading.joints = digits; // "y3"
     }
     if (isCoordinate) {
         return true; // which may be numbered from 0
     }
-    all.isFrame = digits == "1";
+    reading.isFrame = digits == "1";
     std::optional<Body> link;
     if (digits == "2") {
         link = Body::Crank;
     } else if (digits == "3") {
         link = Body::Coupler;
     }
-    return isAmong(digits, "1 2 3") && (!isAngle || merge(all.body, link));
+    return isAmong(digits, "1 2 3") && (!isAngle || merge(reading.body, link));
 }
 
 /// Returns whether a symbol can stand for a quantity of that order, as in "velocity v" or "crank angle α".
@@ -83,12 +83,12 @@ bool isOfOrder(const WordMeaning &symbol, std::optional<Order> order)
 }
 
 /// Includes the letter of a joint: "joint B", "velocity of B".
-bool includeJoint(NameReading &all, std::string_view letter)
+bool includeJoint(NameReading &reading, std::string_view letter)
 {
     const WordMeaning *const index = findWord(letter, WordUse::Index);
-    all.isUnknownBody = all.isUnknownBody || !index;
-    all.joints = letter;
-    return !index || merge(all, *index);
+    reading.isUnknownBody = reading.isUnknownBody || !index;
+    reading.joints = letter;
+    return !index || merge(reading, *index);
 }
 
 /// Returns whether a name begins with a joint before a symbol: "B vx", "C_x". A is the crank pin, see name_meaning.h.
@@ -103,14 +103,14 @@ bool beginsWithJoint(const Words &words)
 }
 
 /// Includes the joint after "at": "velocity at B", but an angle there is that of the coupler, "θ3 at B".
-bool includePlace(NameReading &all, std::string_view joint)
+bool includePlace(NameReading &reading, std::string_view joint)
 {
-    if (all.dimension != Dimension::Angle) {
-        return includeJoint(all, joint);
+    if (reading.dimension != Dimension::Angle) {
+        return includeJoint(reading, joint);
     }
-    all.isAtB = joint == "b";
-    all.isBodyNamed = true;
-    return merge(all.body, std::optional(Body::Coupler));
+    reading.isAtB = joint == "b";
+    reading.isBodyNamed = true;
+    return merge(reading.body, std::optional(Body::Coupler));
 }
 
 /// Returns whether "at A" or "at B" stands at that word.
@@ -129,76 +129,76 @@ const WordMeaning *indexNamed(const NameReading &before, std::string_view word)
 }
 
 /// Includes an index. Returns false if it is the second one, or contradicts the words before.
-bool includeIndex(NameReading &all, std::string_view word, const WordMeaning &index)
+bool includeIndex(NameReading &reading, std::string_view word, const WordMeaning &index)
 {
-    const bool isOfSlider = index.body == Body::Slider && all.dimension == Dimension::Angle; // θ_c, θ_b
-    all.isUnknownBody = all.isUnknownBody || isOfSlider;
-    if (all.hasIndex) {
+    const bool isOfSlider = index.body == Body::Slider && reading.dimension == Dimension::Angle; // θ_c, θ_b
+    reading.isUnknownBody = reading.isUnknownBody || isOfSlider;
+    if (reading.hasIndex) {
         return false;
     }
-    all.hasIndex = true;
-    all.joints = word;
-    return isOfSlider || merge(all, index);
+    reading.hasIndex = true;
+    reading.joints = word;
+    return isOfSlider || merge(reading, index);
 }
 
 /// Includes a symbol. A word before it, such as "velocity", decides the order.
-bool includeSymbol(NameReading &all, std::string_view word, WordMeaning symbol)
+bool includeSymbol(NameReading &reading, std::string_view word, WordMeaning symbol)
 {
-    all.hasSymbol = true;
-    all.symbol = all.order ? std::string_view() : word;
-    symbol.order = all.order ? all.order : symbol.order;
-    return merge(all, symbol);
+    reading.hasSymbol = true;
+    reading.symbol = reading.order ? std::string_view() : word;
+    symbol.order = reading.order ? reading.order : symbol.order;
+    return merge(reading, symbol);
 }
 
 /// Includes an entry of the vocabulary. Returns false if the word is unknown there or contradicts the words before.
-bool includeEntry(NameReading &all, std::string_view word, Entries entries)
+bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
 {
     if (isDigits(word)) {
-        return includeNumber(all, word, entries);
+        return includeNumber(reading, word, entries);
     }
     if (const WordMeaning *const entry = findWord(word, WordUse::Word)) {
-        all.isLabelled = false;
-        all.isBodyNamed = all.isBodyNamed || entry->body;
-        all.isOrderNamed = all.isOrderNamed || entry->order;
-        return merge(all, *entry);
+        reading.isLabelled = false;
+        reading.isBodyNamed = reading.isBodyNamed || entry->body;
+        reading.isOrderNamed = reading.isOrderNamed || entry->order;
+        return merge(reading, *entry);
     }
-    const bool followsLabel = std::exchange(all.isLabelled, !all.hasSymbol && findWord(word, WordUse::Label));
+    const bool followsLabel = std::exchange(reading.isLabelled, !reading.hasSymbol && findWord(word, WordUse::Label));
     if (followsLabel && word.size() == 1 && !isAmong(word, "x y")) {
-        return includeJoint(all, word);
+        return includeJoint(reading, word);
     }
     const WordMeaning *const filler = findWord(word, WordUse::Filler);
-    if (all.isLabelled || filler) {
-        return !filler || merge(all, *filler);
+    if (reading.isLabelled || filler) {
+        return !filler || merge(reading, *filler);
     }
-    if (const WordMeaning *const index = indexNamed(all, word)) {
-        return includeIndex(all, word, *index);
+    if (const WordMeaning *const index = indexNamed(reading, word)) {
+        return includeIndex(reading, word, *index);
     }
-    if (all.hasSymbol && findWord(word, WordUse::AmbiguousLetter)) {
-        all.doubt = word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
-        all.joints = word == "p" ? word : std::string_view(all.joints);
+    if (reading.hasSymbol && findWord(word, WordUse::AmbiguousLetter)) {
+        reading.doubt = word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
+        reading.joints = word == "p" ? word : std::string_view(reading.joints);
         return true;
     }
     if (entries == Entries::WithoutSymbols && isAmong(word, "px py")) {
         return true; // the prismatic joint of "Slider Joint.Px.v"
     }
     const WordMeaning *const symbol = entries == Entries::All ? findWord(word, WordUse::Symbol) : nullptr;
-    if (symbol && (symbol->axis != ' ' || (!all.hasSymbol && isOfOrder(*symbol, all.order)))) {
-        return includeSymbol(all, word, *symbol);
+    if (symbol && (symbol->axis != ' ' || (!reading.hasSymbol && isOfOrder(*symbol, reading.order)))) {
+        return includeSymbol(reading, word, *symbol);
     }
     const WordMeaning *const derivative = findWord(word, WordUse::Derivative);
-    all.derivatives += derivative ? static_cast<int>(*derivative->order) : 0;
+    reading.derivatives += derivative ? static_cast<int>(*derivative->order) : 0;
     return derivative;
 }
 
 /// Includes a known word with an ending, such as a plural or genitive: "pistonun". Returns false if it is none.
-bool includeStem(NameReading &all, std::string_view word)
+bool includeStem(NameReading &reading, std::string_view word)
 {
     constexpr std::size_t kShortestStem = 5; // bytes
     constexpr std::size_t kLongestEnding = 3;
     const std::size_t shortest = std::max(kShortestStem, word.size() - std::min(word.size(), kLongestEnding));
     for (std::size_t size = word.size(); size-- > shortest;) {
         if (findWord(word.substr(0, size), WordUse::Word)) {
-            return includeEntry(all, word.substr(0, size), Entries::WithoutSymbols);
+            return includeEntry(reading, word.substr(0, size), Entries::WithoutSymbols);
         }
     }
     return false;
@@ -206,49 +206,49 @@ bool includeStem(NameReading &all, std::string_view word)
 
 /// Includes an entry that is a part of a longer word. Short fillers and labels are none: "end" is not "en" and "d", and
 /// "joints" are not "joint S".
-bool includePart(NameReading &all, std::string_view part, Entries entries)
+bool includePart(NameReading &reading, std::string_view part, Entries entries)
 {
     constexpr std::size_t kShortestFiller = 4; // bytes
     const bool isShortFiller = part.size() < kShortestFiller && findWord(part, WordUse::Filler);
-    return !isShortFiller && !findWord(part, WordUse::Label) && includeEntry(all, part, entries);
+    return !isShortFiller && !findWord(part, WordUse::Label) && includeEntry(reading, part, entries);
 }
 
-bool includeCompound(NameReading &all, std::string_view word, Entries entries);
+bool includeCompound(NameReading &reading, std::string_view word, Entries entries);
 
 /// Includes the rest of a compound, which is one part or a compound itself.
-bool includeRest(NameReading &all, std::string_view rest, Entries entries)
+bool includeRest(NameReading &reading, std::string_view rest, Entries entries)
 {
-    NameReading with = all;
-    if (includePart(with, rest, entries)) {
-        all = with;
+    NameReading extended = reading;
+    if (includePart(extended, rest, entries)) {
+        reading = extended;
         return true;
     }
-    return includeCompound(all, rest, entries);
+    return includeCompound(reading, rest, entries);
 }
 
 /// Includes a compound of entries such as "kolbenweg", "crankangle" or "xdot"; the longest first part is tried first.
 /// German puts an s or n between two words: "Kurbelwellenwinkel". Returns false if no division is known, or if all
 /// contradict the words before.
-bool includeCompound(NameReading &all, std::string_view word, Entries entries)
+bool includeCompound(NameReading &reading, std::string_view word, Entries entries)
 {
     for (std::size_t end = word.size() - 1; end > 0; --end) {
         const std::string_view first = word.substr(0, end);
         const std::string_view rest = word.substr(end);
-        const bool isDifferential = first == "d" && !all.order && findWord(rest, WordUse::Symbol); // "dx"
-        NameReading before = all;
+        const bool isDifferential = first == "d" && !reading.order && findWord(rest, WordUse::Symbol); // "dx"
+        NameReading before = reading;
         if (!isDifferential && !includePart(before, first, entries)) {
             continue;
         }
-        NameReading with = before;
-        if (includeRest(with, rest, entries)) {
-            all = with;
-            all.doubt = isDifferential ? Doubt::IsDerivative : all.doubt;
+        NameReading extended = before;
+        if (includeRest(extended, rest, entries)) {
+            reading = extended;
+            reading.doubt = isDifferential ? Doubt::IsDerivative : reading.doubt;
             return true;
         }
         const bool mayBeJoined = rest.size() > 2 && (rest[0] == 's' || rest[0] == 'n');
-        with = before;
-        if (mayBeJoined && findWord(first, WordUse::Word) && includeRest(with, rest.substr(1), entries)) {
-            all = with;
+        extended = before;
+        if (mayBeJoined && findWord(first, WordUse::Word) && includeRest(extended, rest.substr(1), entries)) {
+            reading = extended;
             return true;
         }
     }
@@ -257,14 +257,14 @@ bool includeCompound(NameReading &all, std::string_view word, Entries entries)
 
 /// Includes one word: an entry of the vocabulary, a compound of several, or one with an ending. Returns false if it is
 /// unknown or contradicts the words before.
-bool includeWord(NameReading &all, std::string_view word, Entries entries)
+bool includeWord(NameReading &reading, std::string_view word, Entries entries)
 {
-    NameReading with = all;
-    if (includeEntry(with, word, entries)) {
-        all = with;
+    NameReading extended = reading;
+    if (includeEntry(extended, word, entries)) {
+        reading = extended;
         return true;
     }
-    return includeCompound(all, word, entries) || includeStem(all, word);
+    return includeCompound(reading, word, entries) || includeStem(reading, word);
 }
 
 /// Returns whether a word makes a name that of another quantity: "error", "force", "Messabweichung".
@@ -284,7 +284,7 @@ bool isOfOtherQuantity(std::string_view word)
 
 /// Includes a word that is unknown after the words before it. Returns false if it contradicts them, or makes the name
 /// that of another quantity.
-bool includeUnknown(NameReading &all, std::string_view word)
+bool includeUnknown(NameReading &reading, std::string_view word)
 {
     constexpr std::size_t kShortestWord = 3; // bytes: shorter ones are indices
     NameReading alone;
@@ -292,8 +292,8 @@ bool includeUnknown(NameReading &all, std::string_view word)
     if (isKnown || isOfOtherQuantity(word)) {
         return false;
     }
-    all.unknown.text += word;
-    all.unknown.hasWord = all.unknown.hasWord || word.size() >= kShortestWord;
+    reading.unknown.text += word;
+    reading.unknown.hasWord = reading.unknown.hasWord || word.size() >= kShortestWord;
     return true;
 }
 
@@ -373,27 +373,27 @@ bool isNameOfElement(const Words &words, std::size_t at)
 }
 
 /// Includes the words of one part of a path. Returns false if they contradict each other or those before.
-bool includeWords(NameReading &all, const Words &words, Entries entries)
+bool includeWords(NameReading &reading, const Words &words, Entries entries)
 {
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string two = i + 1 < words.size() ? words[i] + '_' + words[i + 1] : std::string();
-        const bool isJointWithAxis = all.isLabelled && (two.ends_with("_x") || two.ends_with("_y")); // "joint B x"
-        const bool isPair = !isJointWithAxis &&                                                      // "link 3", "O2"
+        const bool isJointWithAxis = reading.isLabelled && (two.ends_with("_x") || two.ends_with("_y")); // "joint B x"
+        const bool isPair = !isJointWithAxis && // "link 3", "O2"
                             (findWord(two, WordUse::Word) || findWord(two, WordUse::Filler));
         bool isIncluded = true;
         if (isNameOfElement(words, i)) {
-            all.unknown.point = words[i] + words[i + 1];
+            reading.unknown.point = words[i] + words[i + 1];
             ++i;
         } else if (i == 0 && entries == Entries::All && !isPair && beginsWithJoint(words)) {
-            isIncluded = includeJoint(all, words[0]);
+            isIncluded = includeJoint(reading, words[0]);
         } else if (isPlace(words, i)) {
-            isIncluded = includePlace(all, words[++i]);
-        } else if (isNumberOfPoint(all, words, i)) {
-            all.unknown.point = all.unknown.point.empty() ? words[i - 1] + words[i] : all.unknown.point;
-        } else if (includeWord(all, isPair ? two : words[i], entries)) {
+            isIncluded = includePlace(reading, words[++i]);
+        } else if (isNumberOfPoint(reading, words, i)) {
+            reading.unknown.point = reading.unknown.point.empty() ? words[i - 1] + words[i] : reading.unknown.point;
+        } else if (includeWord(reading, isPair ? two : words[i], entries)) {
             i += isPair ? 1 : 0;
         } else {
-            isIncluded = includeUnknown(all, words[i]);
+            isIncluded = includeUnknown(reading, words[i]);
         }
         if (!isIncluded) {
             return false;
@@ -474,23 +474,23 @@ int takeDerivatives(Words &words)
 
 std::optional<NameReading> readName(const NamePath &path, int derivatives, const Words &lastWords)
 {
-    NameReading all{.derivatives = derivatives};
+    NameReading reading{.derivatives = derivatives};
     for (std::size_t i = path.parts.size(); i-- > 0;) {
         const bool isLast = i + 1 == path.parts.size();
         const Words words = isLast ? lastWords : wordsOf(path.parts[i]);
-        NameReading with = all;
-        if (includeWords(with, words, isLast ? Entries::All : Entries::WithoutSymbols)) {
+        NameReading extended = reading;
+        if (includeWords(extended, words, isLast ? Entries::All : Entries::WithoutSymbols)) {
             if (path.isOfModelica && !isLast) { // its components may have any name
-                with.unknown = all.unknown;
+                extended.unknown = reading.unknown;
             }
-            all = with;
+            reading = extended;
         } else if (isLast) {
             return std::nullopt;
         }
     }
-    const bool hasBoth = !all.body || all.body == Body::Coupler || all.isCentre; // an angle and lengths
-    const Dimension ofBody = all.body == Body::Crank ? Dimension::Angle : Dimension::Length;
-    return hasBoth || merge(all.dimension, std::optional(ofBody)) ? std::optional(all) : std::nullopt;
+    const bool hasBoth = !reading.body || reading.body == Body::Coupler || reading.isCentre; // an angle and lengths
+    const Dimension ofBody = reading.body == Body::Crank ? Dimension::Angle : Dimension::Length;
+    return hasBoth || merge(reading.dimension, std::optional(ofBody)) ? std::optional(reading) : std::nullopt;
 }
 
 } // namespace slidercrank

@@ -77,9 +77,9 @@ PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
     return {found.zero, found.first, found.last, places.printed};
 }
 
-/// Returns a step of sorted values more precisely: the distance from the first value to each other one, divided by the
-/// number of steps in it.
-double refined(double step, const std::vector<double> &values)
+/// Returns a step of sorted values more precisely: the distance from the first value to the last ones, divided by the
+/// number of steps in it, which the distances before determine.
+double refinedStep(double step, const std::vector<double> &values)
 {
     double mostSteps = 1.0; // in the longest distance used so far
     for (const double value : values) {
@@ -244,7 +244,7 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     if (distinctLevels < kFewestValues || distinctDifferences < 2 || !(quantum >= kMinQuantum * uncertainty)) {
         return std::nullopt;
     }
-    quantum = refined(quantum, levels);
+    quantum = refinedStep(quantum, levels);
     const bool fits = std::ranges::all_of(levels, [&](double level) {
         const double distance = level - levels.front();
         return std::abs(distance - std::round(distance / quantum) * quantum) <= uncertainty;

@@ -63,7 +63,8 @@ bool isRow(const Cells &cells)
     return std::ranges::all_of(cells, isNumberOrGap) && std::ranges::count_if(cells, isNumber) >= 2;
 }
 
-/// Cells are separated by spaces only if no other delimiter makes a row of any line.
+/// Returns the first line that is a row of numbers. Spaces only count as the delimiter if with no other one any line is
+/// a row.
 std::optional<SplitLine> findFirstRow(Lines lines)
 {
     for (const std::string_view delimiters : {kDelimiters, std::string_view(" ")}) {
@@ -137,7 +138,7 @@ std::string_view withoutMark(std::string_view line)
     return line;
 }
 
-/// Counts the names among the cells of a line.
+/// Returns the cells with the numbers of names of times and of quantities among them.
 SplitLine countNames(Cells cells, char delimiter)
 {
     SplitLine names{std::move(cells), delimiter};
@@ -260,33 +261,55 @@ SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
     return isSpaced ? countNames(splitCells(unmarked, ' '), ' ') : SplitLine();
 }
 
-/// Returns the first line that names a time and a quantity; else the line above the numbers with most names of either;
-/// else the one directly above the numbers and units, if it has as many words; else, without numbers, the first line.
-/// Returns nullopt if the file begins with the first row of numbers.
-std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> &row)
+/// Returns the line with most names of times and quantities, or the later one of several that have as many and fit to
+/// the row; null if no line has any.
+SplitLine *findMostNames(std::vector<SplitLine> &lines, const std::optional<SplitLine> &row)
 {
-    const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
-    std::optional<SplitLine> best;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        SplitLine names = readNames(lines[i].text, row);
-        names.line = i;
-        const bool hasSize = names.fit(row);
-        if (names.isComplete() && (hasSize || !row)) {
-            return names;
-        }
-        if (row && i >= row->line) {
-            continue;
-        }
+    SplitLine *best = nullptr;
+    for (SplitLine &names : lines) {
         const std::size_t known = best ? best->known() : 0;
-        const bool isNearer = known > 0 && names.known() == known && hasSize;
-        if (names.known() > known || isNearer || (!row && i == 0)) {
-            best = std::move(names);
-        } else if (row && known == 0 && !std::ranges::all_of(names.cells, isUnit)) {
-            const bool fits = hasSize && std::ranges::none_of(names.cells, looksNumeric);
-            best = fits ? std::optional(std::move(names)) : std::nullopt;
+        if (names.known() > known || (best && names.known() == known && names.fit(row))) {
+            best = &names;
         }
     }
     return best;
+}
+
+/// Returns the last line that is no line of units, if it has as many words as the row has numbers; else nullopt.
+std::optional<SplitLine> findUnknownHeadings(std::vector<SplitLine> &lines, const std::optional<SplitLine> &row)
+{
+    const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
+    const auto areUnits = [&](const SplitLine &line) { return std::ranges::all_of(line.cells, isUnit); };
+    const auto last = std::find_if_not(lines.rbegin(), lines.rend(), areUnits);
+    const bool areHeadings = last != lines.rend() && last->fit(row) && std::ranges::none_of(last->cells, looksNumeric);
+    return areHeadings ? std::optional(std::move(*last)) : std::nullopt;
+}
+
+/// Finds the line of headings:
+///
+/// 1. the first line of all that names a time and a quantity and fits to the row,
+/// 2. else, of the lines above the row, the one with most names,
+/// 3. else, if there is no row of numbers, the first line,
+/// 4. else the one directly above the numbers and their units, if it fits to the row.
+///
+/// Returns nullopt if the file begins with the first row of numbers.
+std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> &row)
+{
+    std::vector<SplitLine> above;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        SplitLine names = readNames(lines[i].text, row);
+        names.line = i;
+        if (names.isComplete() && (!row || names.fit(row))) {
+            return names;
+        }
+        if (!row || i < row->line) {
+            above.push_back(std::move(names));
+        }
+    }
+    if (SplitLine *const named = findMostNames(above, row)) {
+        return std::move(*named);
+    }
+    return row ? findUnknownHeadings(above, row) : std::move(above.front());
 }
 
 /// Inserts the heading that pandas prints for the first column in a line of its own, below the others. Returns the

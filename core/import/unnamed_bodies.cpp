@@ -60,14 +60,29 @@ void removeConstants(std::vector<RawColumn *> &candidates)
     });
 }
 
-/// Reassigns angles that have to be the crank angle, and the derivatives that belong to them. If another angle of the
-/// same owner does not, nothing tells whose derivatives they are, and they are removed.
+/// Returns whether only the crank can have this angle: it spans more than half a turn, or rises evenly over the
+/// abscissa.
+bool isAngleOfCrank(const RawColumn &angle, const RawColumn *abscissa)
+{
+    constexpr double kEvenness = 1e-3; // of the range: the coupler never turns that evenly
+    constexpr double kEvenRange = 6.0; // in the unit of the file, which may be rad though the heading does not say so
+    const double width = widthOf(angle.finiteValues());
+    return width > kHalfTurn || (abscissa && angle.values.size() >= kFewestRows && width > kEvenRange * angle.factor &&
+                                 isStraight(angle.values, abscissa->values, kEvenness * width));
+}
+
+/// Returns whether a column is a speed that does not change, apart from noise.
+bool isConstantSpeed(const RawColumn &column)
+{
+    constexpr double kVariation = 0.01; // of the speed
+    const ValueRange range = rangeOf(column.values);
+    return range.count >= kFewestRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
+}
+
+/// Gives angles of unnamed bodies to the crank if no other body can have them, and also their derivatives, which have
+/// the same owner. If that owner has a further angle, nothing tells whose derivatives they are, and they are removed.
 void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
 {
-    constexpr double kEvenness = 1e-3;  // of the range: the coupler never turns that evenly
-    constexpr double kEvenRange = 6.0;  // in the unit of the file, which may be rad though the heading does not say so
-    constexpr double kVariation = 0.01; // of a speed that is constant
-    const RawColumn *const abscissa = table.abscissa();
     std::vector<RawColumn *> angles;
     std::vector<RawColumn *> derivatives;
     for (RawColumn *const column : candidates) {
@@ -75,31 +90,25 @@ void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
             (column->use.channel.order == Order::Position ? angles : derivatives).push_back(column);
         }
     }
-    for (RawColumn *const column : angles) {
-        const double width = widthOf(column->finiteValues());
-        const bool isEven = abscissa && column->values.size() >= kFewestRows && width > kEvenRange * column->factor &&
-                            isStraight(column->values, abscissa->values, kEvenness * width);
-        if (width > kHalfTurn || isEven) {
-            column->use.channel = kCrankAngle;
-            column->meaning.reason = ColumnReason::WideAngle;
+    for (RawColumn *const angle : angles) {
+        if (isAngleOfCrank(*angle, table.abscissa())) {
+            angle->use.channel = kCrankAngle;
+            angle->meaning.reason = ColumnReason::WideAngle;
         }
     }
     for (RawColumn *const column : derivatives) {
-        const ValueRange range = rangeOf(column->values);
-        const bool isConstantSpeed =
-            range.count >= kFewestRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
-        bool hasCrank = false; // whose derivative the column may be
-        bool hasOther = false;
-        for (const RawColumn *const angle : angles) {
-            const bool isCrank = angle->use.channel == kCrankAngle;
-            const bool hasSameOwner = angle->meaning.owner == column->meaning.owner;
-            hasCrank = hasCrank || (hasSameOwner && isCrank);
-            hasOther = hasOther || (hasSameOwner && !isCrank);
-        }
-        if (isConstantSpeed || (hasCrank && !hasOther)) {
+        const auto hasSameOwner = [column](const RawColumn *angle) {
+            return angle->meaning.owner == column->meaning.owner;
+        };
+        const auto isOfOwnersCrank = [&](const RawColumn *angle) {
+            return hasSameOwner(angle) && angle->use.channel == kCrankAngle;
+        };
+        const auto ofOwner = std::ranges::count_if(angles, hasSameOwner);
+        const auto ofCrank = std::ranges::count_if(angles, isOfOwnersCrank);
+        if (isConstantSpeed(*column) || (ofCrank > 0 && ofCrank == ofOwner)) {
             column->use.channel.coordinate = Theta2;
             column->meaning.reason = ColumnReason::WideAngle;
-        } else if (hasCrank) {
+        } else if (ofCrank > 0) {
             column->use.reason = ColumnReason::LikeOther;
             std::erase(candidates, column);
         }
