@@ -87,7 +87,10 @@ std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel
     if (column.use.unit.empty() || parseColumnUnit(column.use.unit, role, channel)) {
         return {};
     }
-    return role == ColumnRole::Time ? "s" : std::string(fileUnit(role == ColumnRole::Channel ? channel : kCrankAngle));
+    if (role == ColumnRole::Time) {
+        return "s";
+    }
+    return std::string(fileUnit(role == ColumnRole::Channel ? channel : kCrankAngle));
 }
 
 /// Returns the unit to state for a time without a known one. Large whole numbers are in µs or ns.

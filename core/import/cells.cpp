@@ -82,7 +82,10 @@ std::string withoutSeparators(std::string_view text)
     }
     const bool isClear = separators > 1 || separator == kApostrophe || digits.size() < plain.size();
     const bool isGrouped = grouped == whole && isClear;
-    return separators == 0 || isGrouped ? (isNegative ? '-' + plain : plain) : std::string();
+    if (separators > 0 && !isGrouped) {
+        return {};
+    }
+    return isNegative ? '-' + plain : plain;
 }
 
 } // namespace
@@ -154,7 +157,8 @@ Cells splitAtBlanks(std::string_view line, std::size_t least)
             cells.push_back({&c, 1});
         }
         cells.back() = {cells.back().data(), &c + 1};
-        depth += opens ? 1 : c == ')' || c == ']' ? -1 : 0;
+        const bool closes = c == ')' || c == ']';
+        depth += (opens ? 1 : 0) - (closes ? 1 : 0);
         blanks = 0;
     }
     return cells;
@@ -165,7 +169,11 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
     std::string pointed; // with the point as decimal sign
     if (decimalSign == DecimalSign::Comma) {
         pointed = text;
-        std::ranges::for_each(pointed, [](char &c) { c = c == ',' ? '.' : c == '.' ? ',' : c; });
+        for (char &c : pointed) {
+            if (c == ',' || c == '.') {
+                c = c == ',' ? '.' : ',';
+            }
+        }
         text = pointed;
     }
     CellNumber number = parsePlain(text); // the only object to be returned, so that none is copied

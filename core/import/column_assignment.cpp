@@ -254,20 +254,22 @@ ReadError sameChannelError(const RawTable &table, const RawColumn &first, const 
 /// Returns the only column that has that heading, or else that heading apart from the unit, or else that number.
 RawColumn &findColumn(RawTable &table, const std::string &name)
 {
-    const auto matchOf = [&name](const RawColumn &column) {
-        return name == column.use.heading                       ? 3
-               : name == column.name                            ? 2
-               : name == '#' + std::to_string(column.index + 1) ? 1
-                                                                : 0;
+    const auto headingOf = [](const RawColumn &column) { return column.use.heading; };
+    const auto nameOfColumn = [](const RawColumn &column) { return column.name; };
+    const auto numberOf = [](const RawColumn &column) { return '#' + std::to_string(column.index + 1); };
+    const auto find = [&](const auto &textOf) -> RawColumn * {
+        if (std::ranges::count(table.columns, name, textOf) > 1) {
+            throw ReadError{.fault = {Fault::SeveralColumns, {}, name}};
+        }
+        return findElement(table.columns, [&](const RawColumn &column) { return textOf(column) == name; });
     };
-    const auto best = std::ranges::max_element(table.columns, {}, matchOf);
-    if (best == table.columns.end() || matchOf(*best) == 0) {
+    RawColumn *column = find(headingOf);
+    column = column ? column : find(nameOfColumn);
+    column = column ? column : find(numberOf);
+    if (!column) {
         throw ReadError{.fault = {Fault::NoSuchColumn, {}, name}};
     }
-    if (std::ranges::count(table.columns, matchOf(*best), matchOf) > 1) {
-        throw ReadError{.fault = {Fault::SeveralColumns, {}, name}};
-    }
-    return *best;
+    return *column;
 }
 
 /// Gives the columns the meanings that a person chose. Of several choices for one column, the last one applies.

@@ -154,7 +154,7 @@ std::size_t closingBrace(std::string_view text)
 {
     int depth = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        depth += text[i] == '{' ? 1 : text[i] == '}' ? -1 : 0;
+        depth += (text[i] == '{' ? 1 : 0) - (text[i] == '}' ? 1 : 0);
         if (depth == 0) {
             return i;
         }

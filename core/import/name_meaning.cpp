@@ -70,7 +70,8 @@ std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> 
 Coordinate coordinateOf(const NameReading &name, bool isAngle)
 {
     if (isAngle) {
-        return name.isFrame ? Theta1 : name.body == Body::Crank ? Theta2 : Theta3;
+        const Coordinate ofLink = name.body == Body::Crank ? Theta2 : Theta3;
+        return name.isFrame ? Theta1 : ofLink;
     }
     const bool isY = name.axis == 'y';
     switch (name.body.value_or(Body::Slider)) {
@@ -338,36 +339,37 @@ bool isOverAngle(std::string_view name, const std::string &unit)
     return angle && angle->dimension == Dimension::Angle && angle->order == 0 && parseUnit(unit.substr(0, slash));
 }
 
-} // namespace
-
-std::string_view withoutOrigin(std::string_view name)
+/// Returns whether a name is that of the magnitude of a vector: "|v|", "abs(v)".
+bool isMagnitude(std::string_view name)
 {
-    for (const std::string_view beginning : kRemarkBeginnings) {
-        name = name.substr(0, name.find(beginning));
-    }
-    return name;
+    const bool isBetweenBars = name.size() > 2 && name.front() == '|' && name.back() == '|';
+    return isBetweenBars || name.find("abs(") != name.npos;
 }
 
-NameMeaning meaningOf(std::string_view name, const std::string &unit)
+/// Returns the meaning of a name of several words, which are read together.
+NameMeaning meaningOfWords(std::string_view name, const NamePath &path, int derivatives, const Words &words,
+                           const std::string &unit)
 {
-    const bool isMagnitude =
-        (name.size() > 2 && name.front() == '|' && name.back() == '|') || name.find("abs(") != name.npos;
-    if (name.size() > kLongestName || isMagnitude || isRelative(name)) {
-        return {};
+    std::optional<NameReading> reading = readName(path, derivatives, words);
+    const bool isAboutZ = std::ranges::any_of(wordsOf(name), namesZ); // the motion is in x and y, and z is only an axis
+    if (!reading || (isAboutZ && reading->dimension != Dimension::Angle)) {
+        return {.reason = isOfCrankEnd(name) ? ColumnReason::CrankPin : ColumnReason::UnknownName};
     }
-    if (isOverAngle(name, unit)) {
-        return {.reason = ColumnReason::OverAngle};
+    if (isAboutZ && !reading->body && unit.empty()) { // "Z_AngVel", of any body
+        return {.reason = ColumnReason::UnknownBody};
     }
-    if (const std::size_t equals = name.find(" = "); equals != name.npos && name.find("/d", equals) != name.npos) {
-        return meaningOf(name.substr(0, equals), unit); // "v = dx/dt"
+    if (isElement(name)) {
+        reading->isUnknownBody = true;
+        reading->unknown.point = name.substr(name.rfind('('));
     }
-    if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
-        return *meaning;
-    }
-    int derivatives = takeCalls(name, parseUnit(unit));
-    name = withoutOrigin(name);
-    static const Spellings kPathSpellings("/dt=dt|/ dt=dt|/d t=dt|₊=.");
-    const std::string plain = kPathSpellings.replacedIn(name); // not a path, and one of Julia
+    return meaningOfReading(*reading, path, unit);
+}
+
+/// Returns the meaning of a name that may be a path, such as "slider.s". It is differentiated `derivatives` times.
+NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::string &unit)
+{
+    static const Spellings kPathSpellings("/dt=dt|/ dt=dt|/d t=dt|₊=."); // the first are no paths, the last is Julia's
+    const std::string plain = kPathSpellings.replacedIn(name);
     const NamePath path = splitPath(plain);
     if (path.parts.empty()) {
         return {};
@@ -384,22 +386,35 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (isOfPointA(words, parseUnit(unit))) {
         return {.reason = ColumnReason::CrankPin};
     }
-    std::optional<NameReading> reading = readName(path, derivatives, words);
-    if (reading && isElement(name)) {
-        reading->isUnknownBody = true;
-        reading->unknown.point = name.substr(name.rfind('('));
+    return meaningOfWords(name, path, derivatives, words, unit);
+}
+
+} // namespace
+
+std::string_view withoutOrigin(std::string_view name)
+{
+    for (const std::string_view beginning : kRemarkBeginnings) {
+        name = name.substr(0, name.find(beginning));
     }
-    const bool isAboutZ = std::ranges::any_of(wordsOf(name), namesZ); // the motion is in x and y, and z is only an axis
-    if (reading && isAboutZ && reading->dimension != Dimension::Angle) {
-        reading.reset();
+    return name;
+}
+
+NameMeaning meaningOf(std::string_view name, const std::string &unit)
+{
+    if (name.size() > kLongestName || isMagnitude(name) || isRelative(name)) {
+        return {};
     }
-    if (reading && isAboutZ && !reading->body && unit.empty()) { // "Z_AngVel", of any body
-        return {.reason = ColumnReason::UnknownBody};
+    if (isOverAngle(name, unit)) {
+        return {.reason = ColumnReason::OverAngle};
     }
-    if (!reading) {
-        return {.reason = isOfCrankEnd(name) ? ColumnReason::CrankPin : ColumnReason::UnknownName};
+    if (const std::size_t equals = name.find(" = "); equals != name.npos && name.find("/d", equals) != name.npos) {
+        return meaningOf(name.substr(0, equals), unit); // "v = dx/dt"
     }
-    return meaningOfReading(*reading, path, unit);
+    if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
+        return *meaning;
+    }
+    const int derivatives = takeCalls(name, parseUnit(unit));
+    return meaningOfPath(withoutOrigin(name), derivatives, unit);
 }
 
 std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second)

@@ -164,11 +164,13 @@ SkippedRow findRowFault(RawTable &table, std::size_t row)
         for (i = file.width; cells[i].empty(); ++i) { // the last one is not empty
         }
         fault = RowFault::TooManyCells;
+    } else if (!fault && !unreadable) {
+        fault = RowFault::RepeatedTime;
+    } else if (!fault && std::isnan(column.values[row])) {
+        fault = RowFault::NoTime;
     } else if (!fault) {
-        fault = !unreadable                                         ? RowFault::RepeatedTime
-                : std::isnan(column.values[row])                    ? RowFault::NoTime
-                : cells.size() < std::min(file.width, kFewestCells) ? RowFault::TooFewCells
-                                                                    : RowFault::TooLarge; // once converted
+        const bool hasTooFew = cells.size() < std::min(file.width, kFewestCells);
+        fault = hasTooFew ? RowFault::TooFewCells : RowFault::TooLarge; // once converted
     }
     return {line.number, i + 1, excerpt(cellAt(i)), *fault, column.use.file};
 }

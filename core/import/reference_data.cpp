@@ -346,7 +346,12 @@ try {
         if (!files.empty() && isNoTable(files[faulty], error.fault.kind)) {
             error = ReadError{.fault = {Fault::NotATable}, .file = faulty};
         }
-        error.file = files.size() == 1 ? std::nullopt : file < files.size() ? std::optional(file) : error.file;
+        if (file < files.size()) { // otherwise it was found when all of them had been read
+            error.file = file;
+        }
+        if (files.size() == 1) {
+            error.file.reset();
+        }
         error.advice = adviceFor(error, table);
         error.layout = takeLayout(table);
         return std::move(error);

@@ -204,7 +204,10 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
     // By chance, one value in ten ends with one zero, and one in a hundred with two. More zeros are padding.
     const bool isPadded = 4 * m_trailingZeros >= m_values + 16;
     const bool isLong = rounding.rule == Rounding::Rule::SignificantDigits && rounding.digits > kDigitsOfAChosenNumber;
-    rounding.coarsestPlace = m_coarsestPlace >= 0 || !isPadded ? m_coarsestPlace : isLong ? INT_MAX : 0;
+    rounding.coarsestPlace = m_coarsestPlace;
+    if (isPadded && m_coarsestPlace < 0) { // the last printed digits say nothing
+        rounding.coarsestPlace = isLong ? INT_MAX : 0;
+    }
     if (rounding.rule == Rounding::Rule::Decimals) {
         rounding.digits = std::max(rounding.digits, -rounding.coarsestPlace);
     }

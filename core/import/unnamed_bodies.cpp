@@ -272,6 +272,15 @@ void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
     removeColumns(candidates, ColumnReason::UnknownBody, isOfOther);
 }
 
+/// Returns the angle of the link with the next number.
+Coordinate angleOfNextLink(Coordinate angle)
+{
+    if (angle == Theta1) {
+        return Theta2;
+    }
+    return angle == Theta2 ? Theta3 : Theta4;
+}
+
 } // namespace
 
 bool isConstant(const RawColumn &column)
@@ -306,7 +315,7 @@ void correctMeanings(RawTable &table)
         const bool isNumbered = meaning.kind >= Kind::Words && meaning.kind < Kind::Chosen &&
                                 (coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3);
         if (isCrankFirst && isNumbered) {
-            meaning.channel.coordinate = coordinate == Theta1 ? Theta2 : coordinate == Theta2 ? Theta3 : Theta4;
+            meaning.channel.coordinate = angleOfNextLink(coordinate);
             meaning.reason = ColumnReason::WideAngle;
         } else if (isNumbered && coordinate == Theta1 && rangeOf(column.values).width() > 0.0) {
             meaning = {.reason = ColumnReason::UnknownBody}; // it is not the frame
