@@ -352,49 +352,61 @@ std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
     return differs && meaning.channel.order != Order::Position ? position->use.unit + perTime : std::string();
 }
 
+/// Returns a heading without the marks that programs put around it: "[Slider Position (mm)]", "{$x$ (mm)}" of LaTeX,
+/// the label "<x>" of a signal in Simulink, and "('slider', 'x')" of pandas.
+std::string withoutEnclosure(std::string text)
+{
+    static const Spellings kPandasSeparators("', '=/");
+    const auto isBetween = [&text](char first, char last) {
+        return text.size() > 2 && text.front() == first && text.back() == last;
+    };
+    const bool isInBrackets = isBetween('[', ']') && text.find('(') != text.npos;
+    const bool isInBraces = isBetween('{', '}') && closingBrace(text) == text.size() - 1;
+    if (isInBrackets || isInBraces || isBetween('\'', '\'') || isBetween('<', '>')) {
+        return text.substr(1, text.size() - 2);
+    }
+    const bool isOfPandas = text.starts_with("('") && text.ends_with("')");
+    return isOfPandas ? kPandasSeparators.replacedIn(text.substr(2, text.size() - 4)) : text;
+}
+
+/// Sets name and unit of a heading that is only a unit: "millis", "Degrees", "Inches from TDC". Returns false for
+/// others and for "mm", which may be in a line of units.
+bool splitUnitAlone(std::string_view text, const Unit &unit, Heading &heading)
+{
+    constexpr std::size_t kLongestSymbol = 2; // of a unit of length
+    const bool isTime = unit.dimension == Dimension::Time;
+    if (unit.order != 0 || (unit.dimension == Dimension::Length && text.size() <= kLongestSymbol)) {
+        return false;
+    }
+    heading.name = isTime ? "time" : text;
+    heading.use.unit = withoutOrigin(text);
+    return true;
+}
+
 } // namespace
 
 Heading parseHeading(std::string_view cell)
 {
     static const Spellings kQuotedCharacters("\"\"=\"|\r\n= |\n= ");
     static const Spellings kLatexMarkup("$=|\\mathrm=|\\text=|\\rm=|\\si=|\\unit=|\\left=|\\right=");
-    static const Spellings kPandasSeparators("', '=/");
     Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
-    std::string text = kLatexMarkup.replacedIn(heading.use.heading);
-    const auto isBetween = [&text](char first, char last) {
-        return text.size() > 2 && text.front() == first && text.back() == last;
-    };
-    const bool isInBrackets = isBetween('[', ']') && text.find('(') != text.npos;         // "[Slider Position (mm)]"
-    const bool isInBraces = isBetween('{', '}') && closingBrace(text) == text.size() - 1; // "{$x$ (mm)}" of LaTeX
-    if (isInBrackets || isInBraces || isBetween('\'', '\'') || isBetween('<', '>')) { // "<…>": a signal in Simulink
-        text = text.substr(1, text.size() - 2);
-    } else if (text.starts_with("('") && text.ends_with("')")) {
-        text = kPandasSeparators.replacedIn(text.substr(2, text.size() - 4)); // "('slider', 'x')" of pandas
-    }
+    const std::string text = withoutEnclosure(kLatexMarkup.replacedIn(heading.use.heading));
     heading.name = text;
     if (text.size() > kLongestName) {
         return heading;
     }
-    constexpr int kNoOrder = -1;
-    constexpr std::size_t kLongestSymbol = 2; // of a unit of length
     const bool mayBeUnit = text.size() > 1 && !isAmong(lowered(text), kAlsoWords);
-    const std::string_view unitAlone = withoutOrigin(text);
-    const Unit alone = (mayBeUnit ? parseUnit(unitAlone) : std::nullopt).value_or(Unit{.order = kNoOrder});
+    const std::optional<Unit> alone = mayBeUnit ? parseUnit(withoutOrigin(text)) : std::nullopt;
     if (text.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
         heading.name = "time";
-    } else if (alone.dimension == Dimension::Time && alone.order == 0) { // "millis", "seconds"
-        heading.name = "time";
-        heading.use.unit = unitAlone;
-    } else if (alone.order == 0 && (alone.dimension == Dimension::Angle || text.size() > kLongestSymbol)) {
-        heading.use.unit = unitAlone; // "Degrees", "Inches from TDC", but "mm" may be in a line of units
-    } else if (!splitAtBrackets(text, heading)) {
+    } else if (!(alone && splitUnitAlone(text, *alone, heading)) && !splitAtBrackets(text, heading)) {
         splitAtEnd(text, heading);
         if (heading.use.unit.empty()) {
             splitAtBeginning(text, heading);
         }
     }
-    const bool isUnitAlone = alone.order != kNoOrder && text.find('/') != text.npos; // "mm/s" in a line of units
-    heading.meaning = isUnitAlone ? NameMeaning() : meaningOf(heading.name, heading.use.unit);
+    const bool isInLineOfUnits = alone && text.find('/') != text.npos; // "mm/s"
+    heading.meaning = isInLineOfUnits ? NameMeaning() : meaningOf(heading.name, heading.use.unit);
     return heading;
 }
 

@@ -402,47 +402,66 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
     return true;
 }
 
-} // namespace
-
-NamePath splitPath(std::string_view name)
+/// Splits a name whose owner follows after "@" or a hyphen, "Pos_TX@Slider" or "Position - Cart", or is before the
+/// hyphen, "Slider - X". Returns nullopt for other names.
+std::optional<NamePath> splitAtOwner(std::string_view name)
 {
     const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
     name.remove_prefix(isOfRecurDyn ? 2 : 0);
     const std::string_view usualMark = name.find('@') != name.npos ? "@" : " - ";
     const std::string_view mark = isOfRecurDyn ? "-" : usualMark;
-    if (const std::size_t at = name.find(mark); at != name.npos && at > 0) {
-        const std::string_view before = name.substr(0, at);
-        const std::string_view owner = name.substr(at + mark.size());                            // "Slider@Model1"
-        if (mark == " - " && !namesQuantity(wordsOf(before)) && namesQuantity(wordsOf(owner))) { // "Slider - X"
-            return {{before, owner}, std::string(before)};
-        }
-        return {{owner.substr(0, owner.find('@')), before}, std::string(owner)};
+    const std::size_t at = name.find(mark);
+    if (at == name.npos || at == 0) {
+        return std::nullopt;
+    }
+    const std::string_view before = name.substr(0, at);
+    const std::string_view after = name.substr(at + mark.size()); // "Slider@Model1"
+    if (mark == " - " && !namesQuantity(wordsOf(before)) && namesQuantity(wordsOf(after))) {
+        return NamePath{{before, after}, std::string(before)};
+    }
+    return NamePath{{after.substr(0, after.find('@')), before}, std::string(after)};
+}
+
+} // namespace
+
+NamePath splitPath(std::string_view name)
+{
+    if (const std::optional<NamePath> path = splitAtOwner(name)) {
+        return *path;
     }
     const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point may belong to an abbreviation
     const bool isLatex = name.starts_with('\\') || name.find_first_of("{^$") != name.npos;
+    const auto isSeparator = [&](std::size_t i) {
+        const bool isBeforeName = i + 1 < name.size() && !isBlank(name[i + 1]); // "Slider Joint.Px.v"
+        switch (name[i]) {
+        case '/':
+        case ':':
+        case '|': return true;
+        case '.': return !hasBlank || isBeforeName;
+        case '\\': return !isLatex;
+        case ',': return i > 1 && i + 3 < name.size() && name[i + 1] == ' '; // "Slider, X Displacement"
+        default: return false;
+        }
+    };
     NamePath path;
     std::size_t begin = 0;
-    char separator = ' ';
+    char lastSeparator = ' ';
     for (std::size_t i = 0; i <= name.size(); ++i) {
         const bool isEnd = i == name.size();
-        const bool isComma = i > 1 && i + 3 < name.size() && name.substr(i, 2) == ", "; // "Slider, X Displacement"
-        const bool isSeparator = !isEnd && std::string_view("/:|").find(name[i]) != std::string_view::npos;
-        const bool isBeforeName = i + 1 < name.size() && !isBlank(name[i + 1]); // "Slider Joint.Px.v"
-        const bool isOther =
-            !isEnd && ((name[i] == '.' && (!hasBlank || isBeforeName)) || (name[i] == '\\' && !isLatex));
-        if (isEnd || isComma || isSeparator || isOther) {
-            if (i > begin) {
-                path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));
-                path.parts.push_back(name.substr(begin, i - begin));
-            }
-            begin = i + 1;
-            separator = isEnd ? separator : name[i];
+        if (!isEnd && !isSeparator(i)) {
+            continue;
         }
+        if (i > begin) {
+            path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));
+            path.parts.push_back(name.substr(begin, i - begin));
+        }
+        begin = i + 1;
+        lastSeparator = isEnd ? lastSeparator : name[i];
     }
     if (path.parts.size() > 2 && path.parts.back() == "Q") { // the value of a measure in Adams: ".model.slider_vx.Q"
         path.parts.pop_back();
     }
-    path.isOfModelica = path.parts.size() > 1 && separator == '.' && name.find_first_of(" ,;:/") == name.npos &&
+    path.isOfModelica = path.parts.size() > 1 && lastSeparator == '.' && name.find_first_of(" ,;:/") == name.npos &&
                         findWord('.' + std::string(path.parts.back()), WordUse::Symbol);
     path.isInSi = path.isOfModelica || (path.parts.size() > 1 && name.starts_with('/')) ||
                   std::ranges::any_of(kNamesInSi, [&](std::string_view part) { return name.find(part) != name.npos; });
