@@ -157,47 +157,71 @@ bool turns(const RawColumn &column)
            isTurningAngle(column);
 }
 
-/// Finds the abscissa of a file in which no column is named as the time. If another file has one, it is the column with
-/// the same heading. Otherwise it is the first column that is no row number or parameter, if it has an unknown name and
-/// only rises, but not as a count of the rows beside a crank angle; else the crank angle; else the first one that is
-/// not of words, if it is an angle that does not change its direction, as in "theta, x, v".
+bool isChosen(const RawColumn &column)
+{
+    return column.meaning.kind == Kind::Chosen;
+}
+
+/// Returns whether a person chose theta2 for the column, which is the crank angle where there is no time.
+bool isChosenCrankAngle(const RawColumn &column)
+{
+    return isChosen(column) && column.isUndecided() && column.meaning.channel == kCrankAngle;
+}
+
+/// Returns whether the heading names the crank angle, so that it is no guess.
+bool isNamedCrankAngle(const RawColumn &column)
+{
+    return !isChosen(column) && column.meaning.kind > Kind::Quantity && column.meaning.channel == kCrankAngle &&
+           column.unitAs(ColumnRole::CrankAngle);
+}
+
+/// Returns the column of the file with the heading of the abscissa in another file, or null.
+RawColumn *findSameHeading(std::span<RawColumn> columns, const RawColumn &abscissa)
+{
+    return findElement(columns, [&abscissa](const RawColumn &column) {
+        return !isChosen(column) && column.use.heading == abscissa.use.heading;
+    });
+}
+
+/// Returns the first column that may be the abscissa by its place, or null: it is no row number, parameter or column of
+/// words, and no count of the rows beside a crank angle.
+RawColumn *findLeading(std::span<RawColumn> columns, bool hasCrankAngle)
+{
+    return findElement(columns, [&](const RawColumn &column) {
+        const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
+        const bool isCount = hasCrankAngle && !turns(column) && countsRows(column);
+        const bool mayLead = mayBeTime(column) || (!isNumber && rangeOf(column.values).count > 0);
+        return !isChosen(column) && !isConstant(column) && !isCount && mayLead;
+    });
+}
+
+/// Finds the abscissa of a file in which no column is named as the time:
+///
+/// 1. if another file has an abscissa, the column with the same heading,
+/// 2. else the column that a person chose as the crank angle,
+/// 3. else the leading column, if its name is unknown and its values only rise: the time,
+/// 4. else the column that is named as the crank angle,
+/// 5. else the leading column, if it is an angle that does not change its direction, as in "theta, x, v".
 void guessAbscissa(RawTable &table, const TableFile &file)
 {
-    const auto find = [columns = table.columnsOf(file)](const auto &suits) { return findElement(columns, suits); };
-    const auto isChosen = [](const RawColumn &column) { return column.meaning.kind == Kind::Chosen; };
+    const std::span<RawColumn> columns = table.columnsOf(file);
     if (const RawColumn *const other = table.abscissa()) {
-        if (RawColumn *const same = find([&](const RawColumn &column) {
-                return !isChosen(column) && column.use.heading == other->use.heading;
-            })) {
+        if (RawColumn *const same = findSameHeading(columns, *other)) {
             setAbscissa(table, *same, other->use.role, ColumnReason::KnownName);
         }
         return;
     }
-    if (RawColumn *const chosen = find([&](const RawColumn &column) {
-            return isChosen(column) && column.isUndecided() && column.meaning.channel == kCrankAngle;
-        })) {
+    if (RawColumn *const chosen = findElement(columns, isChosenCrankAngle)) {
         return setAbscissa(table, *chosen, ColumnRole::CrankAngle, ColumnReason::Chosen);
     }
-    RawColumn *const named = find([&](const RawColumn &column) {
-        return !isChosen(column) && column.meaning.kind > Kind::Quantity && column.meaning.channel == kCrankAngle &&
-               column.unitAs(ColumnRole::CrankAngle);
-    });
-    const bool hasCrankAngle = named || find(turns);
-    const auto isLeading = [&](const RawColumn &column) {
-        const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
-        const bool isCount = hasCrankAngle && !turns(column) && countsRows(column);
-        return !isChosen(column) && !isConstant(column) && !isCount && (!isNumber || mayBeTime(column));
-    };
-    RawColumn *const leading = find(isLeading);
+    RawColumn *const named = findElement(columns, isNamedCrankAngle);
+    RawColumn *const leading = findLeading(columns, named || findElement(columns, turns));
     if (leading && mayBeTime(*leading)) {
-        return setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
-    }
-    RawColumn *const readable =
-        find([&](const RawColumn &column) { return isLeading(column) && rangeOf(column.values).count > 0; });
-    if (named) {
+        setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
+    } else if (named) {
         setAbscissa(table, *named, ColumnRole::CrankAngle, named->meaning.reason);
-    } else if (readable && turns(*readable)) {
-        setAbscissa(table, *readable, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
+    } else if (leading && turns(*leading)) {
+        setAbscissa(table, *leading, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     }
 }
 
