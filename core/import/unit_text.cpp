@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <unordered_map>
 
@@ -154,6 +155,44 @@ ScaledUnit splitPower(std::string_view text)
     return isPower ? ScaledUnit{power, plain.substr(end)} : ScaledUnit{1.0, std::string(text)};
 }
 
+/// Parses a product of a length, an angle or nothing with powers of times: "mm", "mm/s", "rad s-2", "1/s". R writes
+/// "mm/s" as "mm.s": a length is never multiplied by a time. Returns nullopt for others.
+std::optional<Unit> parseProduct(std::string_view product)
+{
+    constexpr int kLargestOrder = 2;
+    std::optional<Unit> unit;
+    bool isDivided = false;
+    for (std::string_view rest = trimmed(product); !rest.empty(); rest = trimmed(rest)) {
+        if (rest[0] == '/') {
+            isDivided = true;
+            rest.remove_prefix(1);
+            continue;
+        }
+        const UnitFactor factor = takeFactor(rest);
+        if (factor.name.empty() && factor.power == 1 && !unit && !isDivided) { // "1/s"
+            continue;
+        }
+        const std::optional<Unit> time = unitNamed(factor.name);
+        const bool isTime = time && time->dimension == Dimension::Time && factor.power != 0;
+        if (isTime && (unit || isDivided || factor.power < 0)) {
+            unit = unit.value_or(Unit{Dimension::Angle, 0, kDegreesPerRadian}); // 1/s is rad/s
+            unit->order += std::abs(factor.power);
+            if (unit->dimension == Dimension::Time || unit->order > kLargestOrder) {
+                return std::nullopt;
+            }
+            unit->factor *= std::pow(time->factor, std::abs(factor.power));
+        } else if (!unit && !isDivided) {
+            unit = numeratorNamed(factor);
+            if (!unit) {
+                return std::nullopt;
+            }
+        } else {
+            return std::nullopt;
+        }
+    }
+    return unit && unit->order <= kLargestOrder ? unit : std::nullopt;
+}
+
 } // namespace
 
 std::string_view takeUntil(char separator, std::string_view &rest)
@@ -183,48 +222,14 @@ std::string lowered(std::string_view text)
 
 std::optional<Unit> parseUnit(std::string_view text)
 {
-    constexpr int kLargestOrder = 2;
     if (text == "kW") { // a power, and no angle of the crankshaft as "°KW"
         return std::nullopt;
     }
     const ScaledUnit scaled = splitPower(text);
-    const std::string plain = lowered(kUnitSpellings.replacedIn(scaled.unit));
-    std::optional<Unit> unit;
-    bool isDivided = false;
-    for (std::string_view rest = trimmed(plain); !rest.empty(); rest = trimmed(rest)) {
-        if (rest[0] == '/') {
-            isDivided = true;
-            rest.remove_prefix(1);
-            continue;
-        }
-        const UnitFactor factor = takeFactor(rest);
-        if (factor.name.empty() && factor.power == 1 && !unit && !isDivided) { // "1/s"
-            continue;
-        }
-        const std::optional<Unit> time = unitNamed(factor.name);
-        // R writes "mm/s" as "mm.s": a length is never multiplied by a time.
-        const bool isReciprocalTime =
-            time && time->dimension == Dimension::Time && factor.power != 0 && (unit || isDivided || factor.power < 0);
-        if (!unit && !isReciprocalTime) {
-            unit = numeratorNamed(factor);
-            if (!unit || isDivided) {
-                return std::nullopt;
-            }
-            continue;
-        }
-        unit = unit.value_or(Unit{Dimension::Angle, 0, kDegreesPerRadian}); // 1/s is rad/s
-        if (!isReciprocalTime || unit->dimension == Dimension::Time) {
-            return std::nullopt;
-        }
-        for (int i = 0; i < std::abs(factor.power) && unit->order <= kLargestOrder; ++i) {
-            unit->factor *= time->factor;
-            ++unit->order;
-        }
+    std::optional<Unit> unit = parseProduct(lowered(kUnitSpellings.replacedIn(scaled.unit)));
+    if (unit) {
+        unit->factor *= unit->dimension == Dimension::Time ? 1.0 / scaled.power : scaled.power; // units in a second
     }
-    if (!unit || unit->order > kLargestOrder) {
-        return std::nullopt;
-    }
-    unit->factor *= unit->dimension == Dimension::Time ? 1.0 / scaled.power : scaled.power; // units in a second
     return unit;
 }
 
