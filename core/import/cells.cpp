@@ -88,6 +88,16 @@ std::string withoutSeparators(std::string_view text)
     return isNegative ? '-' + plain : plain;
 }
 
+/// Returns where the quotation mark at `opening` is closed, or the end of the text. Two marks are one in the quotation.
+std::size_t findClosingMark(std::string_view text, std::size_t opening)
+{
+    std::size_t at = text.find('"', opening + 1);
+    while (at != text.npos && text.substr(at + 1).starts_with('"')) {
+        at = text.find('"', at + 2);
+    }
+    return std::min(at, text.size());
+}
+
 } // namespace
 
 std::string_view trimmed(std::string_view text)
@@ -104,24 +114,20 @@ std::string_view trimmed(std::string_view text)
 std::string_view takeCell(std::string_view &rest, char delimiter)
 {
     const bool bySpaces = delimiter == ' ';
-    const char other = bySpaces ? '\t' : delimiter;
+    const char otherDelimiter = bySpaces ? '\t' : delimiter;
     const std::size_t size = rest.size();
     std::size_t begin = 0;
     while (begin < size && isBlank(rest[begin]) && (bySpaces || rest[begin] != delimiter)) {
         ++begin;
     }
-    std::size_t end = begin;
-    if (begin < size && rest[begin] == '"') {
-        for (++end; end < size && (rest[end] != '"' || rest.substr(end + 1).starts_with('"')); ++end) {
-            end += rest[end] == '"' ? 1 : 0;
-        }
-    }
-    const std::size_t closing = end; // quotation mark
-    while (end < size && rest[end] != delimiter && rest[end] != other) {
+    const bool isQuoted = begin < size && rest[begin] == '"';
+    const std::size_t closing = isQuoted ? findClosingMark(rest, begin) : begin;
+    std::size_t end = closing;
+    while (end < size && rest[end] != delimiter && rest[end] != otherDelimiter) {
         ++end;
     }
     std::string_view text = trimmed(rest.substr(begin, end - begin));
-    if (closing > begin && text.size() == closing + 1 - begin) {
+    if (isQuoted && text.size() == closing + 1 - begin) {
         text = trimmed(text.substr(1, text.size() - 2));
     }
     const bool isLast = end == size || (bySpaces && trimmed(rest.substr(end)).empty());

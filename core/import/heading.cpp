@@ -310,8 +310,8 @@ void recognizeTextbook(std::span<Heading> row)
     }
 }
 
-/// Returns what is appended to the unit of a position for that of its derivative.
-std::string_view divisorOf(Order order)
+/// Returns what turns the unit of a position into that of its derivative: "/s" makes "mm/s" of "mm".
+std::string_view derivativeSuffix(Order order)
 {
     switch (order) {
     case Order::Position: break;
@@ -327,7 +327,7 @@ std::string_view divisorOf(Order order)
 std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
 {
     const NameMeaning &meaning = heading.meaning;
-    const std::string perTime(divisorOf(meaning.channel.order));
+    const std::string perTime(derivativeSuffix(meaning.channel.order));
     if (meaning.reason == ColumnReason::PathInSi) {
         return (isAngle(meaning.channel.coordinate) ? "rad" : "m") + perTime;
     }

@@ -125,13 +125,15 @@ std::vector<Line> splitLines(std::string_view text)
 
 bool isData(std::string_view line)
 {
+    constexpr std::size_t kMaxSigns = 3; // before the first digit: "-.5
     const std::string_view text = trimmed(line);
     const std::size_t digit = text.find_first_not_of("+-.,\"");
-    if (digit == text.npos || !isDigit(text[digit]) || digit > 3) {
+    if (digit == text.npos || !isDigit(text[digit]) || digit > kMaxSigns) {
         return false;
     }
     const std::string_view rest = text.substr(std::min(text.find_first_not_of("0123456789", digit), text.size()));
-    return !(rest.starts_with(". ") || rest.starts_with(") ")) || isDigit(trimmed(rest.substr(2))[0]); // "1. Time (s)"
+    const bool mayNumberHeadings = rest.starts_with(". ") || rest.starts_with(") "); // "1. Time (s)"
+    return !mayNumberHeadings || isDigit(trimmed(rest.substr(2))[0]);
 }
 
 bool isRemark(std::string_view line)

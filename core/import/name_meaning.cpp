@@ -278,17 +278,21 @@ bool namesZ(const std::string &word)
     return word == "z" || (word.size() == 2 && word[1] == 'z' && findWord(word.substr(0, 1), WordUse::Symbol));
 }
 
-/// Returns whether the crank pin A is named before its x or y, as in "v_Ax" and "A vx", or with their unit: "A x (mm)".
-/// "A x" alone may also be an acceleration, as "A x (mm/s²)" is.
-bool isOfPointA(const Words &words, const std::optional<Unit> &unit)
+/// Returns whether a name begins with the crank pin A before its x or y: "A vx", "A x (mm)". "A x" alone may also be an
+/// acceleration, as "A x (mm/s²)" is.
+bool beginsWithPointA(const Words &words, const std::optional<Unit> &unit)
 {
     const bool isPosition = unit && unit->dimension == Dimension::Length && unit->order == 0;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const bool isAfterSymbol = i > 0 && findWord(words[i - 1], WordUse::Symbol);
+    return words.size() > 1 && words[0] == "a" &&
+           (isAmong(words[1], "vx vy") || (isPosition && isAmong(words[1], "x y")));
+}
+
+/// Returns whether the crank pin A with its x or y is the index of a symbol: "v_Ax", "p_A x".
+bool hasIndexA(const Words &words)
+{
+    for (std::size_t i = 1; i < words.size(); ++i) {
         const bool isBeforeAxis = words[i] == "a" && i + 1 < words.size() && isAmong(words[i + 1], "x y");
-        const bool isBeforeVelocity = words[i] == "a" && i + 1 < words.size() && isAmong(words[i + 1], "vx vy");
-        if ((isAfterSymbol && (isBeforeAxis || isAmong(words[i], "ax ay"))) ||
-            (i == 0 && (isBeforeVelocity || (isBeforeAxis && isPosition)))) {
+        if ((isBeforeAxis || isAmong(words[i], "ax ay")) && findWord(words[i - 1], WordUse::Symbol)) {
             return true;
         }
     }
@@ -383,7 +387,7 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
-    if (isOfPointA(words, parseUnit(unit))) {
+    if (beginsWithPointA(words, parseUnit(unit)) || hasIndexA(words)) {
         return {.reason = ColumnReason::CrankPin};
     }
     return meaningOfWords(name, path, derivatives, words, unit);

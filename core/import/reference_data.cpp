@@ -212,12 +212,12 @@ void countByAngle(ReferenceData &data, RawTable &table)
 /// Returns whether the values are points of a parabola over the rows, apart from a tolerance.
 bool isParabola(std::span<const double> values, double tolerance)
 {
-    constexpr double kErrors = 4.0; // rounding errors: of three values, the middle one twice
-    ValueRange seconds;
+    constexpr double kErrors = 4.0; // in a second difference: of three values, the middle one twice
+    ValueRange secondDifferences;
     for (std::size_t i = 2; i < values.size(); ++i) {
-        seconds.include(values[i] - 2.0 * values[i - 1] + values[i - 2]);
+        secondDifferences.include(values[i] - 2.0 * values[i - 1] + values[i - 2]);
     }
-    return seconds.width() <= 2.0 * kErrors * tolerance;
+    return secondDifferences.width() <= 2.0 * kErrors * tolerance;
 }
 
 /// Finds the step of an instrument, from the first rows: 5 or 0.5, as of a scale, or that of an encoder or converter.

@@ -45,24 +45,40 @@ struct RoundedDecade {
     double weight; ///< number of values
 };
 
+/// How far the places of decades are from those of a rule. The less, the better; on a tie, the coarser rule.
+struct RuleDistance {
+    double distance = 0.0;       ///< sum of all values, in places
+    double minusMeanPlace = 0.0; ///< times the number of values: less for a coarser rule
+
+    auto operator<=>(const RuleDistance &) const = default;
+};
+
+/// Returns the distance of all decades from the rule that has the place of one decade.
+RuleDistance distanceFromRule(Rounding::Rule rule, const RoundedDecade &reference,
+                              const std::vector<RoundedDecade> &decades)
+{
+    RuleDistance sum;
+    for (const RoundedDecade &decade : decades) {
+        const bool isRelative = rule == Rounding::Rule::SignificantDigits;
+        const int place = reference.place + (isRelative ? decade.exponent - reference.exponent : 0);
+        sum.distance += decade.weight * std::abs(decade.place - place);
+        sum.minusMeanPlace -= decade.weight * place;
+    }
+    return sum;
+}
+
 /// Sets the rule and the digits of the rule that is closest to the places of all decades, weighted by their numbers of
-/// values; on a tie, those of the coarser rule.
+/// values. The best place, a weighted median, is that of one of the decades.
 void chooseRule(const std::vector<RoundedDecade> &decades, Rounding &rounding)
 {
-    std::pair<double, double> least{kInfinity, 0.0}; // distance, and minus the mean place
+    RuleDistance least{kInfinity};
     for (const Rounding::Rule rule : {Rounding::Rule::SignificantDigits, Rounding::Rule::Decimals}) {
-        const bool isRelative = rule == Rounding::Rule::SignificantDigits;
-        for (const RoundedDecade &best : decades) { // the best place, a weighted median, is that of a decade
-            std::pair<double, double> distance{0.0, 0.0};
-            for (const RoundedDecade &decade : decades) {
-                const int place = best.place + (isRelative ? decade.exponent - best.exponent : 0);
-                distance.first += decade.weight * std::abs(decade.place - place);
-                distance.second -= decade.weight * place;
-            }
-            if (distance < least) {
+        for (const RoundedDecade &reference : decades) {
+            if (const RuleDistance distance = distanceFromRule(rule, reference, decades); distance < least) {
                 least = distance;
                 rounding.rule = rule;
-                rounding.digits = isRelative ? best.exponent - best.place + 1 : -best.place;
+                rounding.digits = rule == Rounding::Rule::SignificantDigits ? reference.exponent - reference.place + 1
+                                                                            : -reference.place;
             }
         }
     }
@@ -77,8 +93,8 @@ PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
     return {found.zero, found.first, found.last, places.printed};
 }
 
-/// Returns a step of sorted values more precisely: the distance from the first value to the last ones, divided by the
-/// number of steps in it, which the distances before determine.
+/// Refines a step of sorted values: a distance of many steps, divided by their number, is more precise than one step.
+/// The distances increase, so that the number of steps in each is certain.
 double refinedStep(double step, const std::vector<double> &values)
 {
     double mostSteps = 1.0; // in the longest distance used so far

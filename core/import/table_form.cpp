@@ -332,15 +332,20 @@ std::size_t takeNameOfIndex(Lines rows, const std::optional<SplitLine> &row, std
 bool haveRowNames(Lines rows, char delimiter, std::size_t headings)
 {
     constexpr std::size_t kExaminedRows = 2;
-    std::string numbers; // of the rows
-    for (const Line &row : rows.first(std::min(rows.size(), kExaminedRows))) {
+    if (rows.size() < kExaminedRows) {
+        return false;
+    }
+    Cells numbers; // of the rows
+    for (const Line &row : rows.first(kExaminedRows)) {
         const Cells cells = splitCells(row.text, delimiter);
         if (cells.size() != headings + 1 || !std::all_of(cells.begin() + 1, cells.end(), isNumber)) {
             return false;
         }
-        numbers += !row.text.starts_with('"') && looksNumeric(cells[0]) ? ' ' + std::string(cells[0]) : std::string();
+        if (!row.text.starts_with('"') && looksNumeric(cells[0])) {
+            numbers.push_back(cells[0]);
+        }
     }
-    return rows.size() >= kExaminedRows && (numbers.empty() || numbers == " 0 1" || numbers == " 1 2");
+    return numbers.empty() || numbers == Cells{"0", "1"} || numbers == Cells{"1", "2"};
 }
 
 /// Sets the unit of a column that is found in cell `i` of a line, unless it is empty. Throws if the heading states
@@ -365,11 +370,6 @@ std::string_view inBrackets(std::string_view cell)
     return isBracketed ? trimmed(cell.substr(1, cell.size() - 2)) : std::string_view();
 }
 
-const std::string &textOf(const Heading &heading)
-{
-    return heading.use.heading;
-}
-
 /// Returns whether a line below the headings continues them: it names quantities, and states their units or
 /// distinguishes equal headings, as "Position [mm]" and "Velocity [mm/s]" do below "Piston" and "Piston".
 bool continuesHeadings(const Cells &cells, const std::vector<Heading> &headings)
@@ -383,7 +383,8 @@ bool continuesHeadings(const Cells &cells, const std::vector<Heading> &headings)
         statesUnit = statesUnit || (isQuantity && !second.use.unit.empty());
     }
     const bool areEqual = std::ranges::any_of(headings, [&headings](const Heading &heading) {
-        return !heading.use.heading.empty() && std::ranges::count(headings, heading.use.heading, textOf) > 1;
+        const auto isSame = [&heading](const Heading &other) { return other.use.heading == heading.use.heading; };
+        return !heading.use.heading.empty() && std::ranges::count_if(headings, isSame) > 1;
     });
     return namesQuantity && (statesUnit || areEqual) && cells.size() <= headings.size();
 }

@@ -44,7 +44,7 @@ constexpr std::string_view kRowNumbers =
 constexpr std::string_view kRowNumberCompanions =
     "data of de der measurement messung messpunkt medicion medida mesure misura medicao pomiar";
 
-/// Returns the vocabulary in languages from English to Polish. Words with a dot are variables of Modelica and Simscape.
+/// Returns the vocabulary, in the languages of core/README.md. Words with a dot are variables of Modelica and Simscape.
 std::span<const WordMeaning> vocabulary()
 {
     using enum WordUse;
