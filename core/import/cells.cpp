@@ -225,8 +225,11 @@ bool looksNumeric(std::string_view text)
 
 NumberWithUnit splitUnit(std::string_view text)
 {
-    for (const std::string_view begins : {" \t", "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ\xC2\xCE"}) {
-        const std::size_t at = text.find_first_of(begins);
+    constexpr std::string_view kBlanks = " \t";
+    constexpr std::string_view kLetters = // with the first bytes of °, µ and μ
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ\xC2\xCE";
+    for (const std::string_view beginnings : {kBlanks, kLetters}) {
+        const std::size_t at = text.find_first_of(beginnings);
         const std::string_view unit = at == text.npos ? std::string_view() : trimmed(text.substr(at));
         if (!unit.empty() && looksNumeric(text.substr(0, at)) && parseUnit(unit)) {
             return {text.substr(0, at), unit};

@@ -183,25 +183,23 @@ RawColumn *findSameHeading(std::span<RawColumn> columns, const RawColumn &abscis
     });
 }
 
-/// Returns the first column that may be the abscissa by its place, or null: it is no row number, parameter or column of
-/// words, and no count of the rows beside a crank angle.
-RawColumn *findLeading(std::span<RawColumn> columns, bool hasCrankAngle)
+/// Returns whether a column may be the abscissa if it is the first one: it is no row number or parameter, and no count
+/// of the rows beside a crank angle.
+bool mayLead(const RawColumn &column, bool hasCrankAngle)
 {
-    return findElement(columns, [&](const RawColumn &column) {
-        const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
-        const bool isCount = hasCrankAngle && !turns(column) && countsRows(column);
-        const bool mayLead = mayBeTime(column) || (!isNumber && rangeOf(column.values).count > 0);
-        return !isChosen(column) && !isConstant(column) && !isCount && mayLead;
-    });
+    const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
+    const bool isCount = hasCrankAngle && !turns(column) && countsRows(column);
+    return !isChosen(column) && !isConstant(column) && !isCount && (!isNumber || mayBeTime(column));
 }
 
 /// Finds the abscissa of a file in which no column is named as the time:
 ///
 /// 1. if another file has an abscissa, the column with the same heading,
 /// 2. else the column that a person chose as the crank angle,
-/// 3. else the leading column, if its name is unknown and its values only rise: the time,
+/// 3. else the first column that may lead, if its name is unknown and its values only rise: the time,
 /// 4. else the column that is named as the crank angle,
-/// 5. else the leading column, if it is an angle that does not change its direction, as in "theta, x, v".
+/// 5. else the first column that may lead and is not of words, if it is an angle that does not change its direction, as
+///    in "theta, x, v".
 void guessAbscissa(RawTable &table, const TableFile &file)
 {
     const std::span<RawColumn> columns = table.columnsOf(file);
@@ -215,13 +213,18 @@ void guessAbscissa(RawTable &table, const TableFile &file)
         return setAbscissa(table, *chosen, ColumnRole::CrankAngle, ColumnReason::Chosen);
     }
     RawColumn *const named = findElement(columns, isNamedCrankAngle);
-    RawColumn *const leading = findLeading(columns, named || findElement(columns, turns));
+    const bool hasCrankAngle = named || findElement(columns, turns);
+    RawColumn *const leading =
+        findElement(columns, [&](const RawColumn &column) { return mayLead(column, hasCrankAngle); });
+    RawColumn *const leadingNumbers = findElement(columns, [&](const RawColumn &column) {
+        return mayLead(column, hasCrankAngle) && rangeOf(column.values).count > 0;
+    });
     if (leading && mayBeTime(*leading)) {
         setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
     } else if (named) {
         setAbscissa(table, *named, ColumnRole::CrankAngle, named->meaning.reason);
-    } else if (leading && turns(*leading)) {
-        setAbscissa(table, *leading, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
+    } else if (leadingNumbers && turns(*leadingNumbers)) {
+        setAbscissa(table, *leadingNumbers, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     }
 }
 

@@ -80,9 +80,10 @@ std::size_t findBinary(std::string_view text)
         return static_cast<unsigned char>(c) < 0x20 &&
                std::string_view("\t\n\v\f\r\x1A\x1B").find(c) == std::string_view::npos;
     };
+    constexpr std::size_t kBytesPerControl = 100; // at least, in text
     const std::string_view beginning = text.substr(0, kFileBeginning);
     const auto controls = static_cast<std::size_t>(std::ranges::count_if(beginning, isControl));
-    return 100 * controls > beginning.size()
+    return kBytesPerControl * controls > beginning.size()
                ? static_cast<std::size_t>(std::ranges::find_if(beginning, isControl) - beginning.begin())
                : text.find('\0');
 }

@@ -244,6 +244,7 @@ private slots:
         QCOMPARE(adviceIn("time,J3_x,J4_x\n0,80,7\n1,70,8\n"), std::string("J4_x=R4_x ;")); // the last joint
         QCOMPARE(adviceIn("time,load [N],foo\n0,80,7\n1,70,8\n"), std::string("foo=R4_x ;"));
         QCOMPARE(adviceIn("time,crank speed [1/s]\n0,6\n1,7\n"), std::string("crank speed [1/s]=theta2_diff rad/s;"));
+        QCOMPARE(adviceIn("Date,Open,High\nMay,80,9\nJune,90,8\n"), std::string("Open=time ;High=R4_x ;")); // no time
         QCOMPARE(adviceIn("time,q1,q2\n0,0,80\n1,1,70\n2,2,75\n"), std::string("q2=R4_x ;")); // q1 only rises
     }
 
