@@ -219,9 +219,12 @@ std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::s
                        std::string(name.substr(2, end - 2))};
 }
 
-/// Returns the name without the variable behind it: "x(t)", "v[φ]", "x[n]".
+/// Returns the name without the variable or the number of the sample behind it: "x(t)", "v[φ]", "x[n]", "x_i".
 std::string_view withoutVariable(std::string_view name)
 {
+    if (name.ends_with("_i")) {
+        return name.substr(0, name.size() - 2);
+    }
     const std::size_t bracket = name.find_last_of("([");
     if (bracket == name.npos || bracket == 0 || name.find_first_of(")]", bracket) + 1 != name.size()) {
         return name;

@@ -40,7 +40,7 @@ constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 constexpr std::string_view kTurnsPerSecond = "rps drehfrequenz crank_frequency rotation_frequency";
 constexpr std::string_view kRowNumbers =
-    "n no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
+    "n i no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
 constexpr std::string_view kRowNumberCompanions =
     "data of de der measurement messung messpunkt medicion medida mesure misura medicao pomiar";
 
@@ -177,7 +177,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
         WordMeaning{Filler,
                     "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
-                    "component comp field out output instantaneous relative measured z i open crossed o pin obrotu "
+                    "component comp field out output instantaneous relative measured z open crossed o pin obrotu "
                     "поворота повороту"},
         WordMeaning{
             OtherQuantity,
