@@ -20,7 +20,7 @@ using Words = std::vector<std::string>;
 /// Letters outside ASCII and commands of LaTeX, and their plain spelling.
 const Spellings kLetterSpellings(
     "ő=o|ű=u|ť=t|ľ=l|ď=d|ň=n|á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|"
-    "ø=o|ô=o|"
+    "ø=o|"
     "â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
     "В=в|К=к|О=о|П=п|С=с|У=у|Х=х|Ш=ш|Ё=е|ё=е|" // first letters of Russian headings
     "İ=I|Á=A|Â=A|Ä=A|É=E|Í=I|Ó=O|Ö=O|Ú=U|Ü=U|Ñ=N|"
@@ -185,10 +185,10 @@ std::span<const WordMeaning> vocabulary()
             "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
             "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint "
             "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
-            "сила 力 torque par couple coppia moment momento drehmoment moment pressure presion pression "
+            "сила 力 torque par couple coppia moment momento drehmoment pressure presion pression "
             "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
             "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
-            "soupape follower stossel spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
+            "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
             "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
             "drift backlash holgura level count limit tilt"},
         WordMeaning{Label, "body part joint pin gelenk point punkt punto node marker of de del von du di do"},
