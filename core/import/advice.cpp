@@ -84,7 +84,7 @@ std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel
     if (column.use.reason == ColumnReason::TurnsOrRadians) {
         return "rad/s";
     }
-    if (column.use.unit.empty() || parseColumnUnit(column.use.unit, role, channel)) {
+    if (parseColumnUnit(column.use.unit, role, channel)) {
         return {};
     }
     if (role == ColumnRole::Time) {

@@ -406,7 +406,9 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const std::string_view unit = unitIn(cells[i]);
             if (areNames && unit.empty() && !cells[i].empty()) {
-                headings[i] = parseHeading(headings[i].use.heading + ' ' + std::string(cells[i]));
+                const std::string first = headings[i].use.heading;
+                const bool isRepeated = cells[i].starts_with(first); // "x" above "x (mm)"
+                headings[i] = parseHeading(isRepeated ? std::string(cells[i]) : first + ' ' + std::string(cells[i]));
                 continue;
             }
             setUnit(headings, i, unit.empty() && areUnits ? inBrackets(cells[i]) : unit, number); // "(V)" beside "(mm)"

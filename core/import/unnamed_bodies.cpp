@@ -165,13 +165,28 @@ bool isOfPoint(const RawColumn *column)
     return isOfUnnamedBody(column) && !column->meaning.owner.empty() && !isAngle(column->use.channel.coordinate);
 }
 
+/// Returns whether the values rise and fall by more than noise.
+bool moveToAndFro(const Values &values)
+{
+    constexpr double kMinPart = 0.2; // of the range
+    double rise = 0.0;
+    double fall = 0.0;
+    ValueRange before;
+    for (const double value : values) {
+        before.include(value);
+        rise = std::max(rise, value - before.low);
+        fall = std::max(fall, before.high - value);
+    }
+    return std::min(rise, fall) > kMinPart * before.width();
+}
+
 /// Removes speeds that are never negative while the slider moves to and fro: they are magnitudes.
 void removeMagnitudes(std::vector<RawColumn *> &candidates)
 {
     removeColumns(candidates, ColumnReason::Magnitude, [&](const RawColumn &column) {
         const RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, column.meaning.owner);
         const bool isSpeed = isOfUnnamedBody(&column) && column.use.channel == Channel{R4x, Order::Velocity};
-        return isSpeed && x && x->values.size() >= kFewestRows && findReversal(x->finiteValues()) &&
+        return isSpeed && x && x->values.size() >= kFewestRows && moveToAndFro(x->finiteValues()) &&
                rangeOf(column.values).low >= 0.0;
     });
 }

@@ -109,6 +109,7 @@ const std::vector<Layout> kLayouts{
     {"Time;Piston;Piston\ns;Position [mm];Velocity [mm/s]\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"},
     {"Time,Slider,Slider\n(s),X (mm),VX (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     {"Time,Slider,Slider\n,position,velocity\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
+    {"Time,x,v\nTime (s),x (mm),v (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     {"t;coupler;slider\ns;x [mm];x [mm]\n0;70;85\n1;60;84\n2;50;80\n", "time - R4_x"},
     {"Zeit;Kolben [mm];Winkel [\xA1]\n0;85;1\n1;84;2\n2;80;1\n", "time R4_x theta3"}, // Macintosh
     // Several columns of one quantity.
@@ -291,6 +292,12 @@ private slots:
         QCOMPARE(rolesIn("t;x;y;v_{x};v", -1.0), QString("time R4_x R4_y R4_x_diff -"));
         QCOMPARE(rolesIn("t;x;y;foo;v", -1.0), QString("time R4_x R4_y - -"));
         QCOMPARE(rolesIn("t;x;y;foo;v", 1.0), QString("time R4_x R4_y - R4_x_diff"));
+        QByteArray noisy = "t;x;v\n"; // while the slider only advances
+        for (int row = 0; row < 12; ++row) {
+            noisy += QByteArray::number(row) + ';' + QByteArray::number(10 * row + (row % 2 == 0 ? 12 : 0)) + ";10\n";
+        }
+        const Outcome outcome = read(noisy);
+        QVERIFY(std::get<ReferenceData>(outcome).find({R4x, Order::Velocity}));
     }
 
     /// A path implies radians, unless the crank would make more than half a turn from row to row.
