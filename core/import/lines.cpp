@@ -77,6 +77,13 @@ std::string_view withoutBorders(std::string_view line)
     return text.size() < trimmed(line).size() ? trimmed(text) : line;
 }
 
+/// Returns whether a line is the common factor that MATLAB and Octave print above a matrix: "1.0e+03 *".
+bool isCommonFactor(std::string_view line)
+{
+    const std::string_view text = trimmed(line);
+    return text.ends_with('*') && text.find('e') != text.npos && looksNumeric(trimmed(text.substr(0, text.size() - 1)));
+}
+
 /// Returns where the first line ends. Line ends in a quoted heading, as spreadsheets write them, belong to the line.
 std::size_t findLineEnd(std::string_view text)
 {
@@ -111,6 +118,9 @@ std::vector<Line> splitLines(std::string_view text)
                 withoutBorders(lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest));
             if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
+            }
+            if (mayBeHeadings && isCommonFactor(line)) {
+                throw ReadError{.line = number, .fault = {ReadFault::Kind::CommonFactor}};
             }
             if (trimmed(line).starts_with(kEndOfPreamble)) {
                 lines.clear();

@@ -18,7 +18,8 @@ struct Line {
 
 inline constexpr std::size_t kExaminedLines = 200; ///< that are not blank, for the form of the table
 
-/// Splits a text at LF, CR LF and CR. Throws ReadError if one of the first lines is too long.
+/// Splits a text at LF, CR LF and CR. Throws ReadError if one of the first lines is too long, or is the common factor
+/// of the numbers below: "1.0e+03 *".
 std::vector<Line> splitLines(std::string_view text);
 
 /// Returns whether a line begins with a number, so that it is a row of data. "1. Time (s)" is a heading.

@@ -40,6 +40,7 @@ struct ReadFault {
         MoreHeadings,    ///< `headings` are more than `numbers` in every row: a heading contains a delimiter
         FewerHeadings,   ///< `headings` are fewer than `numbers` in the rows
         Transposed,      ///< each line is a quantity
+        CommonFactor,    ///< the numbers are printed without their common factor, as MATLAB and Octave do
         AnotherTable,    ///< begins with this line of headings
         UnknownUnit,     ///< or a unit of another quantity than `channel`
         UnknownTimeUnit,

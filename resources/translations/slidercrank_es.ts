@@ -3942,6 +3942,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>hay %5 encabezados, pero %6 celdas en la fila: ponga un encabezado a cada columna.</translation>
     </message>
     <message>
+        <source>the numbers below have to be multiplied by this factor: print them in full, in MATLAB and Octave with “format long g”.</source>
+        <translation>los números siguientes deben multiplicarse por este factor: escríbalos completos, en MATLAB y Octave con «format long g».</translation>
+    </message>
+    <message>
         <source>the quantities are rows: transpose the table, so that each quantity is a column.</source>
         <translation>las magnitudes están en filas: trasponga la tabla, de modo que cada magnitud sea una columna.</translation>
     </message>

@@ -47,6 +47,9 @@ public:
          QT_TR_NOOP("there are %5 headings, but %6 cells in the row: give every column a heading.")},
         {FaultKind::Transposed,
          QT_TR_NOOP("the quantities are rows: transpose the table, so that each quantity is a column.")},
+        {FaultKind::CommonFactor,
+         QT_TR_NOOP("the numbers below have to be multiplied by this factor: print them in full, in MATLAB and Octave "
+                    "with “format long g”.")},
         {FaultKind::AnotherTable,
          QT_TR_NOOP("another table begins here, with other headings or units: keep one of the tables.")},
         {FaultKind::UnknownUnit,

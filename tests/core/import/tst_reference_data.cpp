@@ -206,6 +206,7 @@ const std::vector<Refusal> kRefused{
      "time,R4_x\n0,1,1,5\n0,2,1,25\n",
      "2:3 1",
      {.kind = Kind::NoRow, .row = RowFault::TooManyCells}},
+    {"common factor of MATLAB", "t x\n\n   1.0e+03 *\n\n   0 0.085\n   0.001 0.084\n", "3:0 ", {Kind::CommonFactor}},
     {"quantities in rows", "time;0;0.1;0.2;0.3\nR4_x [mm];8;7;6;5\n", "1:0 ", {Kind::Transposed}},
     {"another table", "time,R4_x\n0,8\n1,7\n\ntime,theta3\n0,1\n", "5:0 time,theta3", {Kind::AnotherTable}},
     {"two lengths of unnamed bodies",
