@@ -56,7 +56,7 @@ QActionGroup *addChoices(QMenu *menu, const std::vector<Choice<Value>> &choices,
     for (const auto &[value, text] : choices) {
         QAction *action = group->addAction(addSwitch(menu, text, value == chosen));
         action->setData(static_cast<int>(value));
-        QObject::connect(action, &QAction::triggered, menu, [choose, value = value] { choose(value); });
+        QObject::connect(action, &QAction::triggered, menu, [choose, choice = value] { choose(choice); });
     }
     return group;
 }
