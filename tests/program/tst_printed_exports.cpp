@@ -334,8 +334,10 @@ private:
             const QRect inside = picture.rect().adjusted(kMargin, kMargin, -kMargin, -kMargin);
             for (int y = 0; y < picture.height(); ++y) {
                 for (int x = 0; x < picture.width(); ++x) {
-                    QVERIFY2(inside.contains(x, y) || qGray(picture.pixel(x, y)) > 250,
-                             qPrintable(QStringLiteral("page %1: %2, %3").arg(page).arg(x).arg(y)));
+                    if (!inside.contains(x, y) &&
+                        qGray(picture.pixel(x, y)) <= 250) { // QVERIFY2 would always write the text
+                        QFAIL(qPrintable(QStringLiteral("page %1: %2, %3").arg(page).arg(x).arg(y)));
+                    }
                 }
             }
         }
