@@ -4,6 +4,7 @@
 // line. The program must not use much memory for this. The large files are sparse and take no space on the disk.
 
 #include "tests/program/run_program.h"
+#include "tests/support/long_tests.h"
 #include "tests/support/suite.h"
 
 #include <QTemporaryDir>
@@ -20,12 +21,6 @@ using namespace slidercrank;
 
 namespace tst_wrong_files
 {
-
-#ifdef SLIDERCRANK_SANITIZED
-constexpr bool kIsSanitized = true; // the sanitizer needs much memory
-#else
-constexpr bool kIsSanitized = false;
-#endif
 
 bool write(const QString &path, const QByteArray &bytes, qint64 size)
 {

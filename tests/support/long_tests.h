@@ -10,6 +10,13 @@
 namespace slidercrank
 {
 
+/// Sanitizer builds are many times slower and need much memory.
+#ifdef SLIDERCRANK_SANITIZED
+constexpr bool kIsSanitized = true;
+#else
+constexpr bool kIsSanitized = false;
+#endif
+
 /// Returns whether SLIDERCRANK_LONG_TESTS asks for the long tests.
 inline bool areTestsLong()
 {
@@ -22,15 +29,10 @@ inline int runs(int usual, int many)
     return areTestsLong() ? many : usual;
 }
 
-/// Returns the number of cases of a numerical test. Sanitizer builds are many times slower and check memory, so they
-/// run an eighth.
+/// Returns the number of cases of a numerical test. Sanitizer builds check memory, not numbers, so they run an eighth.
 inline int numericRuns(int usual, int many)
 {
-#ifdef SLIDERCRANK_SANITIZED
-    return runs(std::max(usual / 8, 1), many);
-#else
-    return runs(usual, many);
-#endif
+    return runs(kIsSanitized ? std::max(usual / 8, 1) : usual, many);
 }
 
 } // namespace slidercrank
