@@ -160,12 +160,14 @@ class Chromium:
     def stop_record(self):
         if self.trace is not None:
             self.call("Tracing.end")
-            self.wait_for("the recorded tasks", lambda: self.trace is None)
+            self.wait_for("the recorded tasks", lambda: self.trace is None, 120)
 
     def _judge_trace(self):
         threads = {(event["pid"], event["tid"]): event["args"]["name"] for event in self.trace if event["name"] == "thread_name"}
         for event in self.trace:
-            if threads.get((event["pid"], event.get("tid"))) == "CrRendererMain" and "tdur" in event:
+            # A task; other events stand for several tasks in a row, between which the browser handles what the user does.
+            is_task = event["name"].endswith("RunTask") and "tdur" in event
+            if is_task and threads.get((event["pid"], event.get("tid"))) == "CrRendererMain":
                 self.longest_block = max(self.longest_block, event["tdur"] / 1e6)
         self.trace = None
 
