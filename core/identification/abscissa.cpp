@@ -57,6 +57,7 @@ ObservedFit withBestAbscissa(ObservedFit current)
         current.fit = std::move(other);
         current.searched = std::move(printed);
         current.wholeFile.*abscissa = current.wholeFile.*printedAbscissa;
+        current.wholeFile.timeMargin = 0.0; // the time stamps are exact
     }
     return current;
 }

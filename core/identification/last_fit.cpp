@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace slidercrank
@@ -72,11 +73,26 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
     return rows;
 }
 
+/// The standard errors of the speed and the angle of the crank because of rounded time stamps: within their margin, the
+/// first and the last one may be anywhere, independently.
+ParameterErrors errorsOfClock(const Observations &observations, const Model &model)
+{
+    ParameterErrors errors{};
+    if (!model.followsAngle) {
+        const double errorOfTime = observations.timeMargin / std::numbers::sqrt3; // of an even distribution
+        const double speed = std::abs(model.mechanism.omega2);
+        errors[indexOf(Parameter::Theta20)] = speed * errorOfTime;
+        errors[indexOf(Parameter::Omega2)] = speed * std::numbers::sqrt2 * errorOfTime / observations.span();
+    }
+    return errors;
+}
+
 /// Computes the covariance of the unknowns and the standard errors of the parameters at t = 0 of the file. Two more
 /// independent errors are added to those of the fit: `possibleErrors`, and the step to the minimum that the search did
-/// not make if it ended early.
+/// not make if it ended early. The standard errors also contain those of the clock, which change nothing in the fit.
 void computeErrors(LastFit &result, const ParameterErrors &possibleErrors)
 {
+    const ParameterErrors clockErrors = errorsOfClock(result.observations, result.fit.model);
     const Fit &fit = result.fit;
     Eigen::MatrixXd &covariance = result.covariance;
     covariance = result.dependence * computeCovariance(fit);
@@ -94,7 +110,7 @@ void computeErrors(LastFit &result, const ParameterErrors &possibleErrors)
         if (fit.unknowns[k].isParameter()) {
             const std::size_t i = indexOf(toParameter(fit.unknowns[k]));
             covariance(k, k) += possibleErrors[i] * possibleErrors[i];
-            result.standardError[i] = std::sqrt(covariance(k, k));
+            result.standardError[i] = std::hypot(std::sqrt(covariance(k, k)), clockErrors[i]);
         }
     }
 }

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace slidercrank
 {
@@ -117,20 +118,21 @@ Indices rowsWithValues(const ReferenceData &data)
     return rows;
 }
 
-/// The time stamps (or angles of a table) before they were rounded: a grid of one spacing, some of whose times may be
-/// missing. Rounding explains a grid if each of its times is within half a rounding step of the printed time stamp.
-/// Returns the grid with the largest margin to these limits or, if none is within them, the one that exceeds them
-/// least.
-Values findGrid(const Values &printed, const Values &halfSteps)
+/// Times (or angles of a table) of one spacing, some of which may be missing.
+struct Grid {
+    Values times;
+    double margin = 0.0; ///< how far it can be moved so that rounding still explains it; 0 if rounding does not
+};
+
+/// The time stamps (or angles of a table) before they were rounded. Rounding explains a grid if each of its times is
+/// within half a rounding step of the printed time stamp. Returns the grid with the largest margin to these limits or,
+/// if none is within them, the one that exceeds them least. `gridNumbers`: how many spacings each time stamp is after
+/// the first one.
+Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<double> &gridNumbers)
 {
     constexpr int kBits = 26; // of the result; more are lost in rounding errors
     const Index last = printed.size() - 1;
-    const Values differences = printed.tail(last) - printed.head(last);
-    const double spacing = median(differences);
-    Values spacings = Values::Zero(printed.size()); // their number from the first time to each
-    for (Index i = 0; i < last; ++i) {
-        spacings[i + 1] = spacings[i] + std::rint(differences[i] / spacing);
-    }
+    const Values spacings = Eigen::Map<const Values>(gridNumbers.data(), std::ssize(gridNumbers));
     const Values fractions = spacings / spacings[last]; // of the duration of the grid
     // The times of a grid that starts at zero. The first and the last time stamp allow durations from the shortest one
     // (stretch = -1) to the longest one (stretch = 1).
@@ -142,7 +144,8 @@ Values findGrid(const Values &printed, const Values &halfSteps)
     const auto latestStart = [&](double stretch) { return (printed - grid(stretch) + halfSteps).minCoeff(); };
     const auto contradiction = [&](double stretch) { return earliestStart(stretch) - latestStart(stretch); };
     const double best = boost::math::tools::brent_find_minima(contradiction, -1.0, 1.0, kBits).first;
-    return 0.5 * (earliestStart(best) + latestStart(best)) + grid(best);
+    return {.times = 0.5 * (earliestStart(best) + latestStart(best)) + grid(best),
+            .margin = std::max(0.0, -0.5 * contradiction(best))};
 }
 
 /// Reads the time stamps of a file over the time.
@@ -154,7 +157,9 @@ void observeTime(Observations &observations, const ReferenceData &data)
     Values time = printed;
     if (clock.rounded) {
         const auto halfStep = [&](double stamp) { return 0.5 * data.timeRounding.stepAt(stamp); };
-        time = findGrid(printed, printed.unaryExpr(halfStep));
+        Grid grid = findGrid(printed, printed.unaryExpr(halfStep), clock.gridNumbers);
+        time = std::move(grid.times);
+        observations.timeMargin = grid.margin;
     }
     observations.timeOrigin = 0.5 * (time[rows.front()] + time[rows.back()]);
     observations.time = time(rows) - observations.timeOrigin;
@@ -202,7 +207,7 @@ void observeTableAngle(Observations &observations, const CrankAngles &crank)
     Values degrees = printed;
     if (clock.rounded) {
         const auto halfStep = [&](double angle) { return 0.5 * crank.rounding.stepAt(angle); };
-        degrees = findGrid(printed, printed.unaryExpr(halfStep));
+        degrees = findGrid(printed, printed.unaryExpr(halfStep), clock.gridNumbers).times;
         observations.printedAngle = printed(observations.rows) / kDegreesPerRadian;
     }
     observations.angle = degrees(observations.rows) / kDegreesPerRadian;

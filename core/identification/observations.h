@@ -55,6 +55,7 @@ struct Observations {
     Values printedAngle;        ///< the rounded `angle` of a table if `angle` is evenly spaced before rounding
     double timeOrigin = 0.0;    ///< time of the file at which `time` is zero, s
     double timeHalfStep = 0.0;  ///< half of the rounding step of the time stamps, s; 0 if they are evenly spaced
+    double timeMargin = 0.0;    ///< how far the evenly spaced time stamps can be moved within their rounding, s
     double angleHalfStep = 0.0; ///< half of the rounding step of `angle`, rad
     Indices rows;               ///< index in the file of each row
     std::vector<ObservedColumn>

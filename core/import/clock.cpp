@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace slidercrank
 {
@@ -12,9 +14,17 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the number of each time stamp on a grid with a spacing of the smallest difference, from 0; empty unless most
+/// The numbers 0, 1, 2, … of time stamps without gaps.
+std::vector<double> numbersWithoutGaps(std::size_t count)
+{
+    std::vector<double> numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0.0);
+    return numbers;
+}
+
+/// The number of each time stamp on a grid with a spacing of the smallest difference, from 0; empty unless most
 /// neighbours are one step apart. Some time stamps of the grid may be missing.
-std::vector<double> gridNumbers(std::span<const double> time)
+std::vector<double> numbersWithGaps(std::span<const double> time)
 {
     constexpr double kMaxGapFraction = 0.5; // of all differences: chosen time stamps also have a common divisor
     std::vector<double> differences;
@@ -52,7 +62,7 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
     const double latest = std::max(std::abs(time.front()), std::abs(time.back()));
     clock.printedStep = rounding.stepAt(latest);
     const double slack = std::max(kPartOfStep * clock.printedStep, kUlps * kEpsilon * latest);
-    const std::vector<double> numbers = gridNumbers(time);
+    const std::vector<double> numbers = numbersWithGaps(time);
     const bool hasGaps = numbers.empty() || numbers.back() + 1.0 > static_cast<double>(numbers.size());
     const bool mayBeGrid = !numbers.empty() && (!hasGaps || time.size() >= kFewestTimeStamps);
     ValueRange spacing; // per step of the grid
@@ -61,9 +71,18 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
     }
     clock.even = time.size() == 1 || (mayBeGrid && spacing.width() <= slack);
     clock.printedStep = clock.even ? rounding.finestStep() : clock.printedStep;
-    if (!clock.even && mayBeGrid && time.size() >= kFewestTimeStamps) {
+    if (clock.even || time.size() < kFewestTimeStamps) {
+        return clock;
+    }
+    // If the rounding step is not much smaller than the spacing (0.02, 0.05, 0.07 for 0.025, 0.05, 0.075), the
+    // differences look like gaps, so that a grid without gaps is tried first.
+    for (std::vector<double> grid : {numbersWithoutGaps(time.size()), numbers}) {
         // Each time stamp may be off by half a step, and so may the first and the last, which determine the spacing.
-        clock.rounded = isStraight(time, numbers, clock.printedStep);
+        if (!grid.empty() && isStraight(time, grid, clock.printedStep)) {
+            clock.rounded = true;
+            clock.gridNumbers = std::move(grid);
+            break;
+        }
     }
     return clock;
 }

@@ -12,6 +12,7 @@
 #include "core/import/rounding.h"
 
 #include <span>
+#include <vector>
 
 namespace slidercrank
 {
@@ -22,6 +23,7 @@ struct Clock {
     double printedStep = 0.0;
     bool even = true;     ///< evenly spaced, apart from gaps, within the precision of a double or 1e-3 of the step
     bool rounded = false; ///< at least ten time stamps, evenly spaced within their rounding, but not `even`
+    std::vector<double> gridNumbers{}; ///< if rounded: how many spacings each time stamp is after the first one
 
     /// Returns the rounding step that time stamps have to be expected to have, s: the error is at most half of it.
     double step() const { return even ? 0.0 : printedStep; }

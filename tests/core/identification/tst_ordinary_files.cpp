@@ -216,6 +216,28 @@ private slots:
         QVERIFY(found.standardError[indexOf(Parameter::B)] < 1e-3);
     }
 
+    /// Rounded time stamps of 0.025 s leave the start of the clock open by 2.5 ms.
+    void statesTheErrorOfCoarseTimeStamps()
+    {
+        constexpr double kStart = 0.25; // rad
+        constexpr double kSpeed = 6.25; // rad/s
+        std::string text = "time (s),R4_x (mm),theta3 (deg)\n";
+        for (int i = 0; i <= 100; ++i) {
+            const double angle = kStart + kSpeed * 0.025 * i;
+            const double coupler = std::asin((25.0 - 20.0 * std::sin(angle)) / 65.0);
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%.2f,%.3f,%.4f\n", 0.01 * std::ceil(2.5 * i),
+                          sliderPosition(20.0, 65.0, 25.0, angle), coupler / kDegree);
+            text += line.data();
+        }
+        const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
+        QVERIFY(hasLengths(found, 20.0, 65.0, 25.0));
+        const double error = found.standardError[indexOf(Parameter::Theta20)];
+        QVERIFY(std::abs(found.parameters.theta20 - kStart) < 3.0 * error && error < 0.03);
+        const double errorOfSpeed = found.standardError[indexOf(Parameter::Omega2)];
+        QVERIFY(std::abs(found.parameters.omega2 - kSpeed) < 3.0 * errorOfSpeed && errorOfSpeed < 0.01 * kSpeed);
+    }
+
     void findsThatTheOffsetIsZero()
     {
         const Identification found = identifyFile("c_of_1e-12");
