@@ -12,16 +12,16 @@
 //     mirrored in the y axis    θ → 180° - θ, x → -x     ω2 → -ω2, θ20 → 180° - θ20, the other assembly
 //     turned by 180°            θ → θ + 180°, x → -x     c → -c, θ20 → θ20 + 180°, the other assembly
 //     enlarged                  θ → θ, x → k x           a, b, c times k
-//     started late              t → t + τ                θ20 + ω2 τ
-//     timed otherwise           t → f t, and every derivative by its power of f     ω2 / f
+//     started late              t → t + τ                θ20 → θ20 + ω2 τ
+//     timed otherwise           t → f t, derivatives times powers of 1/f     ω2 → ω2 / f
 //
 // (θ and x with their derivatives, θ up to whole turns), and, for θ alone, if
 //
 //     the crank is reversed     θ → θ                    ω2 → -ω2, θ20 → 180° - θ20
 //
-// Therefore the length unit of the whole file, times and derivatives per millisecond, a late start and the other
-// assembly are reported only if the file then agrees with the given mechanism. Otherwise the result is another
-// mechanism without a convention. Some files can be described by either of two conventions:
+// Therefore the length unit of the whole file, times in milliseconds, a late start and the other assembly are reported
+// only if the file then agrees with the given mechanism. Otherwise the result is another mechanism without a convention.
+// Some files can be described by either of two conventions:
 //
 //     θ turned by 180°, or x negated
 //     one of two columns negated, or the other one

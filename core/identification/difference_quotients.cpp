@@ -22,7 +22,8 @@ constexpr std::array<Stencil, 4> kStencils{{{{-0.5, 0.0, 0.5}, 1}, // central
                                             {{-1.0, 1.0, 0.0}, 1}, // backward
                                             kSecondDifference}};
 
-/// Quotients in all rows but the first and the last.
+/// Quotients in all rows but the first and the last. Forward and backward quotients are divided by half the distance of
+/// both neighbours, which is right in evenly spaced rows.
 struct Quotients {
     Values values;
     Values bounds; ///< the largest errors of the quotients because of the rounding of the column

@@ -194,14 +194,16 @@ void replaceIfBetter(Candidate &best, Candidate candidate)
 /// Removes all candidates but the best ones, and sorts these.
 void keepBest(std::vector<Candidate> &candidates)
 {
-    constexpr std::size_t kCandidates = 6; // each costs a fit
+    constexpr std::size_t kCandidates = 6; // the right one is not always the best on a coarse grid; each costs a fit
     std::erase_if(candidates, [](const Candidate &candidate) { return !std::isfinite(candidate.misfit); });
     std::ranges::sort(candidates, {}, &Candidate::misfit);
     candidates.resize(std::min(kCandidates, candidates.size()));
 }
 
 /// Tries mechanisms of all proportions with all angles of the crank at t = 0. For each of the proportions, the best
-/// angle becomes a candidate. Couplers shorter than a + |c| belong to cranks that oscillate.
+/// angle becomes a candidate. Couplers shorter than a + |c| belong to cranks that oscillate. Neighbouring proportions
+/// are so near that a fit which starts at one reaches mechanisms up to the next; it also reaches those beyond the
+/// longest coupler and offset.
 GridResult searchGrid(const Observations &observations, const Indices &columns, const Model &start,
                       const Parameters &given)
 {

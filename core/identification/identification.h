@@ -39,8 +39,9 @@ struct LeftOutColumn {
     enum class Reason {
         FiniteDifferences, ///< it contains difference quotients of another column
         UnevenSpeed,       ///< the speed of the crank changes, so that nothing predicts this derivative
-        OpenSpeed,         ///< ω2, or the unit in which it is counted, is not known
-        OtherMotion,       ///< it is the motion of a slider-crank of other dimensions
+        OpenSpeed,   ///< ω2, or the unit in which it is counted, is not known; for θ2: its rows are too far apart
+                     ///< to show how many turns the crank makes
+        OtherMotion, ///< it is the motion of a slider-crank of other dimensions
         Unknown
     };
     Channel channel;

@@ -106,13 +106,13 @@ bool isConsistent(double turns, double crossingPairs)
 /// per row: a faster crank gives the same positions as one of these. `coverage`: the result of computeCoverage().
 std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
 {
-    constexpr double kSpacing = 0.1;         // a tenth of the width of a minimum of the periodogram
-    constexpr double kMinTurns = 0.7;        // with less, two harmonics fit any speed; findSpeedCandidates() adds arcs
-    constexpr double kMaxTurnsPerRow = 0.5;  // a faster crank gives the same positions as a slower one
-    constexpr double kMaxPairsPerTurn = 5.0; // accelerations have several pairs of crossings per turn
-    constexpr double kMinReliablePairs = 25.0; // with fewer, their number excludes hardly any speed
-    constexpr double kFullCoverage = 0.95;     // with less, gaps hide crossings
-    constexpr double kMinRowsPerPair = 8.0;    // with fewer, crossings may fall between the rows
+    constexpr double kSpacing = 0.1;  // a tenth of the width of a minimum of the periodogram
+    constexpr double kMinTurns = 0.7; // with fewer turns, two harmonics fit any speed; findSpeedCandidates() adds arcs
+    constexpr double kMaxTurnsPerRow = 0.5;    // a faster crank gives the same positions as a slower one
+    constexpr double kMaxPairsPerTurn = 5.0;   // accelerations have several pairs of crossings per turn
+    constexpr double kMinReliablePairs = 25.0; // with fewer pairs, their number excludes hardly any speed
+    constexpr double kFullCoverage = 0.95;     // with less coverage, gaps hide crossings
+    constexpr double kMinRowsPerPair = 8.0;    // with fewer rows, crossings may fall between them
     const auto rowCount = static_cast<double>(rows);
     const double crossingPairs = 0.5 * crossings;
     const bool mayMissCrossings = rowCount < kMinRowsPerPair * crossingPairs;
