@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/description.h"
 
+#include "core/identification/geometry.h"
 #include "core/identification/length_change.h"
 #include "core/identification/mirror_images.h"
 #include "core/identification/round_values.h"
