@@ -212,7 +212,7 @@ ReferenceData addConventions(Identification &result, const ReferenceData &data,
 {
     const ReferenceData usedColumns = keepUsedColumns(data, tableConvention, findings.lastFit);
     result.conventions = listConventions(findings.lastFit);
-    if (tableConvention) { // the other conventions belong to the file after it
+    if (tableConvention) { // the others are applied to the result
         result.conventions.insert(result.conventions.begin(), {*tableConvention});
     }
     addWholeFileConventions(result, usedColumns, given);

@@ -140,13 +140,15 @@ double percentOfPeak(const Observations &observations, const Fit &fit, Index k, 
     return peak > 0.0 ? 100.0 * deviation / peak : kNone;
 }
 
-/// Whether fit.columns[place], which contains difference quotients, may be a genuine derivative nevertheless: its
-/// residuals are those of its own rounding, while quotients of rounded values have far larger ones.
-bool isGenuine(const Observations &observations, const Fit &fit, Index place)
+/// Whether the last column of a fit may be used. A column that contains difference quotients may be a genuine
+/// derivative nevertheless: then its residuals are those of its own rounding, while quotients of rounded values have
+/// far larger ones.
+bool isLastColumnGenuine(const Observations &observations, const Fit &fit)
 {
-    constexpr double kBounds = 2.0; // of rounding (rms): the fit has errors, too
-    return isWithinRounding(observations, fit, place) ||
-           fit.rms[place] < kBounds * std::sqrt(roundingBounds(observations, fit, place).square().mean());
+    constexpr double kMaxBounds = 2.0; // bounds of rounding (rms) that residuals may reach: the fit has errors, too
+    const Index place = std::ssize(fit.columns) - 1;
+    return !observations.columns[fit.columns[place]].isDifference || isWithinRounding(observations, fit, place) ||
+           fit.rms[place] < kMaxBounds * std::sqrt(roundingBounds(observations, fit, place).square().mean());
 }
 
 /// Why nothing predicts a column, so that it cannot be compared with the mechanism; nullopt if the mechanism predicts
@@ -198,8 +200,7 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
         return;
     }
     std::optional<Fit> together = withSimplestReading(observations, fit, k, isGeometryExact);
-    const Index placeOfNewColumn = std::ssize(fit.columns);
-    if (together && (!column.isDifference || isGenuine(observations, *together, placeOfNewColumn))) {
+    if (together && isLastColumnGenuine(observations, *together)) {
         result.fit = *std::move(together);
         return;
     }
@@ -226,21 +227,23 @@ Model atOtherSpeed(const Fit &fit, Order order, double ratioOfSpeeds)
 /// Over the angle of the crank, velocities of lengths show the product a ω2, and accelerations a ω2². If a fit of
 /// columns of one of these orders has assumed ω instead of the true speed ω', it predicts columns of the other order
 /// that are off by a factor: accelerations from velocities by ω'/ω, velocities from accelerations by ω/ω'. Returns the
-/// fit together with such a column, in which the speed is free; nullopt if no mechanism explains both.
+/// fit together with such a column, in which the speed is free; nullopt if no mechanism explains both, or if the column
+/// only contains difference quotients of the other one.
 std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool isGeometryExact)
 {
     const Order fittedOrder = observations.columns[fit.columns.front()].channel.order;
-    Fit free = fit;
-    free.unknowns.push_back({Unknown::Kind::Omega2});
+    Fit start = fit;
+    start.unknowns.push_back({Unknown::Kind::Omega2});
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
         if (column.containsAngles() || !column.isDerivative() || column.channel.order == fittedOrder) {
             continue;
         }
         const double factor = fitScale(observations, fit, fit.model, k, isGeometryExact).factor;
-        free.model = atOtherSpeed(fit, fittedOrder, fittedOrder == Order::Velocity ? factor : 1.0 / factor);
-        free.model.readings[k] = {signOfCoordinate(observations, free, column.channel.coordinate), 0.0};
-        if (std::optional<Fit> together = withColumn(observations, free, free.model, k, isGeometryExact)) {
+        start.model = atOtherSpeed(fit, fittedOrder, fittedOrder == Order::Velocity ? factor : 1.0 / factor);
+        start.model.readings[k] = {signOfCoordinate(observations, start, column.channel.coordinate), 0.0};
+        std::optional<Fit> together = withColumn(observations, start, start.model, k, isGeometryExact);
+        if (together && isLastColumnGenuine(observations, *together)) {
             return together;
         }
     }

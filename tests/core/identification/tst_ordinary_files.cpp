@@ -294,6 +294,33 @@ private slots:
         }
     }
 
+    /// The quotients of the velocity are those of a slower crank.
+    void takesNoSpeedFromDifferencesOfTheVelocityOverTheAngle()
+    {
+        constexpr double kSpeed = 10.0; // rad/s
+        constexpr double kSmall = 1e-6;
+        for (const int step : {2, 5, 10}) { // °; at 1°, the quotients are the acceleration within their rounding
+            const auto velocity = [](double degrees) {
+                const double angle = degrees * kDegree;
+                const double change = sliderPosition(40.0, 120.0, 20.0, angle + kSmall) -
+                                      sliderPosition(40.0, 120.0, 20.0, angle - kSmall);
+                return 0.01 * std::round(100.0 * kSpeed * change / (2.0 * kSmall));
+            };
+            std::string text = "theta2 (deg),v (mm/s),a (mm/s^2)\n";
+            for (int degrees = 0; degrees <= 360; degrees += step) {
+                const double quotient =
+                    kSpeed * (velocity(degrees + step) - velocity(degrees - step)) / (2.0 * step * kDegree);
+                std::array<char, 80> line{};
+                std::snprintf(line.data(), line.size(), "%d,%.2f,%.1f\n", degrees, velocity(degrees), quotient);
+                text += line.data();
+            }
+            const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
+            QCOMPARE(found.lengthScale, Identification::LengthScale::GivenSpeed);
+            QCOMPARE(found.leftOut.size(), 1U);
+            QCOMPARE(found.leftOut[0].reason, LeftOutColumn::Reason::FiniteDifferences);
+        }
+    }
+
     void roundsTheOriginOfTheAngleTogetherWithTheLengths()
     {
         const Identification found = identifyTable("crank angle (deg),x (mm)", 10.0, 37, [](double degrees) {
