@@ -22,8 +22,8 @@ std::vector<double> numbersWithoutGaps(std::size_t count)
     return numbers;
 }
 
-/// The number of each time stamp on a grid with a spacing of the smallest difference, from 0; empty unless most
-/// neighbours are one step apart. Some time stamps of the grid may be missing.
+/// The number of each time stamp on a grid with a spacing of the lower quartile of the differences, from 0. Some time
+/// stamps of the grid may be missing. Returns nothing unless most neighbours are one spacing apart.
 std::vector<double> numbersWithGaps(std::span<const double> time)
 {
     constexpr double kMaxGapFraction = 0.5; // of all differences: chosen time stamps also have a common divisor
@@ -52,26 +52,26 @@ std::vector<double> numbersWithGaps(std::span<const double> time)
 
 Clock clockOf(std::span<const double> time, const Rounding &rounding)
 {
-    constexpr double kPartOfStep = 1e-3; // of the rounding step: rounding itself makes time stamps more uneven
-    constexpr double kUlps = 4.0; // rounding errors of two differences: four time stamps, plus the unit conversion
-    constexpr std::size_t kFewestTimeStamps = 10; // fewer may be evenly spaced by chance
+    constexpr double kRelativeTolerance = 1e-3; // to the rounding step: rounding makes time stamps far more uneven
+    constexpr double kMaxUlps = 4.0; // rounding errors of two differences: four time stamps, plus the unit conversion
+    constexpr std::size_t kMinTimeStamps = 10; // fewer may be evenly spaced by chance
     Clock clock;
     if (time.empty()) {
         return clock;
     }
     const double latest = std::max(std::abs(time.front()), std::abs(time.back()));
     clock.printedStep = rounding.stepAt(latest);
-    const double slack = std::max(kPartOfStep * clock.printedStep, kUlps * kEpsilon * latest);
+    const double slack = std::max(kRelativeTolerance * clock.printedStep, kMaxUlps * kEpsilon * latest);
     const std::vector<double> numbers = numbersWithGaps(time);
     const bool hasGaps = numbers.empty() || numbers.back() + 1.0 > static_cast<double>(numbers.size());
-    const bool mayBeGrid = !numbers.empty() && (!hasGaps || time.size() >= kFewestTimeStamps);
+    const bool mayBeGrid = !numbers.empty() && (!hasGaps || time.size() >= kMinTimeStamps);
     ValueRange spacing; // per step of the grid
     for (std::size_t i = 1; mayBeGrid && i < time.size(); ++i) {
         spacing.include((time[i] - time[i - 1]) / (numbers[i] - numbers[i - 1]));
     }
     clock.even = time.size() == 1 || (mayBeGrid && spacing.width() <= slack);
     clock.printedStep = clock.even ? rounding.finestStep() : clock.printedStep;
-    if (clock.even || time.size() < kFewestTimeStamps) {
+    if (clock.even || time.size() < kMinTimeStamps) {
         return clock;
     }
     // If the rounding step is not much smaller than the spacing (0.02, 0.05, 0.07 for 0.025, 0.05, 0.075), the
