@@ -65,7 +65,8 @@ ColumnScale fitScale(const Observations &observations, const Fit &fit, const Mod
     const Fit ofColumn = evaluateModel(observations, scaled, {k});
     const bool isSmall = ofColumn.rms[0] < largestFurtherResidual(othersAreExact) * column.range;
     return {.factor = factor * signOfCoordinate(observations, fit, column.channel.coordinate),
-            .isExplained = ofColumn.isFinite() && (isSmall || isWithinRounding(observations, ofColumn, 0))};
+            .isExplained = ofColumn.isFinite() && (isSmall || isWithinRounding(observations, ofColumn, 0)),
+            .isNearRounding = ofColumn.isFinite() && isNearRounding(observations, ofColumn, 0)};
 }
 
 double usualFactor(const Observations &observations, const Fit &fit, Index k)

@@ -44,7 +44,8 @@ double signOfCoordinate(const Observations &observations, const Fit &fit, Coordi
 struct ColumnScale {
     /// Negative if the column has the opposite sign to the columns of the same coordinate that the fit uses.
     double factor = kNone;
-    bool isExplained = false; ///< after multiplication by the factor, the residuals are rounding or small
+    bool isExplained = false;    ///< after multiplication by the factor, the residuals are rounding or small
+    bool isNearRounding = false; ///< they are as small as rounding
 };
 
 /// Compares a column that `fit` does not use with the prediction of `model`, which is that of the fit at the same or at

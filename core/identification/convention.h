@@ -20,8 +20,8 @@
 //     the crank is reversed     θ → θ                    ω2 → -ω2, θ20 → 180° - θ20
 //
 // Therefore the length unit of the whole file, times in milliseconds, a late start and the other assembly are reported
-// only if the file then agrees with the given mechanism. Otherwise the result is another mechanism without a convention.
-// Some files can be described by either of two conventions:
+// only if the file then agrees with the given mechanism. Otherwise the result is another mechanism without a
+// convention. Some files can be described by either of two conventions:
 //
 //     θ turned by 180°, or x negated
 //     one of two columns negated, or the other one

@@ -140,15 +140,12 @@ double percentOfPeak(const Observations &observations, const Fit &fit, Index k, 
     return peak > 0.0 ? 100.0 * deviation / peak : kNone;
 }
 
-/// Whether the last column of a fit may be used. A column that contains difference quotients may be a genuine
-/// derivative nevertheless: then its residuals are those of its own rounding, while quotients of rounded values have
-/// far larger ones.
+/// Whether the last column of a fit may be used: one that contains difference quotients may be a genuine derivative
+/// nevertheless.
 bool isLastColumnGenuine(const Observations &observations, const Fit &fit)
 {
-    constexpr double kMaxBounds = 2.0; // bounds of rounding (rms) that residuals may reach: the fit has errors, too
     const Index place = std::ssize(fit.columns) - 1;
-    return !observations.columns[fit.columns[place]].isDifference || isWithinRounding(observations, fit, place) ||
-           fit.rms[place] < kMaxBounds * std::sqrt(roundingBounds(observations, fit, place).square().mean());
+    return !observations.columns[fit.columns[place]].isDifference || isNearRounding(observations, fit, place);
 }
 
 /// Why nothing predicts a column, so that it cannot be compared with the mechanism; nullopt if the mechanism predicts

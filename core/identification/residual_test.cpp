@@ -50,6 +50,13 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index pl
            (errors - bound).maxCoeff() <= kExcessOfAgreement * 0.5 * column.range;
 }
 
+bool isNearRounding(const Observations &observations, const Fit &fit, Index place)
+{
+    constexpr double kMaxBounds = 2.0;
+    return isWithinRounding(observations, fit, place) ||
+           fit.rms[place] < kMaxBounds * std::sqrt(roundingBounds(observations, fit, place).square().mean());
+}
+
 bool isExplained(const Observations &observations, const Fit &fit, Index place)
 {
     const double largest = changeSignLikeNoise(fit.residuals.col(place)) ? kLargestNoise : kLargestSystematicResidual;

@@ -28,6 +28,10 @@ double columnSize(const Observations &observations, const Fit &fit, Index place)
 /// rounding, plus the error of the fit itself (see FittedMechanism).
 bool isWithinRounding(const Observations &observations, const Fit &fit, Index place);
 
+/// Whether the residuals of fit.columns[place] are as small as rounding, although the fit has errors, too: their rms is
+/// at most twice that of the bounds. Difference quotients of rounded values have far larger residuals.
+bool isNearRounding(const Observations &observations, const Fit &fit, Index place);
+
 /// Whether rounding explains the residuals of fit.columns[place], or they are noise or systematic and small.
 bool isExplained(const Observations &observations, const Fit &fit, Index place);
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -20,6 +21,7 @@ struct Vote {
     Index column = 0;
     double speed = 0.0; ///< rad/s; with a sign only if isVelocity
     bool isVelocity = false;
+    bool isNearRounding = false;  ///< at this speed, the residuals of the column are as small as rounding
     bool contradictsUnit = false; ///< the file states a different unit
 };
 
@@ -29,7 +31,8 @@ bool haveSameMagnitude(double value, double other)
     return std::abs(std::abs(value / other) - 1.0) < kTolerance;
 }
 
-/// The votes of all derivatives that the fit does not use and the mechanism explains.
+/// The votes of the derivatives that the fit does not use and the mechanism explains. If the residuals of some of them
+/// are as small as rounding, only these vote: the others may be difference quotients, whose speed is too low.
 std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
 {
     Model model = fit.model;
@@ -49,9 +52,16 @@ std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
         for (const double unit : unitFactors(column.channel)) {
             if (unit == 1.0 || column.containsAngles()) {
                 const double speed = isVelocity ? scale.factor / unit : std::sqrt(std::abs(scale.factor) / unit);
-                votes.push_back({k, speed, isVelocity, unit != 1.0 && column.statesUnit});
+                votes.push_back({.column = k,
+                                 .speed = speed,
+                                 .isVelocity = isVelocity,
+                                 .isNearRounding = scale.isNearRounding,
+                                 .contradictsUnit = unit != 1.0 && column.statesUnit});
             }
         }
+    }
+    if (std::ranges::any_of(votes, &Vote::isNearRounding)) {
+        std::erase_if(votes, std::not_fn(&Vote::isNearRounding));
     }
     return votes;
 }

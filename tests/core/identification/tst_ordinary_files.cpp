@@ -321,6 +321,33 @@ private slots:
         }
     }
 
+    /// The quotients of the position are those of a crank that is half a percent slower, in no other unit.
+    void differencesBesideADerivativeLeaveTheSpeedClear()
+    {
+        constexpr double kSpeed = 10.0; // rad/s
+        constexpr int kStep = 10;       // °
+        const auto position = [](double degrees) {
+            return 0.001 * std::round(1000.0 * sliderPosition(40.0, 120.0, 20.0, degrees * kDegree));
+        };
+        std::string text = "theta2 (deg),omega3 (rad/s),x (mm),v (mm/s)\n";
+        for (int degrees = 0; degrees <= 360; degrees += kStep) {
+            const double angle = degrees * kDegree;
+            const double sine = (20.0 - 40.0 * std::sin(angle)) / 120.0; // of θ3
+            const double couplerSpeed = -40.0 * kSpeed * std::cos(angle) / (120.0 * std::sqrt(1.0 - sine * sine));
+            const double quotient =
+                kSpeed * (position(degrees + kStep) - position(degrees - kStep)) / (2.0 * kStep * kDegree);
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%d,%.3f,%.3f,%.2f\n", degrees, couplerSpeed, position(degrees),
+                          quotient);
+            text += line.data();
+        }
+        const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
+        QVERIFY(hasLengths(found, 40.0, 120.0, 20.0));
+        QVERIFY(found.possibleSpeeds.empty() && std::abs(found.parameters.omega2 - kSpeed) < 0.01);
+        QCOMPARE(found.leftOut.size(), 1U);
+        QCOMPARE(found.leftOut[0].reason, LeftOutColumn::Reason::FiniteDifferences);
+    }
+
     void roundsTheOriginOfTheAngleTogetherWithTheLengths()
     {
         const Identification found = identifyTable("crank angle (deg),x (mm)", 10.0, 37, [](double degrees) {
