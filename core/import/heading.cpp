@@ -208,6 +208,18 @@ bool isOfPointA(const Heading &heading, std::span<const Heading> row)
            });
 }
 
+/// Returns whether the name is that of the crank pin in a table of `solve`, which states no unit of lengths in mm: A_x
+/// beside the name of a channel, or of another quantity that only `solve` calls so.
+bool isCrankPinOfSolve(const Heading &heading, std::span<const Heading> row)
+{
+    constexpr std::string_view kOtherNames =
+        "transmission_angle displacement displacement_diff displacement_diff2 A_x_diff A_y_diff A_x_diff2 A_y_diff2";
+    const auto isOfSolve = [](const Heading &other) {
+        return other.meaning.kind == Kind::ChannelName || isAmong(other.name, kOtherNames);
+    };
+    return isAmong(heading.name, "A_x A_y") && heading.use.unit.empty() && std::ranges::any_of(row, isOfSolve);
+}
+
 /// Returns whether the name is the symbol of a vector whose x component is another column: "v" beside "v_x".
 bool isMagnitude(const Heading &heading, std::span<const Heading> row)
 {
@@ -233,7 +245,7 @@ void resolveDoubts(std::vector<Heading> &row)
     const bool hasPiston = std::ranges::any_of(row, isOfPiston);
     for (Heading &heading : row) {
         NameMeaning &meaning = heading.meaning;
-        if (isOfPointA(heading, row)) {
+        if (isOfPointA(heading, row) || isCrankPinOfSolve(heading, row)) {
             meaning = {.reason = ColumnReason::CrankPin};
         } else if (isMagnitude(heading, row)) {
             meaning = {.reason = ColumnReason::Magnitude};

@@ -281,13 +281,13 @@ bool namesZ(const std::string &word)
     return word == "z" || (word.size() == 2 && word[1] == 'z' && findWord(word.substr(0, 1), WordUse::Symbol));
 }
 
-/// Returns whether a name begins with the crank pin A before its x or y: "A vx", "A x (mm)". "A x" alone may also be an
-/// acceleration, as "A x (mm/s²)" is.
-bool beginsWithPointA(const Words &words, const std::optional<Unit> &unit)
+/// Returns whether a name begins with the crank pin A before its x or y: "A vx", "A x (mm)", or "A_x_diff", which is
+/// differentiated once. "A x" alone may also be an acceleration, as "A x (mm/s²)" is.
+bool beginsWithPointA(const Words &words, int derivatives, const std::optional<Unit> &unit)
 {
     const bool isPosition = unit && unit->dimension == Dimension::Length && unit->order == 0;
     return words.size() > 1 && words[0] == "a" &&
-           (isAmong(words[1], "vx vy") || (isPosition && isAmong(words[1], "x y")));
+           (isAmong(words[1], "vx vy") || ((isPosition || derivatives > 0) && isAmong(words[1], "x y")));
 }
 
 /// Returns whether the crank pin A with its x or y is the index of a symbol: "v_Ax", "p_A x".
@@ -390,7 +390,7 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
-    if (beginsWithPointA(words, parseUnit(unit)) || hasIndexA(words)) {
+    if (beginsWithPointA(words, derivatives, parseUnit(unit)) || hasIndexA(words)) {
         return {.reason = ColumnReason::CrankPin};
     }
     return meaningOfWords(name, path, derivatives, words, unit);

@@ -259,6 +259,14 @@ private slots:
             const ReadError *const error = std::get_if<ReadError>(&outcome);
             QVERIFY2(error && error->fault.column == ColumnReason::CrankPin && error->advice.empty(), headings);
         }
+        const auto reasonsBeside = [](const QByteArray &column) { // in tables of `solve`, which state no mm
+            const Outcome outcome =
+                read("time," + column + ",A_x,A_y,A_x_diff\n0,80,20,0,1\n1,70,0,20,2\n2,75,-20,0,0\n");
+            const std::vector<FileColumn> &columns = std::get<ReferenceData>(outcome).layout.columns;
+            return std::ranges::count(columns, ColumnReason::CrankPin, &FileColumn::reason);
+        };
+        QCOMPARE(reasonsBeside("R4_x"), 3);
+        QCOMPARE(reasonsBeside("displacement"), 3);
     }
 
     /// Without a point's name, both components of the slider's velocity cannot change.
