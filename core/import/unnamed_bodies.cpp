@@ -240,12 +240,18 @@ Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner
     return path;
 }
 
-/// Returns whether the columns x and y without any name are derivatives of a curved path, which is not the slider's. If
-/// they are positions, the identification tells so, as the slider may also move along an inclined line.
-bool isUnnamedCurved(const std::vector<RawColumn *> &candidates)
+/// Returns whether the lengths of one order without any name are not the slider's, because x and y are derivatives of a
+/// curved path. Without an x, this holds for all orders. With both x and y, the identification decides, as the slider
+/// may also move along an inclined line.
+bool isUnnamedCurved(const std::vector<RawColumn *> &candidates, Order order)
 {
-    const bool hasPosition = findUnnamed(candidates, {R4x, Order::Position}, {});
-    return !hasPosition && pathOf(candidates, {}) == Path::Curved;
+    const auto find = [&](Coordinate coordinate, Order ofOrder) {
+        return findUnnamed(candidates, {coordinate, ofOrder}, {});
+    };
+    if (!find(R4x, Order::Position)) {
+        return pathOf(candidates, {}) == Path::Curved;
+    }
+    return !find(R4y, Order::Position) && pathOf(find(R4x, order), find(R4y, order)) == Path::Curved;
 }
 
 /// Returns whether the owner of a column is A, the crank pin.
@@ -259,7 +265,12 @@ bool isOfCrankPin(const RawColumn &column)
 void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
 {
     const std::string part = onlyPart(candidates);
-    const bool isUnnamedOther = isUnnamedCurved(candidates);
+    std::set<Order> curvedOrders; // of the lengths without any name
+    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+        if (isUnnamedCurved(candidates, order)) {
+            curvedOrders.insert(order);
+        }
+    }
     std::set<std::string> straight;
     std::set<std::string> curved;
     for (const RawColumn *const column : candidates) {
@@ -273,7 +284,8 @@ void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
         NameMeaning &meaning = column.meaning;
         if (!isOfPoint(&column)) {
             const bool isLength = !isAngle(column.use.channel.coordinate);
-            return isUnnamedOther && isOfUnnamedBody(&column) && isLength && meaning.owner.empty();
+            return isLength && isOfUnnamedBody(&column) && meaning.owner.empty() &&
+                   curvedOrders.contains(column.use.channel.order);
         }
         if (straight.size() == 1 && straight.contains(meaning.owner)) {
             meaning.reason = ColumnReason::StraightPath;

@@ -277,6 +277,8 @@ private slots:
         };
         QVERIFY(!isRead("t;vx;vy"));
         QVERIFY(!isRead("t;Ax;Ay"));
+        const Outcome besideX = read("t;x;vx;vy\n0;85;20;0\n1;84;0;20\n2;80;-20;0\n3;84;0;-20\n");
+        QCOMPARE(rolesOf(std::get<ReferenceData>(besideX).layout), std::string("time R4_x? - -"));
         QVERIFY(isRead("t;x;y")); // the identification tells that y changes
     }
 
