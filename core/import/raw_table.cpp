@@ -2,6 +2,7 @@
 #include "core/import/raw_table.h"
 
 #include "core/import/file_text.h"
+#include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -61,17 +62,30 @@ std::size_t findFooter(const RawColumn &first)
     return last == first.values.rend() ? first.values.size() : static_cast<std::size_t>(first.values.rend() - last);
 }
 
-/// Turns the numbers of the rows from `footer` on into gaps: they are no data, and their digits say nothing about the
-/// rounding of the columns.
-void removeFooter(RawTable &table, const TableFile &file, std::size_t footer)
+/// Returns the number of rows at the beginning that begin with the name of a statistic. With any other word, the first
+/// row may be data: in merged cells, it has the name of all rows.
+std::size_t countStatisticsAbove(const TableFile &file)
+{
+    const auto isStatistic = [&file](const Line &row) {
+        std::string_view rest = row.text;
+        return namesStatistic(wordsOf(takeCell(rest, file.layout.delimiter)));
+    };
+    const auto first = std::ranges::find_if_not(file.rows, isStatistic);
+    return static_cast<std::size_t>(first - file.rows.begin());
+}
+
+/// Turns the numbers of all rows before `begin` and from `end` on into gaps: they are no data, and their digits say
+/// nothing about the rounding of the columns.
+void keepRows(RawTable &table, const TableFile &file, std::size_t begin, std::size_t end)
 {
     for (RawColumn &column : table.columnsOf(file)) {
         column.rounding = {};
-        std::replace_if(
-            column.values.begin() + static_cast<std::ptrdiff_t>(footer), column.values.end(),
-            [](double value) { return std::isfinite(value); }, kNone);
+        for (std::size_t row = 0; row < column.values.size(); ++row) {
+            const bool isKept = row >= begin && row < end;
+            column.values[row] = isKept || !std::isfinite(column.values[row]) ? column.values[row] : kNone;
+        }
     }
-    for (std::size_t row = 0; row < footer; ++row) {
+    for (std::size_t row = begin; row < end; ++row) {
         readRow(table, file, row);
     }
 }
@@ -143,9 +157,10 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
         }
     }
     requireCells(table.columnsOf(file), file, cells);
-    const std::size_t footer = file.width > 0 ? findFooter(table.columnsOf(file).front()) : file.rows.size();
-    if (footer < file.rows.size()) {
-        removeFooter(table, file, footer);
+    const std::size_t begin = countStatisticsAbove(file);
+    const std::size_t end = file.width > 0 ? findFooter(table.columnsOf(file).front()) : file.rows.size();
+    if (begin > 0 || end < file.rows.size()) {
+        keepRows(table, file, begin, end);
     }
 }
 
@@ -167,7 +182,10 @@ SkippedRow findRowFault(RawTable &table, std::size_t row)
     } else if (!fault && !unreadable) {
         fault = RowFault::RepeatedTime;
     } else if (!fault && std::isnan(column.values[row])) {
-        fault = RowFault::NoTime;
+        const RawColumn &first = table.columnsOf(file).front();
+        const std::optional<RowFault> faultOfFirst = parseCell(first, cellAt(0), file.layout.decimalSign).fault;
+        i = faultOfFirst ? 0 : i; // the row was removed because of the word at its beginning
+        fault = faultOfFirst.value_or(RowFault::NoTime);
     } else if (!fault) {
         const bool hasTooFew = cells.size() < std::min(file.width, kFewestCells);
         fault = hasTooFew ? RowFault::TooFewCells : RowFault::TooLarge; // once converted

@@ -39,6 +39,10 @@ constexpr std::string_view kTimeCompanions =
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 constexpr std::string_view kTurnsPerSecond = "rps drehfrequenz crank_frequency rotation_frequency";
+constexpr std::string_view kStatistics =
+    "mean average avg media medio promedio mittelwert durchschnitt moyenne moyen gemiddelde srednia max maximum maximo "
+    "massimo maksimum min minimum minimo minimal minimaal sum suma summe somme soma rms median mediana std stdev";
+constexpr std::string_view kStatisticCompanions = "value valor valeur valore wert waarde of de";
 constexpr std::string_view kRowNumbers =
     "n i no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
 constexpr std::string_view kRowNumberCompanions =
@@ -283,6 +287,11 @@ std::string_view unitOfRotation(const Words &words)
         }
     }
     return "";
+}
+
+bool namesStatistic(const Words &words)
+{
+    return areAmong(words, kStatistics, kStatisticCompanions);
 }
 
 bool isRowNumber(const Words &words)

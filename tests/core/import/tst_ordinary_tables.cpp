@@ -197,6 +197,18 @@ private slots:
         QCOMPARE(data.find(kX)->rounding.stepAt(100.0), 100.0);
     }
 
+    /// Means above the numbers are no data either. Without a heading, only their names tell them from the first row.
+    void readsNoDataInAStatisticAbove()
+    {
+        const Outcome outcome = read(",t/ms,x/mm\nMittelwert,1.5,81\nMaximum,3,85\n,0,85\n,1,84\n,2,80\n,3,75\n");
+        const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+        QVERIFY(data && data->time.size() == 4 && data->skippedCount == 2);
+        QCOMPARE(data->skipped.front().text, std::string("Mittelwert"));
+        QCOMPARE(data->skipped.front().fault, RowFault::NotANumber);
+        const Outcome merged = read(",t,x\nLauf 1,0,85\n,1,84\n,2,80\n"); // a name in merged cells
+        QCOMPARE(std::get<ReferenceData>(merged).time.size(), std::size_t{3});
+    }
+
     void cutsNoPartOfACell()
     {
         const Outcome outcome = read("t,load,x\n0,12 % ,85\n1,50%,84\n2,#N/A,80\n");
