@@ -71,7 +71,8 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     const NameMeaning whole = meaningOf(text, {});
     const bool isKnown = whole.kind != Kind::Nothing && !whole.hasUnknownWords;
     const bool isIndex = (text[begin] == '[' && looksNumeric(content)) || (begin == 1 && content == "A"); // "x(A)"
-    const bool isRemark = text[begin] == '(' && content.size() >= kShortestRemark && content.find('/') == content.npos;
+    const bool isLong = content.size() >= kShortestRemark && content.find('/') == content.npos;
+    const bool isRemark = text[begin] == '(' && (isLong || abbreviatesMethod(wordsOf(content)));
     const bool isUnknownUnit = end + 1 == text.size() && !isKnown && !isIndex && !isRemark && text[begin] != '<';
     return isUnknownUnit ? std::optional(content) : std::nullopt;
 }

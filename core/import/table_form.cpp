@@ -348,16 +348,20 @@ bool haveRowNames(Lines rows, char delimiter, std::size_t headings)
     return numbers.empty() || numbers == Cells{"0", "1"} || numbers == Cells{"1", "2"};
 }
 
-/// Sets the unit of a column that is found in cell `i` of a line, unless it is empty. Throws if the heading states
-/// another one.
+/// Sets the unit of a column that is found in cell `i` of a line, unless it is empty. Throws if the heading states a
+/// different one. What its brackets contain is a remark if it is no unit: "x (FD2)" above "mm".
 void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view unit, std::size_t line)
 {
     if (unit.empty() || i >= headings.size()) {
         return;
     }
     FileColumn &column = headings[i].use;
-    if (!column.unit.empty() && parseUnit(column.unit) != parseUnit(unit)) {
+    const std::optional<Unit> stated = parseUnit(column.unit);
+    if (stated && stated != parseUnit(unit)) {
         throw ReadError{line, i + 1, excerpt(unit), {ReadFault::Kind::UnitsContradict, {}, excerpt(column.heading)}};
+    }
+    if (!stated && !column.unit.empty()) {
+        headings[i].name = column.heading;
     }
     column.unit = unit;
 }

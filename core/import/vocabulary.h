@@ -61,6 +61,9 @@ bool isTimeOfDay(const std::vector<std::string> &words);
 /// empty text.
 std::string_view unitOfRotation(const std::vector<std::string> &words);
 
+/// Returns whether the words abbreviate how a quantity was found: "num.", "exp", "sim".
+bool abbreviatesMethod(const std::vector<std::string> &words);
+
 /// Returns whether the words name a statistic of the rows, such as a mean or maximum.
 bool namesStatistic(const std::vector<std::string> &words);
 

@@ -111,6 +111,10 @@ const std::vector<Layout> kLayouts{
     {"Time,Slider,Slider\n,position,velocity\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     {"Time,x,v\nTime (s),x (mm),v (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     {"t;coupler;slider\ns;x [mm];x [mm]\n0;70;85\n1;60;84\n2;50;80\n", "time - R4_x"},
+    // Remarks in brackets that are no units.
+    {"t (s);x (exp)\n0;85\n1;84\n2;80\n", "time R4_x"},
+    {"Zeit t;Weg x;v (theor.);v (num.)\ns;mm;mm/s;mm/s\n0;85;1;1\n1;84;2;1\n2;80;3;1\n", "time R4_x - -"},
+    {"t;x (FD2)\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},                             // above the unit
     {"Zeit;Kolben [mm];Winkel [\xA1]\n0;85;1\n1;84;2\n2;80;1\n", "time R4_x theta3"}, // Macintosh
     // Several columns of one quantity.
     {"Pos,Crank deg,Slider mm\n1,0,85\n2,90,84\n3,180,80\n", "- angle R4_x"},
