@@ -168,6 +168,24 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
     return {choiceFor(table, *column, ColumnRole::Channel, channel, likelyUnit(*column, ColumnRole::Channel, channel))};
 }
 
+/// Returns the choices that ignore a second time and the columns behind it, which were sampled at it. If nothing is
+/// left before it that could be a channel, they ignore only the time.
+std::vector<ColumnChoice> choicesWithout(const RawTable &table, std::span<const RawColumn> columns,
+                                         const RawColumn &secondTime)
+{
+    const auto isQuantity = [](const RawColumn &column) { return column.meaning.kind >= NameMeaning::Kind::Quantity; };
+    const auto second = static_cast<std::size_t>(&secondTime - columns.data());
+    std::vector<ColumnChoice> choices{choiceFor(table, secondTime, ColumnRole::Ignored)};
+    if (std::ranges::any_of(columns.first(second), isQuantity)) {
+        for (const RawColumn &column : columns.subspan(second + 1)) {
+            if (column.meaning.kind != NameMeaning::Kind::Nothing) {
+                choices.push_back(choiceFor(table, column, ColumnRole::Ignored));
+            }
+        }
+    }
+    return choices;
+}
+
 } // namespace
 
 std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table)
@@ -199,8 +217,8 @@ std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table)
         }
         return advice;
     }
-    case Fault::ChannelTwice:
-    case Fault::TimeTwice: return place ? std::vector{choiceFor(table, *place, ColumnRole::Ignored)} : advice;
+    case Fault::TimeTwice: return place ? choicesWithout(table, columns, *place) : advice;
+    case Fault::ChannelTwice: return place ? std::vector{choiceFor(table, *place, ColumnRole::Ignored)} : advice;
     case Fault::ChannelInBoth: {
         RawColumn *const second =
             findElement(columns, [&](const RawColumn &column) { return column.use.channel == error.fault.channel; });

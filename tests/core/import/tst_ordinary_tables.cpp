@@ -263,6 +263,11 @@ private slots:
         QCOMPARE(adviceIn("time,crank speed [1/s]\n0,6\n1,7\n"), std::string("crank speed [1/s]=theta2_diff rad/s;"));
         QCOMPARE(adviceIn("Date,Open,High\nMay,80,9\nJune,90,8\n"), std::string("Open=time ;High=R4_x ;")); // no time
         QCOMPARE(adviceIn("time,q1,q2\n0,0,80\n1,1,70\n2,2,75\n"), std::string("q2=R4_x ;")); // q1 only rises
+        // What stands behind a second time was sampled at it.
+        QCOMPARE(adviceIn("t,x,,t,v\n0,80,,1,7\n2,70,,3,8\n"), std::string("#4=ignored ;v=ignored ;"));
+        QCOMPARE(adviceIn("t,x,v,t,x,v\n0,80,7,0,80,9\n2,70,8,1,70,9\n"),
+                 std::string("#4=ignored ;#5=ignored ;#6=ignored ;"));
+        QCOMPARE(adviceIn("time,Zeit,x\n0,1,80\n2,3,70\n"), std::string("Zeit=ignored ;"));
     }
 
     /// The crank pin A has no channel: its columns are neither used nor advised for the slider.
