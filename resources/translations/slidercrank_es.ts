@@ -494,12 +494,12 @@
         <translation>su unidad puede ser rad/s o revoluciones por segundo: indique cuál</translation>
     </message>
     <message>
-        <source>it is of the crank pin A, which is not compared</source>
-        <translation>es del pasador A de la manivela, que no se compara</translation>
+        <source>it describes the crank pin A, which is not compared</source>
+        <translation>describe el pasador A de la manivela, que no se compara</translation>
     </message>
     <message>
-        <source>unknown heading</source>
-        <translation>encabezado desconocido</translation>
+        <source>its heading names no quantity that is compared</source>
+        <translation>su encabezado no nombra ninguna magnitud que se compare</translation>
     </message>
     <message>
         <source>its heading does not name the body</source>
@@ -3818,8 +3818,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 <context>
     <name>slidercrank::ReadFaultText</name>
     <message>
-        <source>two columns contain the time, or the crank angle instead of it: keep one of the two.</source>
-        <translation>dos columnas contienen el tiempo, o en su lugar el ángulo de la manivela: deje una de las dos.</translation>
+        <source>two columns contain the time, or the crank angle instead of it: keep one of the two, with the columns that were sampled at it.</source>
+        <translation>dos columnas contienen el tiempo, o en su lugar el ángulo de la manivela: deje una de las dos, con las columnas que se registraron con ella.</translation>
     </message>
     <message>
         <source>not a number: too large</source>
@@ -3918,8 +3918,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>ninguna columna, aparte del tiempo, tiene un encabezado conocido: use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
     </message>
     <message>
-        <source>the columns other than the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
-        <translation>las columnas, aparte del tiempo, son desconocidas (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
+        <source>no column besides the time or crank angle can be used (%1: %4): use the headings theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</source>
+        <translation>aparte del tiempo o del ángulo de la manivela, no se puede usar ninguna columna (%1: %4): use los encabezados theta3, theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.</translation>
     </message>
     <message>
         <source>there are no numbers below the headings.</source>

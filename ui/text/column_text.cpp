@@ -33,7 +33,7 @@ public:
         {ColumnReason::RisingValues, QT_TR_NOOP("assumed: the first column, whose values only increase")},
         {ColumnReason::PathInSi, QT_TR_NOOP("assumed from the heading: named as in Modelica or ROS, in m, rad and s")},
         {ColumnReason::AngleForTime, QT_TR_NOOP("assumed: no column is the time, and this is the angle of the crank")},
-        {ColumnReason::UnknownName, QT_TR_NOOP("unknown heading")},
+        {ColumnReason::UnknownName, QT_TR_NOOP("its heading names no quantity that is compared")},
         {ColumnReason::UnknownBody, QT_TR_NOOP("its heading does not name the body")},
         {ColumnReason::RowNumber, QT_TR_NOOP("it numbers the rows")},
         {ColumnReason::Magnitude, QT_TR_NOOP("the magnitude of a vector, whose components are other columns")},
@@ -48,7 +48,7 @@ public:
         {ColumnReason::LikeOther, QT_TR_NOOP("another column could be the same quantity")},
         {ColumnReason::AngleOrLength, QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length")},
         {ColumnReason::TurnsOrRadians, QT_TR_NOOP("its unit may be rad/s or turns per second: state which one")},
-        {ColumnReason::CrankPin, QT_TR_NOOP("it is of the crank pin A, which is not compared")},
+        {ColumnReason::CrankPin, QT_TR_NOOP("it describes the crank pin A, which is not compared")},
         {ColumnReason::Constant, QT_TR_NOOP("its values do not change, as those of a parameter")},
     };
 };

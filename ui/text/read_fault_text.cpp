@@ -60,7 +60,8 @@ public:
          QT_TR_NOOP("several columns are called “%1”: give the number of one of them, as in #3.")},
         {FaultKind::ChannelTwice, QT_TR_NOOP("two columns contain %2: keep one of the two.")},
         {FaultKind::TimeTwice,
-         QT_TR_NOOP("two columns contain the time, or the crank angle instead of it: keep one of the two.")},
+         QT_TR_NOOP("two columns contain the time, or the crank angle instead of it: keep one of the two, with the "
+                    "columns that were sampled at it.")},
         {FaultKind::NoTime,
          QT_TR_NOOP("there is no time column: call the column of the time stamps “time”, or that of the crank "
                     "angle “theta2”.")},
@@ -68,9 +69,8 @@ public:
          QT_TR_NOOP("no column other than the time has a known heading: use theta3, theta3_diff, theta3_diff2, R4_x, "
                     "R4_x_diff, R4_x_diff2.")},
         {FaultKind::NoCertainChannel,
-         QT_TR_NOOP(
-             "the columns other than the time are unknown (%1: %4): use theta3, theta3_diff, theta3_diff2, R4_x, "
-             "R4_x_diff, R4_x_diff2.")},
+         QT_TR_NOOP("no column besides the time or crank angle can be used (%1: %4): use the headings theta3, "
+                    "theta3_diff, theta3_diff2, R4_x, R4_x_diff, R4_x_diff2.")},
         {FaultKind::NoNumbers, QT_TR_NOOP("there are no numbers below the headings.")},
         {FaultKind::NoRow,
          QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "

@@ -100,7 +100,7 @@ private slots:
         QVERIFY(dialog.combo("unit", 1)->currentText().contains("deg"));
         QVERIFY(dialog.meaning(2).contains("R4_x"));
         QCOMPARE(dialog.meaning(3), "ignored");
-        QVERIFY(dialog.why(3).contains("unknown") && !dialog.combo("unit", 3)->isEnabled());
+        QVERIFY(dialog.why(3).contains("names no quantity") && !dialog.combo("unit", 3)->isEnabled());
         constexpr int kSeparators = 4;
         QCOMPARE(dialog.combo("meaning", 1)->count(), 3 + kSeparators + static_cast<int>(kChannelCount));
     }
