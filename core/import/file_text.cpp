@@ -80,10 +80,10 @@ std::size_t findBinary(std::string_view text)
         return static_cast<unsigned char>(c) < 0x20 &&
                std::string_view("\t\n\v\f\r\x1A\x1B").find(c) == std::string_view::npos;
     };
-    constexpr std::size_t kBytesPerControl = 100; // at least, in text
+    constexpr std::size_t kMinBytesPerControl = 100; // in a text
     const std::string_view beginning = text.substr(0, kFileBeginning);
     const auto controls = static_cast<std::size_t>(std::ranges::count_if(beginning, isControl));
-    return kBytesPerControl * controls > beginning.size()
+    return kMinBytesPerControl * controls > beginning.size()
                ? static_cast<std::size_t>(std::ranges::find_if(beginning, isControl) - beginning.begin())
                : text.find('\0');
 }
@@ -96,8 +96,8 @@ std::string_view withoutPadding(std::string_view text)
     return text.size() - end <= kLongest ? text.substr(0, end) : text;
 }
 
-/// Returns the text with the lines of tables as terminals draw them in ASCII: "| 0.1 | 85 |" for "│ 0.1 │ 85 │",
-/// "+---+" for "├───┤".
+/// Returns the text with box characters replaced by those of ASCII: "| 0.1 | 85 |" for "│ 0.1 │ 85 │", "+---+" for
+/// "├───┤".
 std::string withAsciiBoxes(std::string_view text)
 {
     constexpr std::u16string_view kHorizontal = u"\u2500\u2501\u2504\u2505\u2508\u2509\u254C\u254D\u2550";

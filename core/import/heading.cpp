@@ -277,9 +277,14 @@ bool isAngular(const std::string &word)
     return (symbol && symbol->dimension == Dimension::Angle) || std::ranges::any_of(kBeginnings, isBeginning);
 }
 
-/// Decides whether a speed of rotation in 1/s or Hz is in rad/s or in turns per second. ω in 1/s is in rad/s; n in 1/s
-/// and a speed in Hz are in turns per second. Otherwise, as for "crank speed (1/s)" and "ω (Hz)", only a person can
-/// tell, and also what turns with a frequency such as "fs (Hz)".
+/// Decides whether a speed of rotation in 1/s or Hz is in rad/s or in turns per second, by its name:
+///
+///     n, Drehzahl               1/s, Hz   turns per second
+///     ω, angular velocity       1/s       rad/s
+///     crank speed               Hz        turns per second
+///     ω, angular velocity       Hz        only a person can tell
+///     crank speed               1/s       only a person can tell
+///     fs, another unknown name  Hz        not used: the frequency of anything
 void resolveReciprocalSeconds(Heading &heading)
 {
     NameMeaning &meaning = heading.meaning;
@@ -293,12 +298,14 @@ void resolveReciprocalSeconds(Heading &heading)
     const Words words = wordsOf(heading.name);
     const bool isInTurns = !unitOfRotation(words).empty() || std::ranges::count(words, "n") > 0;
     const bool isInRadians = !isInTurns && std::ranges::any_of(words, isAngular);
-    if (isInTurns || (isHertz && !isInRadians && !meaning.hasUnknownWords)) {
+    if (isInTurns) {
         heading.use.unit = "rev/s";
     } else if (isHertz && meaning.hasUnknownWords) {
         meaning = {.channel = meaning.channel, .reason = ColumnReason::UnknownBody};
-    } else if (isHertz || !isInRadians) {
+    } else if (isHertz == isInRadians) { // unit and name contradict each other, or leave it open
         meaning = {.channel = meaning.channel, .reason = ColumnReason::TurnsOrRadians};
+    } else if (isHertz) {
+        heading.use.unit = "rev/s";
     }
 }
 

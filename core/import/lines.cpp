@@ -135,7 +135,7 @@ std::vector<Line> splitLines(std::string_view text)
 
 bool isData(std::string_view line)
 {
-    constexpr std::size_t kMaxSigns = 3; // before the first digit: "-.5
+    constexpr std::size_t kMaxSigns = 3; // before the first digit: a quotation mark, a sign and a decimal sign
     const std::string_view text = trimmed(line);
     const std::size_t digit = text.find_first_not_of("+-.,\"");
     if (digit == text.npos || !isDigit(text[digit]) || digit > kMaxSigns) {

@@ -149,7 +149,7 @@ bool namesBodyAndQuantity(const NameReading &name, const std::optional<Unit> &un
     return namesQuantity && name.isBodyNamed && (name.body || name.isFrame);
 }
 
-/// Returns the name of the point or body to which a column belongs together with other columns.
+/// Returns the name of the point or body that a column describes: columns with the same owner describe the same one.
 std::string ownerOf(const NameReading &name, const NamePath &path)
 {
     if (name.unknown.isAny() && !name.body) {

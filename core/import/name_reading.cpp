@@ -429,7 +429,7 @@ NamePath splitPath(std::string_view name)
     if (const std::optional<NamePath> path = splitAtOwner(name)) {
         return *path;
     }
-    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a point may belong to an abbreviation
+    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a full stop may end an abbreviation
     const bool isLatex = name.starts_with('\\') || name.find_first_of("{^$") != name.npos;
     const auto isSeparator = [&](std::size_t i) {
         const bool isBeforeName = i + 1 < name.size() && !isBlank(name[i + 1]); // "Slider Joint.Px.v"

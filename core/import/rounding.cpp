@@ -45,10 +45,11 @@ struct RoundedDecade {
     double weight; ///< number of values
 };
 
-/// How far the places of decades are from those of a rule. The less, the better; on a tie, the coarser rule.
+/// How far the places of decades are from those of a rule, as sums over all values. The least is the best; on a tie,
+/// the coarser rule is less. Compared in this order.
 struct RuleDistance {
-    double distance = 0.0;       ///< sum of all values, in places
-    double minusMeanPlace = 0.0; ///< times the number of values: less for a coarser rule
+    double distance = 0.0;       ///< in places
+    double minusRulePlace = 0.0; ///< the place of the rule, negated
 
     auto operator<=>(const RuleDistance &) const = default;
 };
@@ -62,7 +63,7 @@ RuleDistance distanceFromRule(Rounding::Rule rule, const RoundedDecade &referenc
         const bool isRelative = rule == Rounding::Rule::SignificantDigits;
         const int place = reference.place + (isRelative ? decade.exponent - reference.exponent : 0);
         sum.distance += decade.weight * std::abs(decade.place - place);
-        sum.minusMeanPlace -= decade.weight * place;
+        sum.minusRulePlace -= decade.weight * place;
     }
     return sum;
 }

@@ -138,7 +138,7 @@ std::string_view withoutMark(std::string_view line)
     return line;
 }
 
-/// Returns the cells with the numbers of names of times and of quantities among them.
+/// Counts the cells that name a time and those that name a quantity. Returns the counts with the cells.
 SplitLine countNames(Cells cells, char delimiter)
 {
     SplitLine names{std::move(cells), delimiter};
@@ -261,8 +261,8 @@ SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
     return isSpaced ? countNames(splitCells(unmarked, ' '), ' ') : SplitLine();
 }
 
-/// Returns the line with most names of times and quantities, or the later one of several that have as many and fit to
-/// the row; null if no line has any.
+/// Returns the line with most names of times and quantities; null if no line has any. Of lines with as many names, it
+/// is the last one that has as many cells as the row, or else the first one.
 SplitLine *findMostNames(std::vector<SplitLine> &lines, const std::optional<SplitLine> &row)
 {
     SplitLine *best = nullptr;
@@ -287,10 +287,10 @@ std::optional<SplitLine> findUnknownHeadings(std::vector<SplitLine> &lines, cons
 
 /// Finds the line of headings:
 ///
-/// 1. the first line of all that names a time and a quantity and fits to the row,
+/// 1. the first line of all that names a time and a quantity and has as many cells as the row,
 /// 2. else, of the lines above the row, the one with most names,
 /// 3. else, if there is no row of numbers, the first line,
-/// 4. else the one directly above the numbers and their units, if it fits to the row.
+/// 4. else the one directly above the numbers and their units, if it has as many cells as the row.
 ///
 /// Returns nullopt if the file begins with the first row of numbers.
 std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> &row)
@@ -374,9 +374,9 @@ std::string_view inBrackets(std::string_view cell)
     return isBracketed ? trimmed(cell.substr(1, cell.size() - 2)) : std::string_view();
 }
 
-/// Returns whether a line below the headings continues them: it names quantities, and states their units or
+/// Returns whether a line below the headings is a second line of them: it names quantities, and states their units or
 /// distinguishes equal headings, as "Position [mm]" and "Velocity [mm/s]" do below "Piston" and "Piston".
-bool continuesHeadings(const Cells &cells, const std::vector<Heading> &headings)
+bool isSecondLineOfHeadings(const Cells &cells, const std::vector<Heading> &headings)
 {
     bool namesQuantity = false;
     bool statesUnit = false;
@@ -406,7 +406,7 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
             break;
         }
         const bool areUnits = std::ranges::any_of(cells, [](std::string_view cell) { return !unitIn(cell).empty(); });
-        const bool areNames = continuesHeadings(cells, headings);
+        const bool areNames = isSecondLineOfHeadings(cells, headings);
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const std::string_view unit = unitIn(cells[i]);
             if (areNames && unit.empty() && !cells[i].empty()) {
@@ -421,8 +421,8 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
     return count;
 }
 
-/// Interprets the lines below the headings that belong to them, and adds a heading for row names without one. Returns
-/// the number of these lines.
+/// Interprets the lines between the headings and the numbers: the name of an index, units and further headings. Adds a
+/// heading for row names without one. Returns the number of these lines.
 std::size_t completeHeadings(Lines lines, const std::optional<SplitLine> &row, char delimiter,
                              std::vector<Heading> &headings)
 {

@@ -103,12 +103,12 @@ void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
         const auto isOfOwnersCrank = [&](const RawColumn *angle) {
             return hasSameOwner(angle) && angle->use.channel == kCrankAngle;
         };
-        const auto ofOwner = std::ranges::count_if(angles, hasSameOwner);
-        const auto ofCrank = std::ranges::count_if(angles, isOfOwnersCrank);
-        if (isConstantSpeed(*column) || (ofCrank > 0 && ofCrank == ofOwner)) {
+        const auto anglesOfOwner = std::ranges::count_if(angles, hasSameOwner);
+        const auto crankAngles = std::ranges::count_if(angles, isOfOwnersCrank);
+        if (isConstantSpeed(*column) || (crankAngles > 0 && crankAngles == anglesOfOwner)) {
             column->use.channel.coordinate = Theta2;
             column->meaning.reason = ColumnReason::WideAngle;
-        } else if (ofCrank > 0) {
+        } else if (crankAngles > 0) {
             column->use.reason = ColumnReason::LikeOther;
             std::erase(candidates, column);
         }
@@ -166,9 +166,9 @@ bool isOfPoint(const RawColumn *column)
 }
 
 /// Returns whether the values rise and fall by more than noise.
-bool moveToAndFro(const Values &values)
+bool moveBackAndForth(const Values &values)
 {
-    constexpr double kMinPart = 0.2; // of the range
+    constexpr double kMinFraction = 0.2; // of the range, for both the largest rise and the largest fall
     double rise = 0.0;
     double fall = 0.0;
     ValueRange before;
@@ -177,16 +177,16 @@ bool moveToAndFro(const Values &values)
         rise = std::max(rise, value - before.low);
         fall = std::max(fall, before.high - value);
     }
-    return std::min(rise, fall) > kMinPart * before.width();
+    return std::min(rise, fall) > kMinFraction * before.width();
 }
 
-/// Removes speeds that are never negative while the slider moves to and fro: they are magnitudes.
+/// Removes speeds that are never negative while the slider moves back and forth: they are magnitudes.
 void removeMagnitudes(std::vector<RawColumn *> &candidates)
 {
     removeColumns(candidates, ColumnReason::Magnitude, [&](const RawColumn &column) {
         const RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, column.meaning.owner);
         const bool isSpeed = isOfUnnamedBody(&column) && column.use.channel == Channel{R4x, Order::Velocity};
-        return isSpeed && x && x->values.size() >= kFewestRows && moveToAndFro(x->finiteValues()) &&
+        return isSpeed && x && x->values.size() >= kFewestRows && moveBackAndForth(x->finiteValues()) &&
                rangeOf(column.values).low >= 0.0;
     });
 }
