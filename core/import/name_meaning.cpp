@@ -186,6 +186,7 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
                         .channel = {coordinateOf(name, isAngle), order},
                         .reason = isKnownBody ? ColumnReason::KnownName : ColumnReason::QuantityInName,
                         .owner = ownerOf(name, path),
+                        .symbol = name.symbol,
                         .doubt = doubtOf(name, unit, isAngle, isOfUnknown),
                         .hasUnknownWords = name.unknown.isAny() || isOfUnknown || isCoordinateOfAnyKind,
                         .isAtB = name.isAtB && order == Order::Position};

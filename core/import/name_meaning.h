@@ -40,7 +40,8 @@ struct NameMeaning {
     Kind kind = Kind::Nothing;
     Channel channel{};
     ColumnReason reason = ColumnReason::UnknownName; ///< why a column with this name is used, or not
-    std::string owner{}; ///< "3.1" in "P[3.1]", "slider" in "slider.s", "massa" in "mass_A x"; empty: none
+    std::string owner{};  ///< "3.1" in "P[3.1]", "slider" in "slider.s", "massa" in "mass_A x"; empty: none
+    std::string symbol{}; ///< that stands for the quantity or its position: "psi" in "ψ̇"; empty: a word does
     Doubt doubt = Doubt::None;
     bool hasUnknownWords = false;
     bool isAtB = false; ///< the angle of the coupler is measured at B, half a turn from that at A

@@ -79,8 +79,23 @@ bool isConstantSpeed(const RawColumn &column)
     return range.count >= kFewestRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
 }
 
+/// Returns the angles whose derivative a column may be: those with the same owner, and of these only those with the
+/// same symbol, if there are any: ψ for ψ̇.
+std::vector<RawColumn *> anglesOfDerivative(const RawColumn &derivative, std::vector<RawColumn *> angles)
+{
+    std::erase_if(angles, [&](const RawColumn *angle) { return angle->meaning.owner != derivative.meaning.owner; });
+    const auto hasOtherSymbol = [&](const RawColumn *angle) {
+        return angle->meaning.symbol.empty() || angle->meaning.symbol != derivative.meaning.symbol;
+    };
+    if (!std::ranges::all_of(angles, hasOtherSymbol)) {
+        std::erase_if(angles, hasOtherSymbol);
+    }
+    return angles;
+}
+
 /// Gives angles of unnamed bodies to the crank if no other body can have them, and also their derivatives, which have
-/// the same owner. If that owner has a further angle, nothing tells whose derivatives they are, and they are removed.
+/// the same owner. If that owner has a further angle, only their symbols tell whose derivatives they are; without them,
+/// they are removed.
 void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
 {
     std::vector<RawColumn *> angles;
@@ -97,15 +112,11 @@ void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
         }
     }
     for (RawColumn *const column : derivatives) {
-        const auto hasSameOwner = [column](const RawColumn *angle) {
-            return angle->meaning.owner == column->meaning.owner;
-        };
-        const auto isOfOwnersCrank = [&](const RawColumn *angle) {
-            return hasSameOwner(angle) && angle->use.channel == kCrankAngle;
-        };
-        const auto anglesOfOwner = std::ranges::count_if(angles, hasSameOwner);
-        const auto crankAngles = std::ranges::count_if(angles, isOfOwnersCrank);
-        if (isConstantSpeed(*column) || (crankAngles > 0 && crankAngles == anglesOfOwner)) {
+        const std::vector<RawColumn *> ownAngles = anglesOfDerivative(*column, angles);
+        const auto crankAngles =
+            std::ranges::count(ownAngles, kCrankAngle, [](const RawColumn *angle) { return angle->use.channel; });
+        const bool isOfCrank = crankAngles > 0 && crankAngles == std::ssize(ownAngles);
+        if (isConstantSpeed(*column) || isOfCrank) {
             column->use.channel.coordinate = Theta2;
             column->meaning.reason = ColumnReason::WideAngle;
         } else if (crankAngles > 0) {
