@@ -189,6 +189,7 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
                         .symbol = name.symbol,
                         .doubt = doubtOf(name, unit, isAngle, isOfUnknown),
                         .hasUnknownWords = name.unknown.isAny() || isOfUnknown || isCoordinateOfAnyKind,
+                        .namesAxis = name.axis != ' ',
                         .isAtB = name.isAtB && order == Order::Position};
     if (path.isInSi && unitText.empty()) {
         meaning.reason = ColumnReason::PathInSi;

@@ -44,7 +44,8 @@ struct NameMeaning {
     std::string symbol{}; ///< that stands for the quantity or its position: "psi" in "ψ̇"; empty: a word does
     Doubt doubt = Doubt::None;
     bool hasUnknownWords = false;
-    bool isAtB = false; ///< the angle of the coupler is measured at B, half a turn from that at A
+    bool namesAxis = false; ///< x or y, as in "vx"
+    bool isAtB = false;     ///< the angle of the coupler is measured at B, half a turn from that at A
 };
 
 /// Orders meanings by how certain it is that the name denotes the channel: the greater is the more certain one.

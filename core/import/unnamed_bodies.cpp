@@ -310,6 +310,32 @@ void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
     removeColumns(candidates, ColumnReason::UnknownBody, isOfOther);
 }
 
+/// Returns whether the slider moves along y, as in an upright engine: its y changes, and no column is its x.
+bool isUpright(std::span<const RawColumn> columns)
+{
+    const auto isPosition = [](const RawColumn &column, Coordinate coordinate) {
+        return column.meaning.kind >= Kind::Quantity && column.meaning.doubt == Doubt::None &&
+               column.meaning.channel == Channel{coordinate, Order::Position};
+    };
+    const auto isMovingY = [&](const RawColumn &column) {
+        return isPosition(column, R4y) && rangeOf(column.values).width() > 0.0;
+    };
+    const auto isX = [&](const RawColumn &column) { return isPosition(column, R4x); };
+    return std::ranges::any_of(columns, isMovingY) && std::ranges::none_of(columns, isX);
+}
+
+/// Assigns velocities and accelerations of the slider to y if their names state no axis.
+void moveToY(std::span<RawColumn> columns)
+{
+    for (RawColumn &column : columns) {
+        NameMeaning &meaning = column.meaning;
+        const bool isGuess = meaning.kind >= Kind::Quantity && meaning.kind < Kind::ChannelName && !meaning.namesAxis;
+        if (isGuess && meaning.channel.coordinate == R4x && meaning.channel.order != Order::Position) {
+            meaning.channel.coordinate = R4y;
+        }
+    }
+}
+
 /// Returns the angle of the link with the next number.
 Coordinate angleOfNextLink(Coordinate angle)
 {
@@ -337,6 +363,9 @@ bool isTurningAngle(const RawColumn &column)
 
 void correctMeanings(RawTable &table)
 {
+    if (isUpright(table.columns)) {
+        moveToY(table.columns);
+    }
     const auto makesHalfTurn = [](const RawColumn &column) { return widthOf(degreesOf(column)) > kHalfTurn; };
     bool isCrankFirst = false; // whether the crank has the number 1
     for (RawColumn &column : table.columns) {

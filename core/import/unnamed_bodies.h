@@ -12,7 +12,7 @@ namespace slidercrank
 {
 
 /// Corrects meanings that the values disprove, before the time or crank angle is known: of "α", which is also an angle,
-/// and of angles whose links are numbered from the crank instead of the frame.
+/// of angles whose links are numbered from the crank instead of the frame, and of velocities beside a y without an x.
 void correctMeanings(RawTable &table);
 
 /// Reassigns candidates of unnamed bodies to the body to which they belong, and removes those that belong to none. The

@@ -308,6 +308,21 @@ private slots:
         QVERIFY(isRead("t;x;y")); // the identification tells that y changes
     }
 
+    /// In an upright engine, y is the only coordinate of the slider, and a speed without an axis is that along y.
+    void readsSpeedsAlongTheOnlyCoordinate()
+    {
+        const auto rolesIn = [](const QByteArray &headings) {
+            const Outcome outcome = read(headings + "\n0;85;10;3\n1;84;9;2\n2;80;-7;1\n3;75;-8;-2\n");
+            return QString::fromStdString(rolesOf(std::get<ReferenceData>(outcome).layout)).remove('?');
+        };
+        QCOMPARE(rolesIn("t;y (mm);v (mm/s);a (mm/s²)"), QString("time R4_y R4_y_diff R4_y_diff2"));
+        QCOMPARE(rolesIn("θ (deg);Piston height y (mm);Piston speed (mm/s);foo"), QString("angle R4_y R4_y_diff -"));
+        QCOMPARE(rolesIn("t;y;v_x;foo"), QString("time R4_y R4_x_diff -"));
+        QCOMPARE(rolesIn("t;y;v;x"), QString("time R4_y R4_x_diff R4_x"));
+        const Outcome horizontal = read("t;y;v\n0;25;10\n1;25;9\n2;25;-7\n");
+        QVERIFY(std::get<ReferenceData>(horizontal).find({R4x, Order::Velocity}));
+    }
+
     /// Tracker writes the magnitude of a vector beside its components, or instead of them.
     void readsNoMagnitude()
     {
