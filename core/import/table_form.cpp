@@ -393,6 +393,18 @@ bool isSecondLineOfHeadings(const Cells &cells, const std::vector<Heading> &head
     return namesQuantity && (statesUnit || areEqual) && cells.size() <= headings.size();
 }
 
+/// Returns whether a line below the headings states their symbols: "t", "φ", "s" below "Time", "Angle", "Distance". At
+/// least one of them is no unit, unlike s.
+bool areSymbols(const Cells &cells)
+{
+    const auto isSymbol = [](std::string_view cell) {
+        const Heading heading = parseHeading(cell);
+        return cell.empty() || (beginsWithSymbol(heading) && heading.use.unit.empty());
+    };
+    const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
+    return std::ranges::all_of(cells, isSymbol) && !std::ranges::all_of(cells, isUnit);
+}
+
 /// Interprets the lines between the headings and the first number, which may contain units or continue the headings.
 /// Returns how many there are.
 std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, std::vector<Heading> &headings)
@@ -407,6 +419,9 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
         }
         const bool areUnits = std::ranges::any_of(cells, [](std::string_view cell) { return !unitIn(cell).empty(); });
         const bool areNames = isSecondLineOfHeadings(cells, headings);
+        if (!areNames && areSymbols(cells)) {
+            continue;
+        }
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const std::string_view unit = unitIn(cells[i]);
             if (areNames && unit.empty() && !cells[i].empty()) {

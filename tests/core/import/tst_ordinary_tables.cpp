@@ -121,6 +121,10 @@ const std::vector<Layout> kLayouts{
     {"t,x (mm),x (in)\n0,85,3.3\n1,84,3.3\n2,80,3.1\n", "time R4_x -"},
     {"t,x (in),x (mm)\n0,3.3,85\n1,3.3,84\n2,3.1,80\n", "time - R4_x"},
     {"θ2 (deg),θ2 (rad),x\n0,0,85\n90,1.5708,84\n180,3.1416,80\n", "angle - R4_x"},
+    // Symbols below the headings, of which s is no unit.
+    {"Zeit;Weg;Winkel;Geschwindigkeit\nt;s;φ;v\ns;mm;°;mm/s\n0;85;0;1\n1;84;9;2\n2;80;0;1\n",
+     "time R4_x theta3 R4_x_diff"},
+    {"Kurbelwinkel;Weg;Geschwindigkeit\nφ;s;v\n0;85;1\n90;84;2\n180;80;1\n", "angle R4_x R4_x_diff"},
     // Derivatives of two angles of unnamed bodies.
     {"t;x;φ;ψ;ψ̇\n0;85;0;22;1\n1;84;100;5;2\n2;80;200;-5;3\n", "time R4_x theta2 theta3 theta3_diff"},
     {"t;x;θ;β;dθ/dt;dβ/dt\n0;85;0;22;1;9\n1;84;100;5;2;8\n2;80;200;-5;1;7\n",
