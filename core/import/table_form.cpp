@@ -53,13 +53,16 @@ bool isNumber(std::string_view cell)
     return looksNumeric(splitUnit(cell).number);
 }
 
+/// Returns whether a cell is a number, or a gap such as "-" or "NaN".
+bool isNumberOrGap(std::string_view cell)
+{
+    const std::string_view number = splitUnit(cell).number;
+    return !parseNumber(number, DecimalSign::Point).fault || !parseNumber(number, DecimalSign::Comma).fault;
+}
+
 /// Returns whether all cells are gaps or numbers, with or without units, and at least two are numbers.
 bool isRow(const Cells &cells)
 {
-    const auto isNumberOrGap = [](std::string_view cell) {
-        const std::string_view number = splitUnit(cell).number;
-        return !parseNumber(number, DecimalSign::Point).fault || !parseNumber(number, DecimalSign::Comma).fault;
-    };
     return std::ranges::all_of(cells, isNumberOrGap) && std::ranges::count_if(cells, isNumber) >= 2;
 }
 
@@ -374,6 +377,24 @@ std::string_view inBrackets(std::string_view cell)
     return isBracketed ? trimmed(cell.substr(1, cell.size() - 2)) : std::string_view();
 }
 
+/// Returns the unknown unit in a cell of a line of units: "(V)", "px", "mm/deg". Longer words, abbreviations such as
+/// "calc", and what has no brackets below a heading with a unit are remarks.
+std::string_view unknownUnitIn(std::string_view cell, const Heading &heading)
+{
+    constexpr std::size_t kMaxUnitSize = 5; // bytes, without a slash
+    const std::string_view inner = inBrackets(cell);
+    if (!inner.empty() || !heading.use.unit.empty()) {
+        return inner;
+    }
+    if (cell == "%") {
+        return cell;
+    }
+    const std::vector<std::string> words = wordsOf(cell);
+    const bool isRemark = words.empty() || isNumberOrGap(cell) || abbreviatesMethod(words);
+    const bool isShort = cell.size() <= kMaxUnitSize || cell.find('/') != cell.npos;
+    return isShort && !isRemark ? cell : std::string_view();
+}
+
 /// Returns whether a line below the headings is a second line of them: it names quantities, and states their units or
 /// distinguishes equal headings, as "Position [mm]" and "Velocity [mm/s]" do below "Piston" and "Piston".
 bool isSecondLineOfHeadings(const Cells &cells, const std::vector<Heading> &headings)
@@ -430,7 +451,8 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
                 headings[i] = parseHeading(isRepeated ? std::string(cells[i]) : first + ' ' + std::string(cells[i]));
                 continue;
             }
-            setUnit(headings, i, unit.empty() && areUnits ? inBrackets(cells[i]) : unit, number); // "(V)" beside "(mm)"
+            const bool isUnknown = unit.empty() && areUnits && i < headings.size();
+            setUnit(headings, i, isUnknown ? unknownUnitIn(cells[i], headings[i]) : unit, number);
         }
     }
     return count;

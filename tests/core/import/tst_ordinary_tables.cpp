@@ -125,6 +125,11 @@ const std::vector<Layout> kLayouts{
     {"Zeit;Weg;Winkel;Geschwindigkeit\nt;s;φ;v\ns;mm;°;mm/s\n0;85;0;1\n1;84;9;2\n2;80;0;1\n",
      "time R4_x theta3 R4_x_diff"},
     {"Kurbelwinkel;Weg;Geschwindigkeit\nφ;s;v\n0;85;1\n90;84;2\n180;80;1\n", "angle R4_x R4_x_diff"},
+    // Unknown units in a line of units.
+    {"t;x;v\ns;mm;V\n0;85;1\n1;84;2\n2;80;1\n", "time R4_x -"},
+    {"t;x;v;y\ns;mm;px/s;%\n0;85;1;0\n1;84;2;0\n2;80;1;1\n", "time R4_x - -"},
+    {"phi;s;s'\ndeg;mm;mm/deg\n0;85;1\n90;84;2\n180;80;1\n", "angle R4_x -"},
+    {"t;x;v;a\ns;calc;gemessen;n/a\n0;85;1;1\n1;84;2;2\n2;80;1;1\n", "time R4_x R4_x_diff R4_x_diff2"}, // remarks
     // Derivatives of two angles of unnamed bodies.
     {"t;x;φ;ψ;ψ̇\n0;85;0;22;1\n1;84;100;5;2\n2;80;200;-5;3\n", "time R4_x theta2 theta3 theta3_diff"},
     {"t;x;θ;β;dθ/dt;dβ/dt\n0;85;0;22;1;9\n1;84;100;5;2;8\n2;80;200;-5;1;7\n",
