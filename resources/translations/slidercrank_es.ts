@@ -1788,7 +1788,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>&amp;Font size</source>
-        <translation>&amp;Tamaño de letra</translation>
+        <translation>Tamaño de &amp;letra</translation>
     </message>
     <message>
         <source>F&amp;ormat</source>

@@ -186,6 +186,14 @@ void fillTabs(MainWindow &window)
     window.findChild<StudyPanel *>()->setResult(study);
 }
 
+/// Returns the width of the text of a label with a shortcut. Its underlined letter is drawn apart, without kerning.
+int widthWithShortcut(const QLabel &label, qsizetype letter)
+{
+    const auto widthOf = [&label](const QString &part) { return label.fontMetrics().horizontalAdvance(part); };
+    const QString text = QString(label.text()).remove(u'&');
+    return widthOf(text.left(letter)) + widthOf(text.mid(letter, 1)) + widthOf(text.mid(letter + 1));
+}
+
 /// Whether the text is wider than `width` in the font of the widget.
 bool isTooWide(const QWidget &widget, const QString &text, int width)
 {
@@ -214,7 +222,9 @@ QStringList cutOffTexts(const QMainWindow &window)
         if (const auto *label = qobject_cast<const QLabel *>(widget)) {
             const int width = label->contentsRect().width();
             const bool tooLow = label->wordWrap() && label->height() < label->heightForWidth(label->width());
-            const bool tooNarrow = !label->wordWrap() && isTooWide(*label, label->text(), width);
+            const qsizetype letter = label->buddy() ? label->text().indexOf(u'&') : -1;
+            const bool tooNarrow = (!label->wordWrap() && isTooWide(*label, label->text(), width)) ||
+                                   (letter >= 0 && widthWithShortcut(*label, letter) > width);
             const bool hasTip = !label->toolTip().isEmpty(); // the tool tip shows the whole text
             if (!hasTip && (tooLow || tooNarrow)) {
                 note(*label, label->text());
