@@ -542,6 +542,7 @@ private slots:
             QVERIFY(QTest::qWaitForWindowExposed(form));
             const QStringList found = cutOffTexts(window);
             QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
+            QVERIFY(form->width() <= form->screen()->availableSize().width());
             delete form;
         }
     }

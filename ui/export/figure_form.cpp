@@ -16,6 +16,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScreen>
 #include <QSettings>
 
 #include <algorithm>
@@ -29,6 +30,7 @@ namespace
 
 using WidthUnit = FigureOptions::Unit;
 
+constexpr QSize kMinPreviewSize(120, 120); // px
 constexpr QSize kMaxPreviewSize(460, 460); // px
 
 const QString kWidth = "export/width";
@@ -127,6 +129,7 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
     layout->setColumnMinimumWidth(0, form->sizeHint().width()); // otherwise the preview cuts long labels
     layout->addWidget(m_preview, 0, 1);
     layout->addWidget(buttons, 1, 0, 1, 2);
+    fitPreview(QSize(form->sizeHint().width(), buttons->sizeHint().height()));
     layout->setColumnStretch(1, 1);
     connect(m_width, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
     connect(m_fontSize, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
@@ -154,8 +157,16 @@ void FigureForm::prepareFields(const FigureOptions &options)
     m_cursor->setVisible(m_subject.hasCursor);
     m_preview->setFrameShape(QFrame::Box);
     m_preview->setAlignment(Qt::AlignCenter);
-    m_preview->setMinimumSize(kMaxPreviewSize);
     m_preview->setAccessibleName(tr("Preview"));
+}
+
+/// Makes the preview so small that the dialog fits the screen. `others`: the width beside it and the height below it,
+/// px.
+void FigureForm::fitPreview(const QSize &others)
+{
+    constexpr QSize kMargins(60, 80); // px, with the frame and the title bar of the dialog
+    const QSize available = screen()->availableSize() - others - kMargins;
+    m_preview->setMinimumSize(available.boundedTo(kMaxPreviewSize).expandedTo(kMinPreviewSize));
 }
 
 /// Arranges the fields with their labels.
@@ -242,7 +253,7 @@ void FigureForm::showPreview()
     m_outcome->setText(chosen.format == FigureFormat::Png || isInPixels
                            ? tr("%1 × %2 px").arg(qRound(pixels.width())).arg(qRound(pixels.height()))
                            : tr("%1 × %2 mm").arg(fixedText(paper.width(), 1), fixedText(paper.height(), 1)));
-    const QSizeF shown = QSizeF(size.size).scaled(QSizeF(kMaxPreviewSize), Qt::KeepAspectRatio);
+    const QSizeF shown = QSizeF(size.size).scaled(QSizeF(m_preview->minimumSize()), Qt::KeepAspectRatio);
     size.scale = devicePixelRatioF() * shown.width() / size.size.width();
     QPixmap picture = QPixmap::fromImage(figureImage(size, m_subject.draw(chosen)));
     picture.setDevicePixelRatio(devicePixelRatioF());

@@ -54,6 +54,7 @@ public:
 private:
     void prepareFields(const FigureOptions &options);
     QLayout *makeForm(const FigureOptions &options);
+    void fitPreview(const QSize &others);
     void addPlots(const FigureOptions &options, QFormLayout &form);
     void changeUnit();
     void showPreview();
