@@ -97,6 +97,12 @@ QStringList magnitudes(const std::vector<PlacedVector> &polygon, Measure measure
     return texts;
 }
 
+/// The smallest height of a polygon with the magnitudes of its vectors below it, in lines of text.
+constexpr double kMinHeightWithMagnitudes = 14.0;
+
+/// The height of the position above both polygons of a figure, in lines of text.
+constexpr double kHeadingHeight = 1.5;
+
 /// Draws one polygon, its scale below it and, if there is space, the magnitudes of its vectors.
 class PolygonDrawing
 {
@@ -139,8 +145,7 @@ private:
     /// Returns the magnitudes in lines that are not wider than the area; none if the area is too low for them.
     QStringList magnitudeLines() const
     {
-        constexpr double kMinHeight = 14.0; // lines of text
-        if (m_area.height() < kMinHeight * QFontMetricsF(m_painter.font()).height()) {
+        if (m_area.height() < kMinHeightWithMagnitudes * QFontMetricsF(m_painter.font()).height()) {
             return {};
         }
         QStringList lines(QString{});
@@ -265,8 +270,10 @@ private:
     void drawScale()
     {
         constexpr double kUsualLength = 80.0; // px
+        constexpr double kMaxFraction = 0.36; // of the width; the next round number is at most 2.5 times as much
+        const double usualLength = std::min(kUsualLength, kMaxFraction * m_area.width());
         const double unit = shownValue(m_measure, 1.0, notation().units);
-        double amount = nextRoundNumber(kUsualLength / m_scale * unit); // in the unit that is shown
+        const double amount = nextRoundNumber(usualLength / m_scale * unit); // in the unit that is shown
         const double length = amount / unit * m_scale;
         const QFontMetricsF metrics(m_painter.font());
         const double y = m_area.bottom() - magnitudesHeight() - 1.2 * metrics.height();
@@ -361,7 +368,7 @@ FigureDrawing polygonFigure(const Mechanism &mechanism, double t, double alpha2,
     return [palette, polygons = polygonsAt(mechanism, t, alpha2),
             position = positionText(theta2, alpha2)](QPainter &painter, const QSize &size) {
         const QRectF area({0.0, 0.0}, QSizeF(size));
-        const double heading = 1.5 * QFontMetricsF(painter.font()).height();
+        const double heading = kHeadingHeight * QFontMetricsF(painter.font()).height();
         painter.setRenderHint(QPainter::Antialiasing);
         painter.fillRect(area, palette.base());
         painter.setPen(palette.color(QPalette::Text));
@@ -372,8 +379,10 @@ FigureDrawing polygonFigure(const Mechanism &mechanism, double t, double alpha2,
 
 int polygonHeight(int width, const QFont &font)
 {
-    constexpr int kLines = 2; // of magnitudes below each polygon
-    return width / 2 + kLines * QFontMetrics(font).height();
+    constexpr double kUsualLines = 2.0; // of magnitudes below each polygon
+    const double line = QFontMetricsF(font).height();
+    return static_cast<int>(
+        std::ceil(std::max(0.5 * width + kUsualLines * line, (kHeadingHeight + kMinHeightWithMagnitudes) * line)));
 }
 
 FigureSubject polygonSubject(const Session &session)

@@ -472,6 +472,29 @@ private slots:
         }
     }
 
+    /// A former defect: in a figure of 85 mm the magnitudes were left out, and the scales of both polygons overlapped.
+    void narrowPolygonsHaveMagnitudesAndScalesOfTheirOwn()
+    {
+        constexpr double kMiddle = 160.5; // px, of 85 mm at 96 dots per inch
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("polygons.svg");
+        Session session;
+        for (int round = 0; round < 50; ++round) {
+            session.setParameters({.omega2 = std::pow(1.2, round)});
+            session.setTime(0.05 * round / session.parameters().omega2);
+            QCOMPARE(exportFigure(path, polygonSubject(session), {.width = 85.0}), std::nullopt);
+            QFile file(path);
+            QVERIFY(file.open(QIODevice::ReadOnly));
+            const QString svg = QString::fromUtf8(file.readAll());
+            const std::vector<QLineF> scales = linesIn(svg, "1.2"); // each with its two ends
+            QCOMPARE(scales.size(), std::size_t(6));
+            QVERIFY2(scales[0].p1().x() > 0.0 && scales[0].p2().x() < kMiddle, qPrintable(QString::number(round)));
+            QVERIFY2(scales[3].p1().x() > kMiddle && scales[3].p2().x() < 2.0 * kMiddle,
+                     qPrintable(QString::number(round)));
+            QCOMPARE(svg.count("mm/s"), qsizetype(4)); // of both scales, and behind both lists of magnitudes
+        }
+    }
+
     void designsInTheChosenUnits()
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
