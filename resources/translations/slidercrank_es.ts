@@ -4154,6 +4154,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>%1, por %2 %3</translation>
     </message>
     <message>
+        <source>The motion limits and the plots are those of a constant crank speed, without α₂.</source>
+        <translation>Los límites del movimiento y las gráficas corresponden a una velocidad constante de la manivela, sin α₂.</translation>
+    </message>
+    <message>
         <source>Thin curves: pinned motions, %1.</source>
         <translation>Curvas finas: movimientos fijados, %1.</translation>
     </message>

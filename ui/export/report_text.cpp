@@ -114,6 +114,14 @@ QString derivedValues(const ReportContent &content)
             .arg(nameText(mu), equation(content, mu), nameText(displacement), equation(content, displacement)));
 }
 
+/// Says what the crank acceleration of the chosen position does not affect.
+QString accelerationNote(const ReportContent &content)
+{
+    return content.alpha2 == 0.0
+               ? QString()
+               : note(Report::tr("The motion limits and the plots are those of a constant crank speed, without α₂."));
+}
+
 QString crankText(const ReportContent &content)
 {
     const Mechanism &mechanism = content.result->mechanism;
@@ -264,7 +272,8 @@ QString reportHtml(const ReportContent &content)
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
            beside(parameterTable(content), kMechanismPlace) + note(caption) +
            heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) + derivedValues(content) +
-           heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
+           accelerationNote(content) + heading(Report::tr("Motion limits")) +
+           paragraph(mobilitySentence(result.mechanism, result.limits)) +
            table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling, notation()))) +
            heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +
            QStringLiteral("<p>%1</p>").arg(kFigurePlace) + heading(Report::tr("Method")) +

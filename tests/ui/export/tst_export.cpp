@@ -308,6 +308,17 @@ private slots:
                  qPrintable(skipping.text));
     }
 
+    /// With α₂, the acceleration of the slider may exceed its peak in the table of the limits.
+    void reportsThatLimitsAndPlotsAreWithoutTheCrankAcceleration()
+    {
+        ReportContent content = contentWith(65.0, nullptr);
+        QVERIFY(!ReportText(content).has("without α₂"));
+        content.alpha2 = 50.0;
+        const ReportText report(content);
+        QVERIFY2(report.has({"α₂ = 50 rad/s²", "plots are those of a constant crank speed, without α₂."}),
+                 qPrintable(report.text));
+    }
+
     void reportsPinnedMotionsAndTheMethod()
     {
         Session session;
