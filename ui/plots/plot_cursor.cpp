@@ -5,6 +5,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace slidercrank
@@ -103,25 +104,40 @@ std::vector<QRectF> possiblePlaces(const PlotCursor &cursor, const PlotCursor::L
     return places;
 }
 
-/// Places a value where it covers nothing, or the fewest points of the curves. `taken`: where other labels are. Returns
-/// how many points it covers there, or nullopt if there is no place.
-std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::Label &label,
-                                         const std::vector<QRectF> &taken, const QRectF &axes, const QFont &font)
+/// Returns whether a place is above the value of a higher dot, or below that of a lower one.
+bool isInWrongOrder(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &place)
 {
+    return std::ranges::any_of(cursor.labels, [&](const PlotCursor::Label &other) {
+        return other.dot && !other.place.isEmpty() &&
+               (other.dot->y() - label.dot->y()) * (other.place.top() - place.top()) < 0.0;
+    });
+}
+
+/// Places a value where it covers the fewest points of the curves, if possible none, and no other label. The wrong
+/// order counts as a point, unless the value stood elsewhere before: while the motion is played, it would jump where
+/// curves cross. Returns the number of points, or nullopt if there is no place.
+std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::Label &label, const QRectF &axes,
+                                         const QFont &font)
+{
+    constexpr std::ptrdiff_t kPointsOfWrongOrder = 1;
     std::optional<std::ptrdiff_t> fewest;
+    QRectF best;
     for (const QRectF &place : possiblePlaces(cursor, label, axes, font)) {
-        if (std::ranges::any_of(taken, [&place](const QRectF &other) { return other.intersects(place); })) {
+        const auto overlaps = [&place](const PlotCursor::Label &other) { return other.place.intersects(place); };
+        if (std::ranges::any_of(cursor.labels, overlaps)) {
             continue;
         }
-        const std::ptrdiff_t covered = coveredPoints(cursor, place, dotRadius(font));
+        std::ptrdiff_t covered = coveredPoints(cursor, place, dotRadius(font));
+        covered += !label.before && isInWrongOrder(cursor, label, place) ? kPointsOfWrongOrder : 0;
         if (!fewest || covered < *fewest) {
             fewest = covered;
-            label.place = place;
+            best = place;
         }
         if (covered == 0) {
             break;
         }
     }
+    label.place = best;
     return fewest;
 }
 
@@ -148,34 +164,63 @@ void stackLabels(PlotCursor &cursor, const QRectF &axes, const QFont &font)
     }
 }
 
+/// What a value without a place counts: more than any number of points that are covered.
+constexpr std::ptrdiff_t kPointsWithoutPlace = 10000;
+
+/// Where the values are placed one after the other: from the highest dot on, or from the lowest.
+enum class Direction { Downwards, Upwards };
+
+/// Places all values, of which the first ones have the best places. Returns how many points they cover.
+std::ptrdiff_t placeValues(PlotCursor &cursor, Direction direction, const QRectF &axes, const QFont &font,
+                           WhereCrowded whereCrowded)
+{
+    constexpr std::ptrdiff_t kMaxCovered = 1; // points: the corner of a label may touch a curve
+    std::ptrdiff_t total = 0;
+    const std::size_t count = cursor.labels.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        PlotCursor::Label &label = cursor.labels[direction == Direction::Downwards ? i : count - 1 - i];
+        if (!label.dot) {
+            continue;
+        }
+        const std::ptrdiff_t covered = placeValue(cursor, label, axes, font).value_or(kPointsWithoutPlace);
+        if (covered > kMaxCovered && whereCrowded == WhereCrowded::LeaveOut) {
+            leaveOut(label);
+            total += kPointsWithoutPlace;
+        } else {
+            total += covered;
+        }
+    }
+    return total;
+}
+
 /// Places the headings at the top, one below the other, and each value where it covers the curves least.
 void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, WhereCrowded whereCrowded)
 {
-    constexpr std::ptrdiff_t kMaxCovered = 1; // points: the corner of a label may touch a curve
-    const double height = QFontMetricsF(font).height();
     std::ranges::stable_sort(cursor.labels, {},
                              [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
+    double top = axes.top(); // of the next heading
     for (PlotCursor::Label &label : cursor.labels) {
         label.text.prepare({}, font);
-    }
-    std::vector<QRectF> taken;
-    for (PlotCursor::Label &label : cursor.labels) {
         if (!label.dot) {
-            const QSizeF size(label.text.size().width(), height);
-            const double top = axes.top() + height * static_cast<double>(taken.size());
+            const QSizeF size(label.text.size().width(), QFontMetricsF(font).height());
             label.place = QRectF(QPointF(columnLeft(cursor, size.width(), axes, font), top), size);
-        } else {
-            const std::optional<std::ptrdiff_t> covered = placeValue(cursor, label, taken, axes, font);
-            if (!covered && whereCrowded == WhereCrowded::CoverLeast) {
-                stackLabels(cursor, axes, font);
-                return;
-            }
-            if (!covered || (*covered > kMaxCovered && whereCrowded == WhereCrowded::LeaveOut)) {
-                leaveOut(label);
-                continue;
-            }
+            top = label.place.bottom();
         }
-        taken.push_back(label.place);
+    }
+    // While the motion is played, values keep their places, so that a single direction is sufficient.
+    const bool isPlayed =
+        std::ranges::any_of(cursor.labels, &std::optional<QRectF>::has_value, &PlotCursor::Label::before);
+    PlotCursor upwards = cursor;
+    std::ptrdiff_t covered = placeValues(cursor, Direction::Downwards, axes, font, whereCrowded);
+    if (covered > 0 && !isPlayed) {
+        const std::ptrdiff_t coveredUpwards = placeValues(upwards, Direction::Upwards, axes, font, whereCrowded);
+        if (coveredUpwards < covered) {
+            cursor = upwards;
+            covered = coveredUpwards;
+        }
+    }
+    if (covered >= kPointsWithoutPlace && whereCrowded == WhereCrowded::CoverLeast) {
+        stackLabels(cursor, axes, font);
     }
 }
 
@@ -213,9 +258,11 @@ void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFo
 
 void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before)
 {
+    constexpr double kMaxDistance = 20.0; // px from frame to frame; a click may move the cursor farther
     for (PlotCursor &cursor : cursors) {
         const auto old = std::ranges::find(before, cursor.isLight, &PlotCursor::isLight);
-        if (old == before.end() || old->x == cursor.x) { // other curves at the same time have other places
+        const double distance = old == before.end() ? 0.0 : std::abs(cursor.x - old->x);
+        if (distance == 0.0 || distance > kMaxDistance) { // other curves at the same time have other places
             continue;
         }
         for (PlotCursor::Label &label : cursor.labels) {

@@ -44,7 +44,7 @@ double curveSpacing(const QFont &font);
 /// The radius (px) of a dot beside text of that font.
 double dotRadius(const QFont &font);
 
-/// Tells each cursor that has moved where its values stood before, so that values do not jump in an animation.
+/// Tells each cursor that has moved a little where its values stood before, so that values do not jump in an animation.
 void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before);
 
 /// What becomes of a value that would cover a curve in every place near its dot.

@@ -450,6 +450,32 @@ private slots:
         }
     }
 
+    /// A former defect: of two dots close together, the value of the lower one could stand above that of the upper one.
+    void valuesAreInTheOrderOfTheirDots()
+    {
+        QFont font;
+        font.setPixelSize(12);
+        PlotFigure &figure = figureOf({.reference = referenceOf(62.0)});
+        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
+        figure.compose({all, font, paletteFor(Theme::Light)}, {1400, 900});
+        int inOrder = 0;
+        int exchanged = 0;
+        for (const std::size_t plot : all) {
+            for (int step = 0; step <= 100; ++step) {
+                std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 100.0, {})};
+                placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick,
+                            WhereCrowded::CoverLeast);
+                const std::vector<PlotCursor::Label> &labels = cursors.front().labels;
+                for (std::size_t i = 1; i < labels.size(); ++i) {
+                    const bool isAbove = labels[i].place.center().y() < labels[i - 1].place.center().y();
+                    ++((labels[i].dot->y() < labels[i - 1].dot->y()) == isAbove ? inOrder : exchanged);
+                }
+            }
+        }
+        qInfo("%d pairs of values are in the order of their dots, %d are exchanged", inOrder, exchanged);
+        QVERIFY(exchanged < inOrder / 20);
+    }
+
     /// A former defect: while the motion was played, every fourth value jumped from one side of its curve to the other.
     void valuesKeepTheirPlacesWhilePlaying()
     {
