@@ -198,13 +198,13 @@ void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, Wh
 {
     std::ranges::stable_sort(cursor.labels, {},
                              [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
-    double top = axes.top(); // of the next heading
+    double topOfHeading = axes.top();
     for (PlotCursor::Label &label : cursor.labels) {
         label.text.prepare({}, font);
         if (!label.dot) {
             const QSizeF size(label.text.size().width(), QFontMetricsF(font).height());
-            label.place = QRectF(QPointF(columnLeft(cursor, size.width(), axes, font), top), size);
-            top = label.place.bottom();
+            label.place = QRectF(QPointF(columnLeft(cursor, size.width(), axes, font), topOfHeading), size);
+            topOfHeading = label.place.bottom();
         }
     }
     // While the motion is played, values keep their places, so that a single direction is sufficient.

@@ -28,7 +28,7 @@ struct PlotCursor {
         QColor colour;
         std::optional<QPointF> dot = {};   ///< a heading has none
         std::optional<QRectF> before = {}; ///< the last place, from the dot: a value stays there while it is free
-        QRectF place = {};                 ///< of the text; placeLabels() chooses it
+        QRectF place = {};                 ///< px, where the text stands; placeLabels() chooses it
     };
 
     double x = 0.0;       ///< px
