@@ -264,7 +264,8 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
 {
     const Question question(options);
     const Units units = readUnits(options);
-    setNotation({.symbols = options.choice("notation", Symbols::AbsoluteCoordinates), .units = units}); // of the text
+    setNotation(
+        {.symbols = options.choice("notation", Symbols::AbsoluteCoordinates), .units = units}); // used by the sentences
     options.refuseFiles();
     Mechanism mechanism = question.mechanism;
     QString design;

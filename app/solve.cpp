@@ -141,6 +141,7 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     const Mechanism given = readMechanism(options);
     const std::vector<Positions> positions = readPositions(options, given, table.units, streams);
     const bool hasPositions = !positions.empty();
+    // The positions of a crank that stands still have different initial angles: JSON then names the given mechanism.
     const Mechanism &mechanism = positions.size() == 1 ? positions.front().mechanism : given;
     const SampledChannels channels(table.channels, hasPositions ? readCrankAcceleration(options) : 0.0);
     const Sampling sampling = hasPositions ? Sampling() : readSampling(options);

@@ -104,9 +104,13 @@ struct FittedMechanism {
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference, const FittedMechanism &fitted = {});
 
-/// Sets `isWithinRoundedTime` of the channels that differ. The verdict limits the effect of time stamps that do not
-/// show that they were rounded, so that coarse ones do not let every mechanism agree. Time stamps that are not evenly
-/// spaced were not chosen, so that half a unit of their last digit is possible; here the effect of it has no limit.
+/// Sets `isWithinRoundedTime` of the channels that differ. Requires `channels` to be the result of compare() for the
+/// same mechanism, trajectory and file.
+///
+/// compare() limits the effect of time stamps that do not show whether they were rounded: without that limit, every
+/// mechanism would agree with coarse ones. Uneven time stamps, however, are often the rounded ones of a solver that
+/// chooses its steps. For these, this function finds whether errors of half a unit of their last digit, of whatever
+/// effect, explain the differences.
 void findRoundedTime(std::vector<ChannelComparison> &channels, const Mechanism &mechanism, const Trajectory &model,
                      const ReferenceData &reference);
 

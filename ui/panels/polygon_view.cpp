@@ -80,7 +80,7 @@ void drawArrow(QPainter &painter, QPointF from, QPointF to)
 /// Returns the magnitude of each vector: "v_A = 20.00", …, "v_B = 30.15 in/s". The last one has the unit.
 QStringList magnitudes(const std::vector<PlacedVector> &polygon, Measure measure)
 {
-    constexpr double kRounding = 1e-12; // of the largest magnitude: what is smaller is 0
+    constexpr double kRounding = 1e-12; // fraction of the largest magnitude: what is smaller is 0
     std::vector<double> lengths;
     for (const PlacedVector &placed : polygon) {
         lengths.push_back(std::hypot(placed.to.x - placed.from.x, placed.to.y - placed.from.y));
@@ -270,7 +270,8 @@ private:
     void drawScale()
     {
         constexpr double kUsualLength = 80.0; // px
-        constexpr double kMaxFraction = 0.36; // of the width; the next round number is at most 2.5 times as much
+        constexpr double kMaxFraction =
+            0.36; // fraction of the width; the next round number is at most 2.5 times larger
         const double usualLength = std::min(kUsualLength, kMaxFraction * m_area.width());
         const double unit = shownValue(m_measure, 1.0, notation().units);
         const double amount = nextRoundNumber(usualLength / m_scale * unit); // in the unit that is shown
@@ -379,7 +380,7 @@ FigureDrawing polygonFigure(const Mechanism &mechanism, double t, double alpha2,
 
 int polygonHeight(int width, const QFont &font)
 {
-    constexpr double kUsualLines = 2.0; // of magnitudes below each polygon
+    constexpr double kUsualLines = 2.0; // lines of magnitudes below each polygon
     const double line = QFontMetricsF(font).height();
     return static_cast<int>(
         std::ceil(std::max(0.5 * width + kUsualLines * line, (kHeadingHeight + kMinHeightWithMagnitudes) * line)));

@@ -82,7 +82,7 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     , m_session(session)
     , m_method(new QComboBox)
     , m_tolerance(new NumberBox)
-    , m_kind(new QComboBox)
+    , m_toleranceKind(new QComboBox)
     , m_iterations(new NumberBox)
     , m_outcome(named("outcomeLabel", plainText()))
 {
@@ -92,7 +92,7 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     rows->addLayout(makeFields());
     rows->addWidget(m_outcome);
     rows->addStretch(1);
-    for (const QComboBox *box : {m_method, m_kind}) {
+    for (const QComboBox *box : {m_method, m_toleranceKind}) {
         connect(box, &QComboBox::activated, this, &SolverForm::edit);
     }
     for (const NumberBox *box : {m_tolerance, m_iterations}) {
@@ -115,14 +115,14 @@ QLayout *SolverForm::makeFields()
     addField(form, "toleranceBox", tr("Tolerance"), m_tolerance,
              tr("Iterates until ‖C‖ is at most this; 0: until it no longer decreases"));
     m_tolerance->setRange(0.0, kLargestParameter);
-    addField(form, "toleranceKindBox", tr("Tolerance type"), m_kind,
+    addField(form, "toleranceKindBox", tr("Tolerance type"), m_toleranceKind,
              tr("Absolute: mm and rad mixed. Relative: lengths divided by a + b + |c|, the same at every scale"));
-    addChoice(m_kind, ToleranceKind::Absolute, tr("absolute"));
-    addChoice(m_kind, ToleranceKind::Relative, tr("relative"));
+    addChoice(m_toleranceKind, ToleranceKind::Absolute, tr("absolute"));
+    addChoice(m_toleranceKind, ToleranceKind::Relative, tr("relative"));
     addField(form, "iterationsBox", tr("Maximum iterations"), m_iterations, tr("At one time step"));
     m_iterations->setRange(1.0, kMaximumIterations);
     m_iterations->setFixedDecimals(0);
-    for (QWidget *field : std::initializer_list<QWidget *>{m_method, m_tolerance, m_kind, m_iterations}) {
+    for (QWidget *field : std::initializer_list<QWidget *>{m_method, m_tolerance, m_toleranceKind, m_iterations}) {
         field->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     }
     return form;
@@ -133,9 +133,9 @@ void SolverForm::showSettings()
     const auto &[method, newton] = m_session->solver();
     choose(m_method, method);
     m_tolerance->setValue(newton.tolerance);
-    choose(m_kind, newton.toleranceKind);
+    choose(m_toleranceKind, newton.toleranceKind);
     m_iterations->setValue(newton.maxIterations);
-    for (QWidget *field : std::initializer_list<QWidget *>{m_tolerance, m_kind, m_iterations}) {
+    for (QWidget *field : std::initializer_list<QWidget *>{m_tolerance, m_toleranceKind, m_iterations}) {
         field->setEnabled(method == Method::Newton);
     }
     m_outcome->setText(outcomeText(*m_session->result()));
@@ -146,7 +146,7 @@ void SolverForm::edit()
     SolverSettings solver = m_session->solver();
     solver.method = chosen<Method>(m_method);
     solver.newton.tolerance = m_tolerance->value();
-    solver.newton.toleranceKind = chosen<ToleranceKind>(m_kind);
+    solver.newton.toleranceKind = chosen<ToleranceKind>(m_toleranceKind);
     solver.newton.maxIterations = static_cast<int>(m_iterations->value());
     m_session->setSolver(solver);
 }

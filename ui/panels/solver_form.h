@@ -34,7 +34,7 @@ private:
     Session *m_session;
     QComboBox *m_method;
     NumberBox *m_tolerance;
-    QComboBox *m_kind; ///< of the tolerance
+    QComboBox *m_toleranceKind;
     NumberBox *m_iterations;
     QLabel *m_outcome;
 };

@@ -47,7 +47,7 @@ void setLanguage(Language language)
 
 QLocale textLocale()
 {
-    QLocale::Language spoken = QLocale::English; // of the sources
+    QLocale::Language spoken = QLocale::English; // the language of the sources
     for (const QTranslator *translator : QCoreApplication::instance()->findChildren<QTranslator *>(kTranslator)) {
         if (QFileInfo(translator->filePath()).fileName().startsWith(kTexts)) { // the last one is the one in use
             spoken = QLocale(translator->language()).language();

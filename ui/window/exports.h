@@ -34,7 +34,7 @@ public:
 
     FigureSubject plot(const QString &name = {}) const; ///< the whole figure if there is no name
     FigureSubject mechanism() const;
-    FigureSubject polygons() const; ///< of velocity and acceleration, at the current time
+    FigureSubject polygons() const; ///< the velocity and acceleration polygons at the current time
 
     /// Asks for the options and the name of the file.
     void choose(const FigureSubject &subject);
