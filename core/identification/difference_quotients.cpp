@@ -11,19 +11,25 @@ namespace slidercrank
 namespace
 {
 
-/// A difference quotient: the factors of the values before, in and after a row.
+/// A quotient needs this number of rows before and after its own one.
+constexpr Index kReach = 2;
+
+/// A difference quotient: the factors of the values from kReach rows before a row to kReach rows after it.
 struct Stencil {
-    std::array<double, 3> factors;
+    std::array<double, 2 * kReach + 1> factors;
     int order; ///< order of the derivative that the quotient approximates
 };
-constexpr Stencil kSecondDifference{{1.0, -2.0, 1.0}, 2};
-constexpr std::array<Stencil, 4> kStencils{{{{-0.5, 0.0, 0.5}, 1}, // central
-                                            {{0.0, -1.0, 1.0}, 1}, // forward
-                                            {{-1.0, 1.0, 0.0}, 1}, // backward
-                                            kSecondDifference}};
+constexpr Stencil kSecondDifference{{0.0, 1.0, -2.0, 1.0, 0.0}, 2};
+constexpr std::array<Stencil, 7> kStencils{{{{0.0, -0.5, 0.0, 0.5, 0.0}, 1}, // central
+                                            {{0.0, 0.0, -1.0, 1.0, 0.0}, 1}, // forward
+                                            {{0.0, -1.0, 1.0, 0.0, 0.0}, 1}, // backward
+                                            kSecondDifference,
+                                            {{0.25, 0.0, -0.5, 0.0, 0.25}, 2}, // central, of central ones
+                                            {{0.0, 0.0, 1.0, -2.0, 1.0}, 2},   // forward, of forward ones
+                                            {{1.0, -2.0, 1.0, 0.0, 0.0}, 2}}}; // backward, of backward ones
 
-/// Quotients in all rows but the first and the last. Forward and backward quotients are divided by half the distance of
-/// both neighbours, which is right in evenly spaced rows.
+/// Quotients in all rows but the first and the last kReach ones. They are divided by half the distance of both
+/// neighbours, which for forward and backward quotients is right in evenly spaced rows.
 struct Quotients {
     Values values;
     Values bounds; ///< the largest errors of the quotients because of the rounding of the column
@@ -31,13 +37,14 @@ struct Quotients {
 
 Quotients computeQuotients(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column)
 {
-    const Index rows = abscissa.size() - 2;
-    const Values widths = 0.5 * (abscissa.tail(rows) - abscissa.head(rows)).abs();
+    const Index rows = abscissa.size() - 2 * kReach;
+    const Values widths = 0.5 * (abscissa.segment(kReach + 1, rows) - abscissa.segment(kReach - 1, rows)).abs();
     Quotients quotients{Values::Zero(rows), Values::Zero(rows)};
-    for (Index k = 0; k < 3; ++k) {
-        const double factor = stencil.factors[k];
-        quotients.values += factor * column.values.segment(k, rows) / widths.pow(stencil.order);
-        quotients.bounds += std::abs(factor) * column.halfSteps.segment(k, rows) / widths.pow(stencil.order);
+    for (Index k = 0; k < std::ssize(stencil.factors); ++k) {
+        if (const double factor = stencil.factors[k]; factor != 0.0) { // the value may be a gap
+            quotients.values += factor * column.values.segment(k, rows) / widths.pow(stencil.order);
+            quotients.bounds += std::abs(factor) * column.halfSteps.segment(k, rows) / widths.pow(stencil.order);
+        }
     }
     return quotients;
 }
@@ -50,11 +57,11 @@ bool containsQuotients(const Stencil &stencil, const Values &abscissa, const Obs
     constexpr double kMinMovingFraction = 0.4; // of the rows: values that are zero within rounding prove nothing
     constexpr double kMaxBound = 0.05;         // of the range: a larger rounding of the quotients would prove nothing
     const Quotients quotients = computeQuotients(stencil, abscissa, lower);
-    const Values values = column.values.segment(1, quotients.values.size());
+    const Values values = column.values.segment(kReach, quotients.values.size());
     const Values products = gapsAsZeros(quotients.values * values);
     // By least squares, without gaps and without values that are zero, which prove nothing.
     const double factor = products.sum() / (products != 0.0).select(quotients.values.square(), 0.0).sum();
-    const Values bounds = column.halfSteps.segment(1, values.size()) + std::abs(factor) * quotients.bounds;
+    const Values bounds = column.halfSteps.segment(kReach, values.size()) + std::abs(factor) * quotients.bounds;
     const Eigen::ArrayX<bool> agrees =
         (values - factor * quotients.values).abs() <= bounds && bounds < kMaxBound * column.range;
     const Eigen::ArrayX<bool> agreesAndMoves = agrees && values.abs() > bounds;
@@ -84,7 +91,8 @@ bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn
     constexpr double kMinCurvature = 3.0; // at the other rows (median), relative to what rounding can simulate
     const Quotients curvature = computeQuotients(kSecondDifference, observations.abscissa(), column);
     const Index rows = curvature.values.size();
-    const Eigen::ArrayX<bool> isRepeated = column.values.segment(1, rows) == column.values.head(rows);
+    const Eigen::ArrayX<bool> isRepeated =
+        column.values.segment(kReach, rows) == column.values.segment(kReach - 1, rows);
     const Eigen::ArrayX<bool> isOnLineOrRepeated = curvature.values.abs() <= curvature.bounds || isRepeated;
     const Values curvatureOfOthers = isOnLineOrRepeated.select(kNone, curvature.values.abs() / curvature.bounds);
     return isOnLineOrRepeated.cast<double>().mean() > kMinFraction && median(curvatureOfOthers) > kMinCurvature;
@@ -94,7 +102,7 @@ bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn
 
 Observations withComputedColumnsMarked(Observations observations)
 {
-    constexpr Index kMinRows = 3; // of a second difference
+    constexpr Index kMinRows = 2 * kReach + 1;
     for (ObservedColumn &column : observations.columns) {
         if (observations.size() >= kMinRows && !column.isConstant()) {
             column.isDifference = containsDifferences(observations, column);

@@ -55,6 +55,31 @@ Observations withComputed(Channel computed, Channel source, double step, const F
     return observe(data, {});
 }
 
+/// Replaces the acceleration of the slider by quotients of quotients of its position: central or forward ones.
+Observations withRepeatedQuotients(bool isCentral)
+{
+    Printing coarse;
+    coarse.rows = 37;
+    ReferenceData data = printedData(Parameters(), coarse);
+    const std::vector<double> position = valuesOf(data, {R4x, Order::Position});
+    const double dt = data.time[1] - data.time[0];
+    const auto quotients = [&](const std::vector<double> &values) {
+        std::vector<double> result(values.size(), 0.0);
+        for (std::size_t i = 1; i + 1 < values.size(); ++i) {
+            result[i] = isCentral ? (values[i + 1] - values[i - 1]) / (2.0 * dt) : (values[i + 1] - values[i]) / dt;
+        }
+        return result;
+    };
+    const std::vector<double> acceleration = quotients(quotients(position));
+    for (std::size_t i = 0; i < acceleration.size(); ++i) {
+        valuesOf(data, {R4x, Order::Acceleration})[i] = 0.01 * std::rint(100.0 * acceleration[i]);
+    }
+    std::erase_if(data.series, [](const ReferenceSeries &series) {
+        return series.channel == Channel{R4x, Order::Velocity};
+    });
+    return observe(data, {});
+}
+
 class TestCrank : public QObject
 {
     Q_OBJECT
@@ -134,6 +159,9 @@ private slots:
             return (before - 2.0 * at + after) / (dt * dt);
         };
         QVERIFY(contains(withComputed(acceleration, slider, 1e-2, second), acceleration));
+        for (const bool isCentral : {true, false}) { // quotients of quotients that the file does not contain
+            QVERIFY(contains(withRepeatedQuotients(isCentral), acceleration));
+        }
         Printing coarse; // so that quotients differ from derivatives by more than their rounding
         coarse.rows = 31;
         const Observations exact = observe(printedData(Parameters(), coarse), {});
