@@ -32,11 +32,11 @@ void appendForColumn(std::vector<ConventionFinding> &conventions, Kind kind, Cha
     conventions.push_back({{kind, {channel}, amount}});
 }
 
-/// Appends the convention that adds `amount` (° or mm) to a column. `hadJumps`: jumps by whole turns have to be removed
-/// from it. An amount is usual if it is a multiple of 180°, or 0 mm.
-/// `error`: standard error of another amount.
-void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, double amount, bool hadJumps,
-                 double error)
+/// Appends the convention that adds `amount` (° or mm) to a column. `errorOfAmount`: its standard error.
+/// `hadJumps`: jumps by whole turns have to be removed from the column. Amounts are usual that are multiples of 180°,
+/// or 0 mm: they have no error.
+void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, double amount, double errorOfAmount,
+                 bool hadJumps)
 {
     constexpr double kHalfTurnInDegrees = 180.0;
     // ° or mm: far above the rounding errors of an amount that is usual, far below an origin that matters.
@@ -49,7 +49,7 @@ void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, d
             appendForColumn(conventions, Kind::WholeTurns, channel, 0.0);
         }
         appendForColumn(conventions, Kind::ZeroPoint, channel, amount);
-        conventions.back().standardError = error;
+        conventions.back().standardError = errorOfAmount;
     } else if (!areWholeTurns) {
         appendForColumn(conventions, Kind::HalfTurn, channel, usual);
     } else if (channel != kCrankAngle && (usual != 0.0 || hadJumps)) { // crank angles are compared up to whole turns
@@ -58,9 +58,9 @@ void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, d
 }
 
 /// Appends the conventions that turn a column into `channel`: value = factor · motion + origin, so that the motion is
-/// value / factor - origin / factor. `error`: standard error of the origin, in the unit of files.
+/// value / factor - origin / factor. `errorOfOrigin`: standard error of the origin (mm, rad).
 void appendReading(std::vector<ConventionFinding> &conventions, Channel channel, const ColumnReading &reading,
-                   bool hadJumps, double error)
+                   double errorOfOrigin, bool hadJumps)
 {
     const double unit = std::abs(reading.factor);
     if (unit != 1.0) {
@@ -70,7 +70,8 @@ void appendReading(std::vector<ConventionFinding> &conventions, Channel channel,
     if (reading.factor < 0.0) {
         appendForColumn(conventions, Kind::Sign, channel, -1.0);
     }
-    appendShift(conventions, channel, toFileUnit(channel, -reading.origin / reading.factor), hadJumps, error);
+    appendShift(conventions, channel, toFileUnit(channel, -reading.origin / reading.factor),
+                toFileUnit(channel, errorOfOrigin / unit), hadJumps);
 }
 
 } // namespace
@@ -82,17 +83,18 @@ std::vector<ConventionFinding> listConventions(const LastFit &lastFit)
     const Model &model = fit.model;
     std::vector<ConventionFinding> conventions;
     if (model.followsAngle) {
-        // θ2 = factor · angle + origin
+        // The model contains θ2 = angleFactor · angle + θ20, and not the angle in the file as a reading of θ2.
         const ColumnReading reading{1.0 / model.angleFactor, -wrapToPi(model.mechanism.theta20) / model.angleFactor};
-        const double error = lastFit.standardErrorOf({Unknown::Kind::CrankAngle}) * kDegreesPerRadian;
-        appendReading(conventions, kCrankAngle, reading, false, error);
+        const double errorOfOrigin = lastFit.standardErrorOf({Unknown::Kind::CrankAngle}) / std::abs(model.angleFactor);
+        constexpr bool kHadJumps = false; // θ2 is compared up to whole turns, with or without jumps
+        appendReading(conventions, kCrankAngle, reading, errorOfOrigin, kHadJumps);
     }
     Indices columns = fit.columns; // in the order of the file
     std::ranges::sort(columns);
     for (const Index k : columns) {
         const ObservedColumn &column = observations.columns[k];
-        const double error = toFileUnit(column.channel, lastFit.standardErrorOf({Unknown::Kind::Origin, k}));
-        appendReading(conventions, column.channel, model.readings[k], column.hadJumps, error);
+        const double errorOfOrigin = lastFit.standardErrorOf({Unknown::Kind::Origin, k});
+        appendReading(conventions, column.channel, model.readings[k], errorOfOrigin, column.hadJumps);
     }
     return conventions;
 }

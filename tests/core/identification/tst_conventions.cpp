@@ -383,6 +383,26 @@ private slots:
         QVERIFY(found[0].convention == (Convention{Kind::TimeShift, {}, -0.137}));
     }
 
+    /// An origin of 13.7° has the same error if the angles are printed in radians, with as many digits.
+    void statesTheErrorOfAnOriginInTheUnitOfItsAmount()
+    {
+        Printing printing;
+        printing.channels = kAngleAndPosition;
+        const ReferenceData inDegrees =
+            applied({Kind::ZeroPoint, {kTheta3}, 13.7}, printedData(Parameters(), printing));
+        const ReferenceData inRadians = applied({Kind::AngleUnit, {kTheta3}, 1.0 / kDegreesPerRadian}, inDegrees);
+        const auto errorOfOrigin = [](const ReferenceData &data) {
+            const auto found = findConventions(data, Parameters());
+            const auto isOrigin = [](const ConventionFinding &finding) {
+                return finding.convention.kind == Kind::ZeroPoint && std::abs(finding.convention.amount + 13.7) < 1e-3;
+            };
+            const auto origin = std::ranges::find_if(found, isOrigin);
+            return origin != found.end() ? origin->standardError.value() : kNone;
+        };
+        const double ratio = errorOfOrigin(inRadians) / errorOfOrigin(inDegrees);
+        QVERIFY2(std::abs(ratio - 1.0) < 0.1, QByteArray::number(ratio));
+    }
+
     void convertsTheRoundingStepToo()
     {
         // The last digit of 204.624 is 0.001, and it remains so for 24.624, half a turn before.
