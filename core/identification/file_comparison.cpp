@@ -8,6 +8,7 @@
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -17,6 +18,8 @@ namespace slidercrank
 
 namespace
 {
+
+using Kind = Convention::Kind;
 
 /// Converts the positions of a file with θ2 to a table over the crank angle, which is sorted by θ2 without jumps. Rows
 /// without θ2 are left out. Of several rows with the same θ2, only the first one remains, because a table has distinct
@@ -73,16 +76,23 @@ std::vector<ChannelComparison> compareCorrectedFile(const Parameters &mechanism,
     return reference ? compareExactly(timed, *reference, stop, fitted).channels : std::vector<ChannelComparison>();
 }
 
-/// The largest error of the columns that a convention changes, in percent of the peaks; of all columns if it changes
-/// the times, the axes or the model.
-double largestPercent(const std::vector<ChannelComparison> &comparisons, const Convention &convention)
+/// Whether a convention changes the comparison of every column: it changes the times, the axes or the model, or θ2
+/// where this is the abscissa.
+bool changesAllColumns(const Convention &convention, bool isAngleAbscissa)
 {
-    const bool concernsAll = convention.kind == Convention::Kind::TimeUnit ||
-                             convention.kind == Convention::Kind::Axis || convention.channels.empty() ||
-                             concerns(convention, kCrankAngle);
+    constexpr std::array kKindsOfAllColumns{Kind::TimeUnit, Kind::TimeShift, Kind::Axis, Kind::Branch};
+    return std::ranges::find(kKindsOfAllColumns, convention.kind) != kKindsOfAllColumns.end() ||
+           (isAngleAbscissa && concerns(convention, kCrankAngle));
+}
+
+/// The largest error of the columns that a convention changes, in percent of their peaks.
+double largestPercentOfPeak(const std::vector<ChannelComparison> &comparisons, const Convention &convention,
+                            bool isAngleAbscissa)
+{
+    const bool changesAll = changesAllColumns(convention, isAngleAbscissa);
     double largest = 0.0;
     for (const ChannelComparison &comparison : comparisons) {
-        if (concernsAll || concerns(convention, comparison.channel)) {
+        if (changesAll || concerns(convention, comparison.channel)) {
             largest = std::max(largest, comparison.percentOfPeak.value_or(0.0));
         }
     }
@@ -110,8 +120,9 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
         }
         const std::vector<ChannelComparison> withOthers =
             compareCorrectedFile(without, applyAll(others, usedColumns), findings, notFitted);
-        conventions[i].before = largestPercent(withOthers, convention);
-        conventions[i].after = largestPercent(withAll, convention);
+        const bool isAngleAbscissa = findings.lastFit.fit.model.followsAngle;
+        conventions[i].before = largestPercentOfPeak(withOthers, convention, isAngleAbscissa);
+        conventions[i].after = largestPercentOfPeak(withAll, convention, isAngleAbscissa);
     }
 }
 
@@ -204,7 +215,7 @@ void takeResidualsFromComparison(Identification &result)
     }
 }
 
-/// Adds the conventions. If conventions of the whole file lead to the given mechanism, `result` becomes that mechanism.
+/// Adds the conventions, and changes the mechanism found if conventions of the whole file lead to the given one.
 /// Returns the used columns after all conventions are applied.
 ReferenceData addConventions(Identification &result, const ReferenceData &data,
                              const std::optional<Convention> &tableConvention, const Findings &findings,
