@@ -55,16 +55,23 @@ double signOfCoordinate(const Observations &observations, const Fit &fit, Coordi
     return 1.0;
 }
 
-ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index k, bool othersAreExact)
+double bestScale(const Observations &observations, const Fit &fit, const Model &model, Index k)
 {
     const ObservedColumn &column = observations.columns[k];
     const Values motion = computeMotion(model, observations, {k}).col(0);
     const double factor = column.isDerivative() ? bestFactor(motion, column.values) : bestSlope(motion, column.values);
+    return factor * signOfCoordinate(observations, fit, column.channel.coordinate);
+}
+
+ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index k, bool othersAreExact)
+{
+    const ObservedColumn &column = observations.columns[k];
+    const double factor = bestScale(observations, fit, model, k);
     Model scaled = model;
-    scaled.readings[k] = {factor, 0.0};
+    scaled.readings[k] = {factor * signOfCoordinate(observations, fit, column.channel.coordinate), 0.0};
     const Fit ofColumn = evaluateModel(observations, scaled, {k});
     const bool isSmall = ofColumn.rms[0] < largestFurtherResidual(othersAreExact) * column.range;
-    return {.factor = factor * signOfCoordinate(observations, fit, column.channel.coordinate),
+    return {.factor = factor,
             .isExplained = ofColumn.isFinite() && (isSmall || isWithinRounding(observations, ofColumn, 0)),
             .isNearRounding = ofColumn.isFinite() && isNearRounding(observations, ofColumn, 0)};
 }
@@ -81,7 +88,7 @@ double usualFactor(const Observations &observations, const Fit &fit, Index k)
     if (column.isConstant() && !isSpeedOfCrank) {
         return sign; // zeros have neither sign nor scale
     }
-    const double factor = sign * fitScale(observations, fit, fit.model, k, false).factor;
+    const double factor = sign * bestScale(observations, fit, fit.model, k);
     if (isSpeedOfCrank) {
         return std::copysign(1.0, factor); // another value is another speed, and not another unit
     }

@@ -34,22 +34,25 @@ inline constexpr std::array kAngleFactors = withInverses(kAngleUnits);
 /// the mechanism explains the other columns exactly (within rounding), the further column may have hardly any residual.
 double largestFurtherResidual(bool othersAreExact);
 
-/// The factors by which a column of this channel may be in a different unit than its heading says; the first is 1.
+/// The possible ratios of the unit of a column of this channel to the one that its heading states; the first is 1.
 std::span<const double> unitFactors(Channel channel);
 
 /// The sign with which a coordinate is counted: that of the first of its columns in the fit, or 1 if there is none.
 double signOfCoordinate(const Observations &observations, const Fit &fit, Coordinate coordinate);
 
-/// The factor by which a prediction has to be multiplied to fit a column best, and whether it then explains the column.
+/// The factor by which the prediction of `model` has to be multiplied to fit a column best that `fit` does not use.
+/// `model`: that of the fit at the same or at another speed of the crank. The factor is negative if the column has the
+/// opposite sign to the columns of the same coordinate that the fit uses.
+double bestScale(const Observations &observations, const Fit &fit, const Model &model, Index column);
+
+/// The result of bestScale(), and whether the prediction then explains the column.
 struct ColumnScale {
-    /// Negative if the column has the opposite sign to the columns of the same coordinate that the fit uses.
     double factor = kNone;
     bool isExplained = false;    ///< after multiplication by the factor, the residuals are rounding or small
     bool isNearRounding = false; ///< they are as small as rounding
 };
 
-/// Compares a column that `fit` does not use with the prediction of `model`, which is that of the fit at the same or at
-/// another speed of the crank.
+/// Compares a column with the prediction of `model` like bestScale(). `othersAreExact`: see largestFurtherResidual().
 ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index column,
                      bool othersAreExact);
 

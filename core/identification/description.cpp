@@ -4,6 +4,7 @@
 #include "core/identification/geometry.h"
 #include "core/identification/length_change.h"
 #include "core/identification/mirror_images.h"
+#include "core/identification/residual_test.h"
 #include "core/identification/round_values.h"
 
 #include <algorithm>
@@ -69,22 +70,31 @@ void chooseImage(Findings &findings, const Parameters &given)
     }
 }
 
-/// If the lengths of the given mechanism do not explain the file as well as the last fit does, looks for a single wrong
-/// one, findings.change. If they do, and the fit has free origins, replaces its lengths by them: such a fit may explain
-/// the file equally well with other lengths and other origins.
-void preferGivenLengths(Findings &findings, const Observations &searched, const Parameters &given)
+/// Replaces the lengths of the last fit by the given ones.
+void moveToGivenLengths(Findings &findings, const Parameters &given)
 {
     Fit &last = findings.lastFit.fit;
+    last.replaceModel(fitWithGivenLengths(findings.lastFit.observations, last, given));
+    chooseImage(findings, given); // the other images have the same lengths
+}
+
+/// Compares the lengths of the last fit with the given ones. If the given ones explain the file as well, a fit with
+/// free origins is moved to them: other lengths with other origins may be nearly the same curve. If they do not, a
+/// single wrong one is looked for, findings.change.
+void compareWithGivenLengths(Findings &findings, const Observations &searched, const Parameters &given)
+{
+    const Fit &last = findings.lastFit.fit;
     const Fit best = fitModel(searched, last.model, last.columns, last.unknowns);
     if (!best.isFinite() || !determineLengths(searched, best.columns)) {
         return;
     }
-    const auto isOrigin = [](Unknown unknown) { return !unknown.isParameter(); };
     if (!explainsAsWell(searched, fitWithGivenLengths(searched, best, given), best)) {
         findings.change = findLengthChange(searched, best, given, findings.lengthUnit);
-    } else if (std::ranges::any_of(last.unknowns, isOrigin)) {
-        last.replaceModel(fitWithGivenLengths(findings.lastFit.observations, last, given));
-        chooseImage(findings, given); // the other images have the same lengths
+        return;
+    }
+    const bool hasFreeOrigins = !std::ranges::all_of(last.unknowns, &Unknown::isParameter);
+    if (hasFreeOrigins) {
+        moveToGivenLengths(findings, given);
     }
 }
 
@@ -97,7 +107,7 @@ void chooseExpectedDescription(Findings &findings, const Observations &searched,
     const Parameters unrounded = parametersAtTimeZero(last.fit.model, last.observations, findings.drive);
     moveToChosenNumbers(last, unrounded, findings.lengthUnit);
     chooseImage(findings, given);
-    preferGivenLengths(findings, searched, given);
+    compareWithGivenLengths(findings, searched, given);
 }
 
 } // namespace slidercrank

@@ -103,7 +103,7 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
             start.mechanism.b /= unit;
             start.mechanism.c *= offsetScale;
             Fit next = fitModel(observations, std::move(start), fit.columns, fit.unknowns);
-            if (isExact(observations, next) || next.misfit - fit.misfit < kSameMisfit * dependence(fit)) {
+            if (explainsAsWell(observations, next, fit)) {
                 fit = std::move(next);
                 break;
             }
@@ -136,39 +136,34 @@ Fit withUsualSign(const Observations &observations, Fit fit)
     return isExact(observations, next) ? next : fit;
 }
 
-/// Whether the file does not need a freedom (for the conditions, see withoutFreedoms()). `with`: the fit in which
-/// `unknown` is free. `without`: the fit in which it is fixed at its usual value `usual`.
-bool isUnneeded(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double usual)
+/// Whether the file does not need an origin (for the conditions, see withoutFreedoms()). `freeFit`: the fit in which
+/// `origin` is free. `fixedFit`: the fit in which it has its usual value `usual`.
+bool isUnneeded(const Observations &observations, const Fit &freeFit, const Fit &fixedFit, Unknown origin, double usual)
 {
-    if (!without.isFinite()) {
-        return false;
-    }
-    if (isExact(observations, without)) {
-        return true;
-    }
-    if (without.misfit - with.misfit < kSameMisfit * dependence(with)) {
+    if (explainsAsWell(observations, fixedFit, freeFit)) {
         return true;
     }
     const bool mayComeFromFilter =
-        isSystematic(observations, with) || isSmallOrigin(observations, with.model, unknown, usual);
-    return mayComeFromFilter && hasSmallResiduals(observations, without);
+        isSystematic(observations, freeFit) || isSmallOrigin(observations, freeFit.model, origin, usual);
+    return mayComeFromFilter && hasSmallResiduals(observations, fixedFit);
 }
 
 /// Whether an origin that is not needed may exist nevertheless: it is no larger than the rounding steps, or the misfit
 /// grows without it as for an origin two standard errors away.
-bool mayExist(const Observations &observations, const Fit &with, const Fit &without, Unknown unknown, double usual)
+bool originMayExist(const Observations &observations, const Fit &freeFit, const Fit &fixedFit, Unknown origin,
+                    double usual)
 {
     constexpr double kGrowth = 4.0; // of the misfit, for two standard errors
-    return without.misfit - with.misfit > kGrowth || isBelowRounding(observations, with, unknown, usual);
+    return fixedFit.misfit - freeFit.misfit > kGrowth || isBelowRounding(observations, freeFit, origin, usual);
 }
 
 /// Adds the changes of the parameters from one fit to another to `errors`, as independent errors.
-void addPossibleErrors(ParameterErrors &errors, const Fit &with, const Fit &without)
+void addPossibleErrors(ParameterErrors &errors, const Fit &freeFit, const Fit &fixedFit)
 {
-    for (const Unknown unknown : without.unknowns) {
+    for (const Unknown unknown : fixedFit.unknowns) {
         if (unknown.isParameter()) {
             double &error = errors[indexOf(toParameter(unknown))];
-            error = std::hypot(error, valueOf(without.model, unknown) - valueOf(with.model, unknown));
+            error = std::hypot(error, valueOf(fixedFit.model, unknown) - valueOf(freeFit.model, unknown));
         }
     }
 }
@@ -190,21 +185,21 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const 
     if (!result.fit.isFinite()) {
         return result;
     }
-    Unknowns freedoms;
-    std::ranges::copy_if(result.fit.unknowns, std::back_inserter(freedoms), [&](Unknown unknown) {
+    Unknowns origins;
+    std::ranges::copy_if(result.fit.unknowns, std::back_inserter(origins), [&](Unknown unknown) {
         const bool isOriginOfAngle = result.fit.model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
         return isOriginOfAngle || unknown.kind == Unknown::Kind::Origin;
     });
-    for (const Unknown freedom : freedoms) {
-        const double usual = nearestUsualValue(observations, result.fit.model, freedom);
-        Fit without = fitWithFixed(observations, result.fit, freedom, usual);
-        if (!isUnneeded(observations, result.fit, without, freedom, usual)) {
+    for (const Unknown origin : origins) {
+        const double usual = nearestUsualValue(observations, result.fit.model, origin);
+        Fit fixedFit = fitWithFixed(observations, result.fit, origin, usual);
+        if (!isUnneeded(observations, result.fit, fixedFit, origin, usual)) {
             continue;
         }
-        if (mayExist(observations, result.fit, without, freedom, usual)) {
-            addPossibleErrors(result.possibleErrors, result.fit, without);
+        if (originMayExist(observations, result.fit, fixedFit, origin, usual)) {
+            addPossibleErrors(result.possibleErrors, result.fit, fixedFit);
         }
-        result.fit = std::move(without);
+        result.fit = std::move(fixedFit);
     }
     return result;
 }

@@ -21,13 +21,12 @@ struct ConstrainedFit {
 Fit withUsualReadings(const Observations &observations, Fit fit);
 
 /// Sets each origin to its nearest usual value, one after the other, and fits the other unknowns again: the angle of
-/// the crank and θ3 to a multiple of half a turn, lengths to 0. An origin stays free only if the file needs it, which
-/// means that all of these hold:
-///   1. without it, rounding does not explain the residuals;
-///   2. the misfit grows without it, by more than 20 times the dependence of the residuals (see noise.h);
-///   3. without it, the residuals of a column are larger than 1 % of its range. This is required if the residuals are
-///      systematic or the origin is small (2 % of the range of its column, 1° of the crank), because a filter or an
-///      interpolation bends the curve that much, too.
+/// the crank and θ3 to a multiple of half a turn, lengths to 0. An origin is not needed, and stays at its usual value,
+/// if one of these is true of the fit without it:
+///   1. it explains the columns as well (explainsAsWell());
+///   2. a filter or an interpolation may have bent the curve as the origin does: the residuals of each column are below
+///      1 % of its range, and the origin is small (2 % of the range of its column, 1° of the crank) or the
+///      residuals of the fit with the free origin are systematic.
 /// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
 /// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are added to
 /// `earlierErrors`, the possible errors of a ConstrainedFit from which `fit` was made. A fit that is not finite remains

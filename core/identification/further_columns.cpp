@@ -28,26 +28,39 @@ double bestOrigin(const Observations &observations, const Fit &fit, Index k, dou
     return column.isDerivative() ? 0.0 : median(differences);
 }
 
+/// Whether the last column of a fit, which was added to the others, is explained: its residuals are rounding, or small.
+bool isLastColumnExplained(const Observations &observations, const Fit &together, bool isGeometryExact)
+{
+    const Index place = std::ssize(together.columns) - 1;
+    const double largestRms = largestFurtherResidual(isGeometryExact) * columnSize(observations, together, place);
+    return isWithinRounding(observations, together, place) ||
+           (isExplained(observations, together, place) && together.rms.back() < largestRms);
+}
+
+/// Whether the columns of `fit` are explained as well by the model of `together`, which was fitted to them and to a
+/// further column. Unlike explainsAsWell(), does not raise the limit for systematic residuals, because the further
+/// column must not bend the curve of the others.
+bool areOthersStillExplained(const Observations &observations, const Fit &together, const Fit &fit,
+                             bool isGeometryExact)
+{
+    const Fit others = evaluateModel(observations, together.model, fit.columns);
+    return others.misfit - fit.misfit <= kSameMisfit || (isGeometryExact && isExact(observations, others));
+}
+
 /// Fits column k together with the columns of a fit, starting from `model`, which reads the column. Returns nullopt if
 /// no mechanism explains them all. `isGeometryExact`: rounding explains the columns from which
 /// the geometry was found.
-std::optional<Fit> withColumn(const Observations &observations, const Fit &fit, const Model &model, Index k,
-                              bool isGeometryExact)
+std::optional<Fit> tryToAddColumn(const Observations &observations, const Fit &fit, const Model &model, Index k,
+                                  bool isGeometryExact)
 {
     Indices columns = fit.columns;
     columns.push_back(k);
     Fit together = fitModel(observations, model, columns, fit.unknowns);
-    if (!together.isFinite()) {
+    if (!together.isFinite() || !isLastColumnExplained(observations, together, isGeometryExact) ||
+        !areOthersStillExplained(observations, together, fit, isGeometryExact)) {
         return std::nullopt;
     }
-    const Index last = std::ssize(columns) - 1;
-    const double largestRms = largestFurtherResidual(isGeometryExact) * columnSize(observations, together, last);
-    const bool isColumnExplained = isWithinRounding(observations, together, last) ||
-                                   (isExplained(observations, together, last) && together.rms.back() < largestRms);
-    const Fit others = evaluateModel(observations, together.model, fit.columns);
-    const bool areOthersExplained =
-        others.misfit - fit.misfit <= kSameMisfit || (isGeometryExact && isExact(observations, others));
-    return isColumnExplained && areOthersExplained ? std::optional(std::move(together)) : std::nullopt;
+    return together;
 }
 
 /// Whether an origin of the column can be told from the motion: that of a position that changes, or of R4_y.
@@ -87,7 +100,7 @@ std::optional<Fit> withSimplestReading(const Observations &observations, const F
     Model model = fit.model;
     for (const ColumnReading &reading : simpleReadings(observations, fit, k, factor)) {
         model.readings[k] = reading;
-        if (std::optional<Fit> together = withColumn(observations, fit, model, k, isGeometryExact)) {
+        if (std::optional<Fit> together = tryToAddColumn(observations, fit, model, k, isGeometryExact)) {
             return together;
         }
     }
@@ -98,7 +111,7 @@ std::optional<Fit> withSimplestReading(const Observations &observations, const F
     withOrigin.unknowns.push_back({Unknown::Kind::Origin, k});
     for (const double signedFactor : {factor, -factor}) {
         model.readings[k] = {signedFactor, bestOrigin(observations, fit, k, signedFactor)};
-        if (std::optional<Fit> together = withColumn(observations, withOrigin, model, k, isGeometryExact)) {
+        if (std::optional<Fit> together = tryToAddColumn(observations, withOrigin, model, k, isGeometryExact)) {
             return together;
         }
     }
@@ -177,22 +190,20 @@ Reason reasonOfMismatch(const Observations &observations, const Fit &fit, Index 
 }
 
 /// The same as percentOfPeak(), at the speed of the crank and in the unit that suit the column best.
-double percentOfPeakAtBestSpeed(const Observations &observations, const Fit &fit, Index k, bool isGeometryExact)
+double percentOfPeakAtBestSpeed(const Observations &observations, const Fit &fit, Index k)
 {
     const double sign = signOfCoordinate(observations, fit, observations.columns[k].channel.coordinate);
-    const double factor = fitScale(observations, fit, fit.model, k, isGeometryExact).factor;
-    return percentOfPeak(observations, fit, k, sign * factor);
+    return percentOfPeak(observations, fit, k, sign * bestScale(observations, fit, fit.model, k));
 }
 
-/// Adds column k to result.fit, or to result.leftOut with a reason. `isGeometryExact`: see withColumn().
+/// Adds column k to result.fit, or to result.leftOut with a reason. `isGeometryExact`: see tryToAddColumn().
 void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Index k, Drive::Kind drive,
                    bool isGeometryExact)
 {
     const ObservedColumn &column = observations.columns[k];
     const Fit &fit = result.fit;
     if (const std::optional<Reason> reason = reasonWithoutPrediction(column, fit, drive)) {
-        const double percent =
-            *reason == Reason::UnevenSpeed ? kNone : percentOfPeakAtBestSpeed(observations, fit, k, isGeometryExact);
+        const double percent = *reason == Reason::UnevenSpeed ? kNone : percentOfPeakAtBestSpeed(observations, fit, k);
         result.leftOut.push_back({column.channel, *reason, percent});
         return;
     }
@@ -236,10 +247,10 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
         if (column.containsAngles() || !column.isDerivative() || column.channel.order == fittedOrder) {
             continue;
         }
-        const double factor = fitScale(observations, fit, fit.model, k, isGeometryExact).factor;
+        const double factor = bestScale(observations, fit, fit.model, k);
         start.model = atOtherSpeed(fit, fittedOrder, fittedOrder == Order::Velocity ? factor : 1.0 / factor);
         start.model.readings[k] = {signOfCoordinate(observations, start, column.channel.coordinate), 0.0};
-        std::optional<Fit> together = withColumn(observations, start, start.model, k, isGeometryExact);
+        std::optional<Fit> together = tryToAddColumn(observations, start, start.model, k, isGeometryExact);
         if (together && isLastColumnGenuine(observations, *together)) {
             return together;
         }
@@ -247,17 +258,18 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
     return std::nullopt;
 }
 
-/// Adds the speed that derivatives in a table over the crank angle show to the unknowns of result.fit, or the speeds
-/// that they allow to result.speeds.
-void findSpeed(FurtherColumns &result, const Observations &observations, double givenSpeed, bool isGeometryExact)
+/// Determines ω2 of a table over the crank angle from its derivatives. If these show a single speed, it becomes an
+/// unknown of result.fit. If they allow several, result.speeds are these.
+void addSpeedOfTable(FurtherColumns &result, const Observations &observations, double givenSpeed, bool isGeometryExact)
 {
     Fit &fit = result.fit;
-    if (fit.isFree({Unknown::Kind::Omega2})) {
+    if (fit.isFree({Unknown::Kind::Omega2})) { // rates of θ3, from which the geometry was found, have shown it
         return;
     }
-    const bool hasLengthsOfOneOrder =
+    // The fit contains lengths, all of them velocities or all accelerations, which show only a ω2 or a ω2².
+    const bool isSpeedHidden =
         !determineLengths(observations, fit.columns) && !observations.containOnlyAngles(fit.columns);
-    if (hasLengthsOfOneOrder) {
+    if (isSpeedHidden) {
         fit = withSpeedOfTwoOrders(observations, fit, isGeometryExact).value_or(fit);
         return;
     }
@@ -276,7 +288,7 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
     FurtherColumns result{.fit = drive.kind == Drive::Kind::OverTime ? withSpeedOfVelocities(observations, fit) : fit};
     const bool isGeometryExact = isExact(observations, result.fit);
     if (drive.kind == Drive::Kind::OverAngle) {
-        findSpeed(result, observations, given.omega2, isGeometryExact);
+        addSpeedOfTable(result, observations, given.omega2, isGeometryExact);
     }
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
         for (Index k = 0; k < std::ssize(observations.columns); ++k) {

@@ -55,11 +55,6 @@ Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const
     return fitModel(observations, start, best.columns, unknownsExceptLengths(best));
 }
 
-bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best)
-{
-    return isExact(observations, fit) || fit.misfit - best.misfit < kSameMisfit * dependence(best);
-}
-
 std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best, const Parameters &given,
                                              double lengthUnit)
 {

@@ -14,10 +14,6 @@ namespace slidercrank
 /// Fits the given lengths to the file in the reading of `best`: only the drive and the origins are free.
 Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const Parameters &given);
 
-/// Whether a fit with fewer unknowns explains the file as well as `best`: its residuals are rounding, or its misfit is
-/// higher by less than kSameMisfit times the dependence of the residuals of `best`.
-bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best);
-
 /// Returns the only length that has to be changed so that the given mechanism explains the file, in the reading of
 /// `best` and with its drive, as well as `best` does. It is a round number of `lengthUnit` (mm) if that explains the
 /// file as well. nullopt if no length, or if any of several could be the wrong one: all three if

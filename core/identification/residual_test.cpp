@@ -77,6 +77,11 @@ bool isExact(const Observations &observations, const Fit &fit)
     return true;
 }
 
+bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best)
+{
+    return isExact(observations, fit) || fit.misfit - best.misfit < kSameMisfit * dependence(best);
+}
+
 bool isSystematic(const Observations &observations, const Fit &fit)
 {
     const auto isInterpolated = [&](Index k) { return observations.columns[k].isInterpolated; };

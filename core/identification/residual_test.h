@@ -38,6 +38,12 @@ bool isExplained(const Observations &observations, const Fit &fit, Index place);
 /// Whether rounding explains the residuals of all columns of the fit.
 bool isExact(const Observations &observations, const Fit &fit);
 
+/// Whether a fit with no more unknowns explains its columns as well as `best`, a fit of the same columns, does: its
+/// residuals are rounding, or its misfit is higher by less than kSameMisfit. Of systematic residuals, only one of
+/// dependence(best) is independent, so that the misfit counts each of them several times. Then the limit is
+/// higher by this factor.
+bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best);
+
 /// Whether the file proves that the residuals of the fit are systematic, not rounding or noise: they keep their sign
 /// for some rows, or a column was interpolated.
 bool isSystematic(const Observations &observations, const Fit &fit);
