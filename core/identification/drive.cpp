@@ -42,7 +42,9 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
     const Values errors = fit.residuals.abs();
     // Half a rounding step of the angle, and the motion of the crank during half a step of the time.
     const double bound = halfStep + std::abs(fit.coefficients[1]) / halfSpan * observations.timeHalfStep + kArithmetic;
-    const double variance = errors.square().mean() + bound * bound / 3.0; // that of the residuals plus that of rounding
+    // As in the misfit (fit.h), not below the variance of rounding, even if a few residuals happen to be smaller. If
+    // all errors are rounding, it counts twice, so that the standard errors become too large and not too small.
+    const double variance = errors.square().mean() + bound * bound / 3.0;
     const double percentWithin = 100.0 * (errors <= bound).cast<double>().mean();
     const bool isRounding =
         percentWithin >= static_cast<double>(kPercentWithinBound) && errors.maxCoeff() < kMaxBounds * bound;
@@ -67,12 +69,12 @@ Drive makeRunUp(const Polynomial &parabola, double timeOrigin)
                 .theta20 = parabola.coefficients[0],
                 .omega2 = parabola.coefficients[1],
                 .alpha2 = 2.0 * parabola.coefficients[2]};
-    // The errors of the coefficients are taken as independent. As t is zero in the middle of the file, only those of
-    // the constant and of t² depend on each other. Their covariance is negative: without it, the error of the angle
-    // becomes too large, and not too small.
+    // The errors of the coefficients are taken as independent. As t is zero in the middle of the file, and the rows are
+    // evenly spaced or nearly so, only those of the constant and of t² depend on each other. Their covariance is
+    // negative: without it, the error of the angle becomes too large, and not too small.
     const Eigen::Vector3d errors = parabola.standardErrors;
-    drive.speedError = std::hypot(errors[1], 2.0 * errors[2] * timeOrigin);
-    drive.angleError = std::hypot(errors[0], errors[1] * timeOrigin, errors[2] * timeOrigin * timeOrigin);
+    drive.speedErrorAtZero = std::hypot(errors[1], 2.0 * errors[2] * timeOrigin);
+    drive.angleErrorAtZero = std::hypot(errors[0], errors[1] * timeOrigin, errors[2] * timeOrigin * timeOrigin);
     return drive;
 }
 
@@ -102,8 +104,8 @@ Drive findDrive(const Observations &observations, const Model &model)
     Drive drive = parabola.explainsAngles ? makeRunUp(parabola, observations.timeOrigin)
                                           : Drive{.kind = Drive::Kind::Uneven, .omega2 = meanSpeed};
     const Values speeds = computeSlopes(angles, observations.time, kSlopeStep);
-    drive.least = speeds.minCoeff();
-    drive.greatest = speeds.maxCoeff();
+    drive.minSpeed = speeds.minCoeff();
+    drive.maxSpeed = speeds.maxCoeff();
     return drive;
 }
 

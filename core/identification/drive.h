@@ -28,12 +28,13 @@ struct Drive {
     double alpha2 = 0.0;    ///< rad/s²
 
     // RunUp, Uneven: the smallest and the largest speed in the file, rad/s.
-    double least = kNone;
-    double greatest = kNone;
+    double minSpeed = kNone;
+    double maxSpeed = kNone;
 
-    // RunUp: standard errors of the angle and the speed at t = 0 of the file.
-    double angleError = kNone;
-    double speedError = kNone;
+    // RunUp: standard errors of the angle (rad) and the speed (rad/s), not in the middle of the file as above, but at
+    // its t = 0.
+    double angleErrorAtZero = kNone;
+    double speedErrorAtZero = kNone;
 };
 
 /// Finds out how the crank turns, from its angle as `model` reads it.

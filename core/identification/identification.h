@@ -39,8 +39,8 @@ struct LeftOutColumn {
     enum class Reason {
         FiniteDifferences, ///< it contains difference quotients of another column
         UnevenSpeed,       ///< the speed of the crank changes, so that nothing predicts this derivative
-        OpenSpeed,   ///< ω2, or the unit in which it is counted, is not known; for θ2: its rows are too far apart
-                     ///< to show how many turns the crank makes
+        OpenSpeed, ///< ω2, or the unit in which it is counted, is not known; for θ2: it has gaps, or its rows are too
+                   ///< far apart to show how many turns the crank makes
         OtherMotion, ///< it is the motion of a slider-crank of other dimensions
         Unknown
     };
@@ -81,7 +81,7 @@ struct Identification {
         Approximate,     ///< a mechanism explains every used column with residuals (rms) below 2 % of its range if they
                          ///< are noise, below 0.7 % if they are systematic
         Insufficient,    ///< the file does not determine the mechanism: see `lack`
-        None             ///< no mechanism explains the file: see `misfit`
+        None             ///< no mechanism explains the file: see `rejection`
     };
     Outcome outcome = Outcome::None;
     bool stopped = false; ///< the search was stopped, and nothing else is known
@@ -116,7 +116,7 @@ struct Identification {
     /// three lengths is identifiable.
     enum class LengthScale {
         Measured,
-        GivenCrank, ///< the file contains no length but θ3: a is that of the given mechanism
+        GivenCrank, ///< the file contains only angles: a is that of the given mechanism
         GivenSpeed  ///< derivatives over the crank angle show only a · ω2: ω2 is that of the given mechanism
     };
     LengthScale lengthScale = LengthScale::Measured;
@@ -155,12 +155,12 @@ struct Identification {
     ParameterFlags openParameters{};
 
     /// The reason for None.
-    enum class Misfit {
+    enum class Rejection {
         LargeResiduals,   ///< the best attempt leaves `residuals`
         SliderLine,       ///< R4_y is not constant: the slider does not move along x
         CannotBeAssembled ///< no mechanism can be assembled in all rows
     };
-    Misfit misfit = Misfit::LargeResiduals;
+    Rejection rejection = Rejection::LargeResiduals;
 
     int iterations = 0; ///< number of iterations of the last fit
 

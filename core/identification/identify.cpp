@@ -29,9 +29,9 @@ Fit fitSimplestImage(const Observations &observations, Fit fit, const Parameters
     return fitModel(observations, fit.model, fit.columns, fit.unknowns);
 }
 
-/// Adds θ2 to the columns that are left out if the file contains it but the observations do not: then the crank may
-/// make any number of turns between two rows.
-void leaveOutSparseAngle(std::vector<LeftOutColumn> &leftOut, const ReferenceData &data,
+/// Adds θ2 to the columns that are left out if the file contains it but the observations do not, because it has gaps or
+/// the crank may make any number of turns between two rows.
+void leaveOutUnusedAngle(std::vector<LeftOutColumn> &leftOut, const ReferenceData &data,
                          const Observations &observations)
 {
     if (data.find(kCrankAngle) && !observations.hasAngle()) {
@@ -44,9 +44,9 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, const 
 {
     Findings findings;
     findings.lengthUnit = findLengthUnit(data);
-    const Observations clean = withoutSpikes(wholeFile);
-    Observations searched = selectRows(clean, kSearchedRows);
-    ConstrainedFit geometry = findBestGeometry(clean, searched, given);
+    const Observations withoutOutliers = withoutSpikes(wholeFile);
+    Observations searched = selectRows(withoutOutliers, kSearchedRows);
+    ConstrainedFit geometry = findBestGeometry(withoutOutliers, searched, given);
     if (!geometry.fit.isFinite()) {
         return findings;
     }
@@ -56,10 +56,12 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, const 
     current = withDriveOfFile(std::move(current), findings.drive);
     FurtherColumns further = withFurtherColumns(current.searched, current.fit, findings.drive, given);
     findings.leftOut = std::move(further.leftOut);
-    leaveOutSparseAngle(findings.leftOut, data, current.wholeFile);
+    leaveOutUnusedAngle(findings.leftOut, data, current.wholeFile);
     findings.speeds = std::move(further.speeds);
-    const ConstrainedFit all = withoutFreedoms(current.searched, std::move(further.fit), geometry.possibleErrors);
-    findings.lastFit = fitAllRows(std::move(current.wholeFile), all.fit, all.possibleErrors, findings.drive);
+    const ConstrainedFit ofAllColumns =
+        withoutFreedoms(current.searched, std::move(further.fit), geometry.possibleErrors);
+    findings.lastFit =
+        fitAllRows(std::move(current.wholeFile), ofAllColumns.fit, ofAllColumns.possibleErrors, findings.drive);
     if (findings.lastFit.fit.isFinite()) {
         chooseExpectedDescription(findings, current.searched, given);
     }

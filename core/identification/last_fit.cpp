@@ -178,10 +178,10 @@ LastFit fitAllRows(Observations observations, const Fit &start, const ParameterE
     // If the model follows the angle in the file, its unknown θ20 is the origin of that angle. The angle of the crank
     // at t = 0, and the speed of a run-up, are those of the drive.
     if (result.fit.model.followsAngle) {
-        result.standardError[indexOf(Parameter::Theta20)] = drive.angleError;
+        result.standardError[indexOf(Parameter::Theta20)] = drive.angleErrorAtZero;
     }
     if (drive.kind == Drive::Kind::RunUp) {
-        result.standardError[indexOf(Parameter::Omega2)] = drive.speedError;
+        result.standardError[indexOf(Parameter::Omega2)] = drive.speedErrorAtZero;
     }
     return result;
 }

@@ -18,11 +18,12 @@ namespace
 
 using Outcome = Identification::Outcome;
 using Lack = Identification::Lack;
-using Misfit = Identification::Misfit;
+using Rejection = Identification::Rejection;
+using LengthScale = Identification::LengthScale;
 using UnknownKind = Unknown::Kind;
 
-/// A parameter is left open if its standard error is a larger fraction of its size (see openParameters()): a value that
-/// is less certain is of no use.
+/// A parameter is left open if its standard error is a larger fraction of its size (see findOpenParameters()): a value
+/// that is less certain is of no use.
 constexpr double kMaxError = 0.2;
 
 /// The same for a. Standard errors are computed as if the motion were a linear function of the unknowns. If a is less
@@ -30,7 +31,7 @@ constexpr double kMaxError = 0.2;
 constexpr double kMaxErrorOfCrank = 0.03;
 
 /// A parameter is left open if systematic residuals can change it by a larger fraction of its size (see
-/// largestErrors()).
+/// worstCaseErrors()).
 constexpr double kMaxSystematicError = 0.1;
 
 /// The residual of fit.columns[place] in the units of files.
@@ -45,21 +46,23 @@ ColumnResidual describeResidual(const Observations &observations, const Fit &fit
             .percentOfRange = hasRange ? 100.0 * largest / column.range : 0.0};
 }
 
-/// The errors from which openParameters() decides. Standard errors assume that errors of many rows cancel. Systematic
-/// errors need not: n equal errors change a parameter √n times as much as n independent ones of the same size.
-ParameterErrors largestErrors(const LastFit &lastFit, bool isSystematic)
+/// How far the parameters may be off: their standard errors if the residuals are independent. These assume that the
+/// errors of many rows cancel. Systematic errors need not: n equal errors change a parameter √n times as much as n
+/// independent ones of the same size. The standard errors already contain the square root of the dependence of
+/// the residuals.
+ParameterErrors worstCaseErrors(const LastFit &lastFit, bool areResidualsSystematic)
 {
     ParameterErrors errors = lastFit.standardError;
     for (double &error : errors) {
-        error *= isSystematic ? std::sqrt(lastFit.fit.valueCount() / lastFit.dependence) : 1.0;
+        error *= areResidualsSystematic ? std::sqrt(lastFit.fit.valueCount() / lastFit.dependence) : 1.0;
     }
     return errors;
 }
 
-/// The largest error, relative to the parameter, with which it is determined.
-double maxRelativeError(Unknown unknown, bool isSystematic)
+/// A parameter is left open if it may be off by a larger fraction of its size.
+double maxRelativeError(Unknown unknown, bool areResidualsSystematic)
 {
-    if (isSystematic) {
+    if (areResidualsSystematic) {
         return kMaxSystematicError;
     }
     return unknown.kind == UnknownKind::A ? kMaxErrorOfCrank : kMaxError;
@@ -74,9 +77,9 @@ bool hasOneCoordinate(const LastFit &lastFit)
         used, [&](Index k) { return columns[k].channel.coordinate == columns[used.front()].channel.coordinate; });
 }
 
-/// Which unknown parameters the file leaves open. `errors`: the result of largestErrors(). A parameter whose error is
+/// Which unknown parameters the file leaves open. `errors`: the result of worstCaseErrors(). A parameter whose error is
 /// NaN is not open: it belongs to the drive.
-ParameterFlags openParameters(const LastFit &lastFit, const ParameterErrors &errors, bool isSystematic)
+ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors &errors, bool areResidualsSystematic)
 {
     const Fit &fit = lastFit.fit;
     const Parameters &m = fit.model.mechanism;
@@ -86,14 +89,14 @@ ParameterFlags openParameters(const LastFit &lastFit, const ParameterErrors &err
     // On an arc, many motions resemble each other. If a mechanism explains one coordinate there only approximately, no
     // other coordinate confirms that it is the one that moved.
     const bool isEverythingOpen =
-        isSystematic && isShortArc(lastFit.observations, fit.model) && hasOneCoordinate(lastFit);
+        areResidualsSystematic && isShortArc(lastFit.observations, fit.model) && hasOneCoordinate(lastFit);
     ParameterFlags open{};
     for (const Unknown unknown : fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = indexOf(toParameter(unknown));
-            const bool isOfCoupler = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
-            open[i] = isEverythingOpen || (isCouplerOpen && isOfCoupler) ||
-                      errors[i] > maxRelativeError(unknown, isSystematic) * sizes[i];
+            const bool isCouplerOrOffset = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
+            open[i] = isEverythingOpen || (isCouplerOpen && isCouplerOrOffset) ||
+                      errors[i] > maxRelativeError(unknown, areResidualsSystematic) * sizes[i];
         }
     }
     return open;
@@ -118,15 +121,15 @@ Lack findLackOfValues(const LastFit &lastFit)
 }
 
 /// Why no mechanism explains the file; nullopt if the mechanism of the last fit does.
-std::optional<Misfit> findMisfit(const Findings &findings)
+std::optional<Rejection> findRejection(const Findings &findings)
 {
     if (std::ranges::find(findings.leftOut, kSliderLine, &LeftOutColumn::channel) != findings.leftOut.end()) {
-        return Misfit::SliderLine;
+        return Rejection::SliderLine;
     }
     const LastFit &lastFit = findings.lastFit;
     for (Index place = 0; place < lastFit.fit.residuals.cols(); ++place) {
         if (!isExplained(lastFit.observations, lastFit.fit, place)) {
-            return Misfit::LargeResiduals;
+            return Rejection::LargeResiduals;
         }
     }
     return std::nullopt;
@@ -150,8 +153,10 @@ std::optional<UnevenDrive> describeUnevenDrive(const Drive &drive, const Paramet
     if (!drive.hasChangingSpeed()) {
         return std::nullopt;
     }
-    UnevenDrive result{
-        .omega2 = found.omega2, .standardError = drive.speedError, .least = drive.least, .greatest = drive.greatest};
+    UnevenDrive result{.omega2 = found.omega2,
+                       .standardError = drive.speedErrorAtZero,
+                       .least = drive.minSpeed,
+                       .greatest = drive.maxSpeed};
     if (drive.kind == Drive::Kind::RunUp) {
         result.alpha2 = drive.alpha2;
     }
@@ -159,9 +164,9 @@ std::optional<UnevenDrive> describeUnevenDrive(const Drive &drive, const Paramet
 }
 
 /// Sets the parameters that an insufficient file determines, and their errors. The others are those of the given
-/// mechanism. `errors`: the result of largestErrors().
-void setDetermined(Identification &result, const Findings &findings, const ParameterErrors &errors,
-                   const Parameters &given)
+/// mechanism. `errors`: the result of worstCaseErrors().
+void setDeterminedParameters(Identification &result, const Findings &findings, const ParameterErrors &errors,
+                             const Parameters &given)
 {
     const LastFit &lastFit = findings.lastFit;
     ParameterFlags determined{};
@@ -175,6 +180,27 @@ void setDetermined(Identification &result, const Findings &findings, const Param
     result.parameters = completedByGiven(parametersAtTimeZero(lastFit.fit.model, lastFit.observations, findings.drive),
                                          determined, given);
     result.rounded = result.parameters;
+}
+
+/// What determines the lengths of the last fit.
+LengthScale lengthScaleOf(const LastFit &lastFit)
+{
+    const Observations &observations = lastFit.observations;
+    const Indices &columns = lastFit.fit.columns;
+    if (determineLengths(observations, columns)) {
+        return LengthScale::Measured;
+    }
+    return observations.containOnlyAngles(columns) ? LengthScale::GivenCrank : LengthScale::GivenSpeed;
+}
+
+/// The magnitudes of several possible speeds; empty if there is only one.
+std::vector<double> possibleMagnitudes(const std::vector<double> &speeds)
+{
+    std::vector<double> magnitudes;
+    if (speeds.size() > 1) {
+        std::ranges::transform(speeds, std::back_inserter(magnitudes), [](double speed) { return std::abs(speed); });
+    }
+    return magnitudes;
 }
 
 /// Which parameters the file can contain and determines.
@@ -207,35 +233,39 @@ void addAlternatives(Identification &result, const Findings &findings, const Par
     }
 }
 
-/// Sets the mechanism of an identified or approximate file.
+/// Sets the mechanism of an identified or approximate file and those of its other mirror images. Requires that
+/// result.identifiable has been set.
 void setMechanism(Identification &result, const Findings &findings, const Parameters &given)
 {
     const LastFit &lastFit = findings.lastFit;
-    const Observations &observations = lastFit.observations;
-    const Fit &fit = lastFit.fit;
-    if (!determineLengths(observations, fit.columns)) {
-        result.lengthScale = observations.containOnlyAngles(fit.columns) ? Identification::LengthScale::GivenCrank
-                                                                         : Identification::LengthScale::GivenSpeed;
-    }
-    result.identifiable = identifiableParameters(findings);
-    if (!result.hasSystematicResiduals) {
-        result.standardError = lastFit.standardError;
-    }
     ParameterFlags isFromFit = result.identifiable;
     for (const Parameter length : kLengths) {
         isFromFit[indexOf(length)] = true; // if only their ratios are identifiable, the fit has kept the given a or ω2
     }
-    const Parameters unrounded = parametersAtTimeZero(fit.model, observations, findings.drive);
+    const Parameters unrounded = parametersAtTimeZero(lastFit.fit.model, lastFit.observations, findings.drive);
     const Parameters rounded = roundedParameters(lastFit, unrounded, findings.lengthUnit);
     result.parameters = completedByGiven(unrounded, isFromFit, given);
     result.rounded = completedByGiven(rounded, isFromFit, given);
     result.drive = describeUnevenDrive(findings.drive, unrounded);
-    result.change = findings.change;
     addAlternatives(result, findings, isFromFit, given);
-    if (findings.speeds.size() > 1) {
-        for (const double speed : findings.speeds) {
-            result.possibleSpeeds.push_back(std::abs(speed));
-        }
+}
+
+/// Sets what is known about the mechanism of an identified or approximate file, and what of the file it does not
+/// explain. `data`: the file.
+void setFindings(Identification &result, const ReferenceData &data, const Findings &findings)
+{
+    const LastFit &lastFit = findings.lastFit;
+    result.lengthScale = lengthScaleOf(lastFit);
+    result.identifiable = identifiableParameters(findings);
+    if (!result.hasSystematicResiduals) {
+        result.standardError = lastFit.standardError;
+    }
+    result.possibleSpeeds = possibleMagnitudes(findings.speeds);
+    result.change = findings.change;
+    result.leftOut = findings.leftOut;
+    for (const Index row : lastFit.excludedRows) {
+        const Index rowOfFile = lastFit.observations.rows[row];
+        result.excludedRows.push_back(data.lineOfRow(static_cast<std::size_t>(rowOfFile)));
     }
 }
 
@@ -257,7 +287,7 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
     const Fit &fit = lastFit.fit;
     Identification result{.parameters = given, .rounded = given, .lengthUnit = findings.lengthUnit};
     if (!fit.isFinite()) {
-        result.misfit = Misfit::CannotBeAssembled;
+        result.rejection = Rejection::CannotBeAssembled;
         return result;
     }
     for (Index place = 0; place < fit.residuals.cols(); ++place) {
@@ -271,25 +301,22 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
         result.outcome = Outcome::Insufficient;
         return result;
     }
-    if (const std::optional<Misfit> misfit = findMisfit(findings)) {
+    if (const std::optional<Rejection> rejection = findRejection(findings)) {
         result.outcome = Outcome::None;
-        result.misfit = *misfit;
+        result.rejection = *rejection;
         return result;
     }
-    const ParameterErrors errors = largestErrors(lastFit, result.hasSystematicResiduals);
-    const auto open = openParameters(lastFit, errors, result.hasSystematicResiduals);
+    const ParameterErrors errors = worstCaseErrors(lastFit, result.hasSystematicResiduals);
+    const ParameterFlags open = findOpenParameters(lastFit, errors, result.hasSystematicResiduals);
     if (std::ranges::find(open, true) != open.end()) {
         result.outcome = Outcome::Insufficient;
         result.lack = Lack::OpenParameters;
         result.openParameters = open;
-        setDetermined(result, findings, errors, given);
+        setDeterminedParameters(result, findings, errors, given);
         return result;
     }
     result.outcome = lastFit.isExact ? Outcome::Identified : Outcome::Approximate;
-    result.leftOut = findings.leftOut;
-    for (const Index row : lastFit.excludedRows) {
-        result.excludedRows.push_back(data.lineOfRow(static_cast<std::size_t>(observations.rows[row])));
-    }
+    setFindings(result, data, findings);
     setMechanism(result, findings, given);
     return result;
 }

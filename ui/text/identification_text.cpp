@@ -23,7 +23,7 @@ namespace
 
 using Outcome = Identification::Outcome;
 using Lack = Identification::Lack;
-using Misfit = Identification::Misfit;
+using Rejection = Identification::Rejection;
 using Symmetry = AlternativeMechanism::Symmetry;
 using Reason = LeftOutColumn::Reason;
 using Scale = Identification::LengthScale;
@@ -62,15 +62,15 @@ public:
          QT_TR_NOOP("Open: %1. A longer part of a revolution, derivatives, θ₂ or more digits would help.")},
         {Lack::Nothing, ""}};
 
-    struct MisfitRow {
-        Misfit key;
+    struct RejectionRow {
+        Rejection key;
         const char *text; ///< %1: the largest residual in percent of the range, %2: its column
     };
-    static constexpr MisfitRow kMisfits[] = {
-        {Misfit::LargeResiduals, QT_TR_NOOP("The best attempt deviates by up to %1 % of the range of %2: "
-                                            "check the meaning and the units of the columns.")},
-        {Misfit::SliderLine, QT_TR_NOOP("R4_y is not constant: the slider does not move parallel to the x axis.")},
-        {Misfit::CannotBeAssembled,
+    static constexpr RejectionRow kRejections[] = {
+        {Rejection::LargeResiduals, QT_TR_NOOP("The best attempt deviates by up to %1 % of the range of %2: "
+                                               "check the meaning and the units of the columns.")},
+        {Rejection::SliderLine, QT_TR_NOOP("R4_y is not constant: the slider does not move parallel to the x axis.")},
+        {Rejection::CannotBeAssembled,
          QT_TR_NOOP("The mechanisms that come near cannot be assembled in all of its rows: check the meaning "
                     "and the units of the columns.")}};
 
@@ -104,7 +104,7 @@ public:
 
 static_assert(isCompleteTable(IdentificationText::kOutcomes, Outcome::None));
 static_assert(isCompleteTable(IdentificationText::kLacks, Lack::Nothing));
-static_assert(isCompleteTable(IdentificationText::kMisfits, Misfit::CannotBeAssembled));
+static_assert(isCompleteTable(IdentificationText::kRejections, Rejection::CannotBeAssembled));
 static_assert(isCompleteTable(IdentificationText::kSymmetries, Symmetry::OtherAssembly));
 static_assert(isCompleteTable(IdentificationText::kReasons, Reason::Unknown));
 
@@ -248,14 +248,14 @@ QString insufficientText(const Identification &found)
                                 : IdentificationText::tr("It determines %1.").arg(listed(determined)) + u' ' + text;
 }
 
-QString misfitText(const Identification &found)
+QString rejectionText(const Identification &found)
 {
     const ColumnResidual *worst = worstResidual(found);
-    if (found.misfit == Misfit::LargeResiduals && !worst) {
+    if (found.rejection == Rejection::LargeResiduals && !worst) {
         return IdentificationText::tr("Check the meaning and the units of the columns.");
     }
-    const QString text = IdentificationText::tr(rowOf(IdentificationText::kMisfits, found.misfit).text);
-    return found.misfit == Misfit::LargeResiduals
+    const QString text = IdentificationText::tr(rowOf(IdentificationText::kRejections, found.rejection).text);
+    return found.rejection == Rejection::LargeResiduals
                ? text.arg(errorText(worst->percentOfRange), symbolText(worst->channel))
                : text;
 }
@@ -314,7 +314,7 @@ QString summaryText(const Identification &found)
     }
     const QString text = IdentificationText::tr(rowOf(IdentificationText::kOutcomes, found.outcome).text);
     if (!found.hasMechanism()) {
-        return text.arg(found.outcome == Outcome::Insufficient ? insufficientText(found) : misfitText(found));
+        return text.arg(found.outcome == Outcome::Insufficient ? insufficientText(found) : rejectionText(found));
     }
     const QStringList mechanism = measuredEquations(found) << withNoun(found.parameters.branch);
     QStringList sentences = reservations(found);

@@ -112,12 +112,12 @@ private slots:
         const auto runUp = findDrive(observationsOf([](double t) { return 2.0 * t + 5.0 * t * t; }, step), model);
         QCOMPARE(runUp.kind, Drive::Kind::RunUp);
         QVERIFY(std::abs(runUp.alpha2 - 10.0) < 1e-3 && std::abs(runUp.omega2 - 12.0) < 1e-3);
-        QVERIFY(runUp.speedError > 0.0 && runUp.speedError < 1e-3);
+        QVERIFY(runUp.speedErrorAtZero > 0.0 && runUp.speedErrorAtZero < 1e-3);
 
         const auto ripple =
             findDrive(observationsOf([](double t) { return 6.0 * t + 0.1 * std::sin(12.0 * t); }, step), model);
         QCOMPARE(ripple.kind, Drive::Kind::Uneven);
-        QVERIFY(std::abs(ripple.least - 4.8) < 0.05 && std::abs(ripple.greatest - 7.2) < 0.05);
+        QVERIFY(std::abs(ripple.minSpeed - 4.8) < 0.05 && std::abs(ripple.maxSpeed - 7.2) < 0.05);
         QVERIFY(std::abs(ripple.omega2 - 6.0) < 0.1);
     }
 

@@ -16,7 +16,7 @@ namespace tst_identification_text
 {
 
 using Lack = Identification::Lack;
-using Misfit = Identification::Misfit;
+using Rejection = Identification::Rejection;
 using Outcome = Identification::Outcome;
 using Reason = LeftOutColumn::Reason;
 using Symmetry = AlternativeMechanism::Symmetry;
@@ -218,8 +218,8 @@ private slots:
             sentences << summaryText(found);
         }
         found.outcome = Outcome::None;
-        for (const auto misfit : {Misfit::LargeResiduals, Misfit::SliderLine, Misfit::CannotBeAssembled}) {
-            found.misfit = misfit;
+        for (const auto rejection : {Rejection::LargeResiduals, Rejection::SliderLine, Rejection::CannotBeAssembled}) {
+            found.rejection = rejection;
             sentences << summaryText(found);
         }
         found.stopped = true;
