@@ -40,24 +40,39 @@ ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
     return current;
 }
 
+/// Whether the abscissa of a model was changed when the file was observed, because its values are rounded ones of an
+/// even grid.
+bool hasPrintedAbscissa(const Observations &observations, const Model &model)
+{
+    return (model.followsAngle ? observations.printedAngle : observations.printedTime).size() > 0;
+}
+
+/// The observations with the abscissa of a model as it was printed, which is then taken as exact.
+Observations withPrintedAbscissa(Observations observations, const Model &model)
+{
+    if (model.followsAngle) {
+        observations.angle = observations.printedAngle;
+    } else {
+        observations.time = observations.printedTime;
+        observations.timeMargin = 0.0;
+    }
+    return observations;
+}
+
 } // namespace
 
 ObservedFit withBestAbscissa(ObservedFit current)
 {
     const Fit &fit = current.fit;
-    const auto abscissa = fit.model.followsAngle ? &Observations::angle : &Observations::time;
-    const auto printedAbscissa = fit.model.followsAngle ? &Observations::printedAngle : &Observations::printedTime;
-    Observations printed = current.searched;
-    printed.*abscissa = printed.*printedAbscissa;
-    if ((printed.*abscissa).size() == 0) {
+    if (!hasPrintedAbscissa(current.searched, fit.model)) {
         return current;
     }
-    Fit other = fitModel(printed, fit.model, fit.columns, fit.unknowns);
-    if (other.misfit < fit.misfit) {
-        current.fit = std::move(other);
+    Observations printed = withPrintedAbscissa(current.searched, fit.model);
+    Fit fitOfPrinted = fitModel(printed, fit.model, fit.columns, fit.unknowns);
+    if (fitOfPrinted.misfit < fit.misfit) {
+        current.wholeFile = withPrintedAbscissa(std::move(current.wholeFile), fit.model);
         current.searched = std::move(printed);
-        current.wholeFile.*abscissa = current.wholeFile.*printedAbscissa;
-        current.wholeFile.timeMargin = 0.0; // the time stamps are exact
+        current.fit = std::move(fitOfPrinted);
     }
     return current;
 }

@@ -14,8 +14,8 @@ namespace slidercrank
 namespace
 {
 
-/// The columns of a fit of θ3 and R4_x may come from two mechanisms, each of which explains one column exactly. Then
-/// returns the fit of R4_x alone; otherwise the same fit.
+/// The two columns of a fit, θ3 and R4_x or two of the centres of the links, may come from two mechanisms, each of
+/// which explains one column exactly. Then returns the fit of the last column alone; otherwise the same fit.
 Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
 {
     if (fit.columns.size() != 2 || isExact(searched, fit)) {
@@ -30,7 +30,7 @@ Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
             return fit;
         }
     }
-    return alone; // the fit of the last column, R4_x: shapeColumns() lists it after θ3
+    return alone; // the fit of the last column: R4_x, which shapeColumns() lists after θ3
 }
 
 /// The geometry of some columns, without the freedoms that they do not need. `searched`: selected rows of `wholeFile`.

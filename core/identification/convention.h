@@ -45,7 +45,8 @@ namespace slidercrank
 // The units that occur in files, as multiples of the default unit (°, mm, s).
 inline constexpr std::array kAngleUnits{1.0, kDegreesPerRadian};
 inline constexpr std::array kLengthUnits{1.0, 10.0, 25.4, 1000.0};
-inline constexpr std::array kTimeUnits{1.0, 1e-3};
+inline constexpr double kMillisecond = 1e-3;
+inline constexpr std::array kTimeUnits{1.0, kMillisecond};
 
 /// Relative rounding error of a unit that conventions have changed.
 inline constexpr double kSameUnit = 1e-9;

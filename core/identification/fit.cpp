@@ -30,7 +30,7 @@ Dual variable(double value, int index)
     return {value, 4, index};
 }
 
-constexpr int kKinds = 6; // number of values of Unknown::Kind
+constexpr int kKinds = static_cast<int>(Unknown::Kind::Origin) + 1; // number of values of Unknown::Kind
 constexpr int kResidual = kKinds;
 
 /// The terms that belong to one value of a column: the partial derivatives of its prediction by each kind of unknown,
@@ -47,43 +47,51 @@ struct ColumnSums {
     double meanSquare() const { return count > 0.0 ? products(kResidual, kResidual) / count : 0.0; }
 };
 
+/// The terms of column k in one row, with the motion of the mechanism there.
+Terms computeTerms(const TextbookMotion<Dual> &motion, const Model &model, const Observations &observations, Index k,
+                   Index row)
+{
+    const ObservedColumn &column = observations.columns[k];
+    const ColumnReading &reading = model.readings[k];
+    const double speed = model.crankSpeed(observations, row);
+    const Dual prediction = motionAtSpeed(motion, column.channel, speed, model.alpha2);
+    const auto [byA, byB, byC, byAngle] = std::array{prediction.derivatives()[0], prediction.derivatives()[1],
+                                                     prediction.derivatives()[2], prediction.derivatives()[3]};
+    // ω2 changes the angle of the crank, which is ω2 t + θ20 unless the model follows that in the file, …
+    double bySpeed = model.followsAngle ? 0.0 : byAngle * observations.time[row];
+    // … and the derivatives at that angle: by ω, f'ω changes by f', and f''ω² + f'α by 2 f''ω.
+    if (column.isDerivative()) {
+        const double order = static_cast<double>(column.channel.order);
+        bySpeed += order * std::pow(speed, order - 1.0) * motion.valueAt(column.channel).value();
+    }
+    const double f = reading.factor;
+    const double byOrigin = 1.0;
+    const double residual = column.values[row] - f * prediction.value() - reading.origin;
+    Terms terms;
+    terms << f * byA, f * byB, f * byC, f * bySpeed, f * byAngle, byOrigin, residual;
+    return terms;
+}
+
 /// Adds one row of the file to the sums. Returns false if the row has a value but the mechanism cannot be assembled.
 bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observations &observations, const Indices &columns,
             Index row)
 {
     const Parameters &m = model.mechanism;
-    const double speed = model.crankSpeed(observations, row);
-    // The derivative of the angle of the crank by ω2: the angle is ω2 t + θ20, unless it follows that in the file.
-    const double angleBySpeed = model.followsAngle ? 0.0 : observations.time[row];
     TextbookMotion<Dual> motion;
     const bool isAssembled =
         computeUnitSpeedMotion<Dual>(motion, m.branch, {variable(m.a, 0), variable(m.b, 1), variable(m.c, 2)},
                                      variable(model.crankAngle(observations, row), 3));
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        const ObservedColumn &column = observations.columns[columns[k]];
-        const ColumnReading &reading = model.readings[columns[k]];
-        const double value = column.values[row];
-        if (!std::isfinite(value)) {
+    for (std::size_t place = 0; place < columns.size(); ++place) {
+        const Index k = columns[place];
+        if (!std::isfinite(observations.columns[k].values[row])) {
             continue;
         }
         if (!isAssembled) {
             return false;
         }
-        const Dual prediction = motionAtSpeed(motion, column.channel, speed, model.alpha2);
-        const auto [byA, byB, byC, byAngle] = std::array{prediction.derivatives()[0], prediction.derivatives()[1],
-                                                         prediction.derivatives()[2], prediction.derivatives()[3]};
-        double bySpeed = byAngle * angleBySpeed;
-        if (column.isDerivative()) { // ωⁿ, n the order, is also a factor of the motion (see motionAtSpeed())
-            const double order = static_cast<double>(column.channel.order);
-            bySpeed += order * std::pow(speed, order - 1.0) * motion.valueAt(column.channel).value();
-        }
-        const double f = reading.factor;
-        const double byOrigin = 1.0;
-        const double residual = value - f * prediction.value() - reading.origin;
-        Terms terms;
-        terms << f * byA, f * byB, f * byC, f * bySpeed, f * byAngle, byOrigin, residual;
-        sums[k].products.noalias() += terms * terms.transpose();
-        sums[k].count += 1.0;
+        const Terms terms = computeTerms(motion, model, observations, k, row);
+        sums[place].products.noalias() += terms * terms.transpose();
+        sums[place].count += 1.0;
     }
     return true;
 }
@@ -198,7 +206,7 @@ double &valueOf(Model &model, Unknown unknown)
 
 double valueOf(const Model &model, Unknown unknown)
 {
-    Model copy = model;
+    Model copy = model; // so that the switch above is the only one
     return valueOf(copy, unknown);
 }
 

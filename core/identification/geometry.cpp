@@ -11,7 +11,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <optional>
 #include <set>
 
 namespace slidercrank
@@ -62,14 +61,9 @@ Moments computeMoments(const Values &motion, const Values &values)
     return m;
 }
 
-/// Fits the reading of a column by least squares. `fixedFactor`: nullopt if the factor may be any number.
-Regression fitReading(const Moments &m, std::optional<double> fixedFactor, ColumnOrigin columnOrigin)
+/// Fits the origin of a column whose factor is known, by least squares.
+Regression fitOrigin(const Moments &m, double factor, ColumnOrigin columnOrigin)
 {
-    // If the origin may be any number, the factor follows from the deviations of motion and values from their means.
-    const double weightOfMeans = columnOrigin == ColumnOrigin::Any ? 1.0 / m.n : 0.0;
-    const double sumOfProducts = m.fy - weightOfMeans * m.f * m.y;
-    const double sumOfSquares = m.ff - weightOfMeans * m.f * m.f;
-    const double factor = fixedFactor.value_or(sumOfProducts / sumOfSquares);
     double origin = columnOrigin == ColumnOrigin::Zero ? 0.0 : (m.y - factor * m.f) / m.n;
     if (columnOrigin == ColumnOrigin::HalfTurns) {
         origin = std::numbers::pi * factor * std::rint(origin / (std::numbers::pi * factor));
@@ -79,6 +73,16 @@ Regression fitReading(const Moments &m, std::optional<double> fixedFactor, Colum
     return {{factor, origin}, std::max(squares, 0.0) / m.n};
 }
 
+/// Fits the factor and the origin of a column by least squares.
+Regression fitFactorAndOrigin(const Moments &m, ColumnOrigin columnOrigin)
+{
+    // If the origin may be any number, the factor follows from the deviations of motion and values from their means.
+    const double weightOfMeans = columnOrigin == ColumnOrigin::Any ? 1.0 / m.n : 0.0;
+    const double sumOfProducts = m.fy - weightOfMeans * m.f * m.y;
+    const double sumOfSquares = m.ff - weightOfMeans * m.f * m.f;
+    return fitOrigin(m, sumOfProducts / sumOfSquares, columnOrigin);
+}
+
 /// Fits the reading of θ3. Its factor is not free, because it would be the same unknown as b where sin θ3 ≈ θ3: only
 /// both signs and the units of angles are tried.
 Regression fitCouplerReading(const Moments &moments, ColumnOrigin origin)
@@ -86,7 +90,7 @@ Regression fitCouplerReading(const Moments &moments, ColumnOrigin origin)
     Regression best;
     for (const double unit : kAngleFactors) {
         for (const double factor : {unit, -unit}) {
-            const Regression regression = fitReading(moments, factor, origin);
+            const Regression regression = fitOrigin(moments, factor, origin);
             best = regression.meanSquare < best.meanSquare ? regression : best;
         }
     }
@@ -106,7 +110,7 @@ bool dependsOnUnknownSpeed(const ObservedColumn &column, const Model &model)
 Regression fitColumn(const ObservedColumn &column, const Moments &moments, const Model &model, ColumnOrigin origin)
 {
     return column.containsAngles() && !dependsOnUnknownSpeed(column, model) ? fitCouplerReading(moments, origin)
-                                                                            : fitReading(moments, {}, origin);
+                                                                            : fitFactorAndOrigin(moments, origin);
 }
 
 /// What the factors of fitted columns say about a mechanism with a = 1 mm.

@@ -143,9 +143,9 @@ int countUnusualReadings(const Observations &observations, const Fit &fit, const
 
 /// Orders the images: that with the lowest rank, compared member by member, is preferred.
 struct ImageRank {
-    int differences;       ///< unusualReadings, and one more if the assembly is not that of the given mechanism
-    bool isOtherThanGiven; ///< the assembly or c is not that of the given mechanism
-    int unusualReadings;   ///< countUnusualReadings() of the image
+    int unusualReadingsAndAssembly; ///< unusualReadings, and one more for another assembly than the given one
+    bool isOtherThanGiven;          ///< the assembly or c is not that of the given mechanism
+    int unusualReadings; ///< countUnusualReadings(): the given assembly with one is preferred to the other without any
     double distance; ///< from the given mechanism: 0 … 1 for c, and kReversedCrank if it turns in the other direction
 
     friend auto operator<=>(const ImageRank &, const ImageRank &) = default;
@@ -162,7 +162,7 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
     const bool isReversed = m.omega2 * given.omega2 < 0.0;
     const double sumOfOffsets = std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a; // not 0, even if both offsets are
     const double distanceOfC = std::abs(m.c - given.c) / sumOfOffsets;
-    return {.differences = unusualReadings + (isGivenAssembly ? 0 : 1),
+    return {.unusualReadingsAndAssembly = unusualReadings + (isGivenAssembly ? 0 : 1),
             .isOtherThanGiven = !(isGivenAssembly && isGivenC),
             .unusualReadings = unusualReadings,
             .distance = distanceOfC + (isReversed ? kReversedCrank : 0.0)};

@@ -198,15 +198,21 @@ Parameters roundToErrors(const LastFit &lastFit, const Parameters &unrounded, do
     return replaceByEstimate(rounded, estimate);
 }
 
-/// The model with other parameters at t = 0 of the file.
+/// The model with other parameters at t = 0 of the file. If it follows the angle in the file, its θ20 is the origin of
+/// that angle, and does not change. In a run-up, its ω2 is the speed in the middle of the file, and does not change.
 Model withParameters(Model model, const Parameters &parameters, const Observations &observations)
 {
-    const double angleInFile = model.mechanism.theta20;
-    const double speed = model.mechanism.omega2;
-    model.mechanism = parameters;
-    model.mechanism.theta20 =
-        model.followsAngle ? angleInFile : parameters.theta20 + parameters.omega2 * observations.timeOrigin;
-    model.mechanism.omega2 = model.alpha2 == 0.0 ? parameters.omega2 : speed;
+    Parameters mechanism = parameters;
+    if (model.followsAngle) {
+        mechanism.theta20 = model.mechanism.theta20;
+    } else {
+        mechanism.theta20 += parameters.omega2 * observations.timeOrigin;
+    }
+    const bool isRunUp = model.alpha2 != 0.0;
+    if (isRunUp) {
+        mechanism.omega2 = model.mechanism.omega2;
+    }
+    model.mechanism = mechanism;
     return model;
 }
 
@@ -219,9 +225,9 @@ bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit
     return 100.0 * (fit.counts[place] - beyond) >= static_cast<double>(kPercentWithinBound) * fit.counts[place];
 }
 
-/// Whether rounded parameters explain the file as well as the fit from which they were rounded: the misfit is hardly
-/// higher, and every column that agreed with the fit still agrees.
-bool isAsGood(const Observations &observations, const Fit &rounded, const Fit &fit)
+/// Whether rounded parameters still explain what the fit from which they were rounded explains: every column that
+/// agreed with it still agrees, and the misfit is hardly higher. (Two fits are compared by explainsAsWell().)
+bool areStillExplained(const Observations &observations, const Fit &rounded, const Fit &fit)
 {
     // The misfit of the true values of five parameters is higher than that of the fit by 5 on average, and seldom
     // by 10.
@@ -266,10 +272,10 @@ RoundNumber roundToFewestDigits(double value, double standardError, std::span<co
         return {value};
     }
     if (const std::optional<double> chosen = findChosenNumber(value, standardError, units)) {
-        return {*chosen, true};
+        return {.value = *chosen, .isChosen = true};
     }
     const double unit = units.front();
-    return {roundedTo(placeOfFirstDigit(standardError / unit), value / unit) * unit, false};
+    return {.value = roundedTo(placeOfFirstDigit(standardError / unit), value / unit) * unit};
 }
 
 RoundNumber roundLength(double value, double standardError, double unit)
@@ -295,7 +301,8 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded
     for (const double fraction : kFractions) {
         const Parameters rounded = roundToErrors(lastFit, unrounded, fraction, lengthUnit);
         const Model model = withParameters(fit.model, rounded, observations);
-        if (!findFault(rounded) && isAsGood(observations, evaluateModel(observations, model, fit.columns), fit)) {
+        if (!findFault(rounded) &&
+            areStillExplained(observations, evaluateModel(observations, model, fit.columns), fit)) {
             return rounded;
         }
     }
@@ -318,7 +325,7 @@ void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double l
         }
     }
     const Fit moved = evaluateModel(lastFit.observations, std::move(model), fit.columns);
-    if (isAsGood(lastFit.observations, moved, fit)) {
+    if (areStillExplained(lastFit.observations, moved, fit)) {
         fit.replaceModel(moved);
     }
 }

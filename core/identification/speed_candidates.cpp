@@ -93,7 +93,7 @@ constexpr double kMaxIncompleteTurns = 1.0;
 
 /// Whether the crank may have made a number of turns in a file with a number of pairs of crossings: a periodic motion
 /// crosses the middle of its range equally often in every turn, and as often upwards as downwards.
-bool isConsistent(double turns, double crossingPairs)
+bool agreesWithCrossings(double turns, double crossingPairs)
 {
     constexpr double kMaxMiscounted = 0.005; // fraction of the pairs that noise may add or hide
     const double pairsPerTurn = std::max(1.0, std::rint(crossingPairs / turns));
@@ -101,28 +101,42 @@ bool isConsistent(double turns, double crossingPairs)
     return std::abs(expectedTurns - turns) <= kMaxIncompleteTurns + kMaxMiscounted * crossingPairs;
 }
 
-/// The numbers of turns that the crank may have made in the file, according to the number of crossings, at equal
-/// distances. If there are so few rows that crossings may fall between them, these are all numbers up to half a turn
-/// per row: a faster crank gives the same positions as one of these. `coverage`: the result of computeCoverage().
-std::vector<double> possibleTurns(int crossings, double coverage, Index rows)
+/// How often a column crosses the middle of its range, in pairs: once upwards and once downwards.
+struct CrossingCount {
+    double pairs = 0.0;
+    double rows = 0.0;     ///< number of rows of the file
+    double coverage = 1.0; ///< the result of computeCoverage()
+
+    /// Whether there are so few rows that crossings may fall between them.
+    bool mayMissCrossings() const
+    {
+        constexpr double kMinRowsPerPair = 8.0;
+        return rows < kMinRowsPerPair * pairs;
+    }
+    /// Whether the number of pairs excludes other numbers of turns than those that agree with it.
+    bool isReliable() const
+    {
+        constexpr double kMinReliablePairs = 25.0; // fewer pairs exclude hardly any speed
+        constexpr double kFullCoverage = 0.95;     // with less coverage, gaps hide crossings
+        return pairs >= kMinReliablePairs && coverage >= kFullCoverage && !mayMissCrossings();
+    }
+};
+
+/// Equally spaced numbers of turns that the crank may have made in the file, according to the number of crossings. If
+/// crossings may be missed, these are all numbers up to half a turn per row: a faster crank gives the same positions as
+/// one of these.
+std::vector<double> possibleTurns(const CrossingCount &crossings)
 {
     constexpr double kSpacing = 0.1;  // a tenth of the width of a minimum of the periodogram
     constexpr double kMinTurns = 0.7; // with fewer turns, two harmonics fit any speed; findSpeedCandidates() adds arcs
-    constexpr double kMaxTurnsPerRow = 0.5;    // a faster crank gives the same positions as a slower one
-    constexpr double kMaxPairsPerTurn = 5.0;   // accelerations have several pairs of crossings per turn
-    constexpr double kMinReliablePairs = 25.0; // with fewer pairs, their number excludes hardly any speed
-    constexpr double kFullCoverage = 0.95;     // with less coverage, gaps hide crossings
-    constexpr double kMinRowsPerPair = 8.0;    // with fewer rows, crossings may fall between them
-    const auto rowCount = static_cast<double>(rows);
-    const double crossingPairs = 0.5 * crossings;
-    const bool mayMissCrossings = rowCount < kMinRowsPerPair * crossingPairs;
-    const bool isCountReliable = crossingPairs >= kMinReliablePairs && coverage >= kFullCoverage && !mayMissCrossings;
-    const double minTurns = std::max(crossingPairs / kMaxPairsPerTurn - kMaxIncompleteTurns, kMinTurns);
-    const double maxTurns =
-        mayMissCrossings ? kMaxTurnsPerRow * rowCount : crossingPairs / coverage + kMaxIncompleteTurns;
+    constexpr double kMaxTurnsPerRow = 0.5;
+    constexpr double kMaxPairsPerTurn = 5.0; // accelerations have several pairs of crossings per turn
+    const double minTurns = std::max(crossings.pairs / kMaxPairsPerTurn - kMaxIncompleteTurns, kMinTurns);
+    const double maxTurns = crossings.mayMissCrossings() ? kMaxTurnsPerRow * crossings.rows
+                                                         : crossings.pairs / crossings.coverage + kMaxIncompleteTurns;
     std::vector<double> possible;
     for (double turns = minTurns; turns <= maxTurns; turns += kSpacing) {
-        if (!isCountReliable || isConsistent(turns, crossingPairs)) {
+        if (!crossings.isReliable() || agreesWithCrossings(turns, crossings.pairs)) {
             possible.push_back(turns);
         }
     }
@@ -145,14 +159,15 @@ double findSpeedOfOneTurn(const Observations &observations)
     return kTurn / observations.span();
 }
 
-/// The periodogram at the speeds that a number of crossings allows.
-std::vector<Trial> computePeriodogram(const Observations &observations, const Indices &columns, int crossings)
+/// The periodogram at the speeds that the crossings allow.
+std::vector<Trial> computePeriodogram(const Observations &observations, const Indices &columns,
+                                      const CrossingCount &crossings)
 {
     constexpr Index kRows = 400; // limits the time that the periodogram of a long file takes
     const double speedOfOneTurn = findSpeedOfOneTurn(observations);
     const Observations selected = selectRows(observations, kRows);
     std::vector<Trial> trials;
-    for (const double turns : possibleTurns(crossings, computeCoverage(observations), observations.size())) {
+    for (const double turns : possibleTurns(crossings)) {
         if (!selected.stop.stop_requested()) {
             const double speed = turns * speedOfOneTurn;
             trials.push_back({speed, misfitOfHarmonics(selected, columns, speed)});
@@ -182,7 +197,10 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     constexpr int kCrossingsOfOneTurn = 2;
     const int crossings = countMaxCrossings(observations, columns);
     const bool mayBeArc = crossings <= kCrossingsOfOneTurn;
-    std::vector<Trial> trials = computePeriodogram(observations, columns, crossings);
+    std::vector<Trial> trials = computePeriodogram(observations, columns,
+                                                   {.pairs = 0.5 * crossings,
+                                                    .rows = static_cast<double>(observations.size()),
+                                                    .coverage = computeCoverage(observations)});
     std::vector<Trial> best = findLocalMinima(trials);
     if (best.empty() && !mayBeArc) { // the misfit rises or falls from the first trial to the last
         best = std::move(trials);

@@ -2,6 +2,7 @@
 #include "core/identification/table_conventions.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace slidercrank
 {
@@ -48,6 +49,34 @@ std::vector<Channel> findDoubtfulHeadings(const Identification &result)
     return doubtful;
 }
 
+/// The other unit of the clock, if derivatives are left out from a file over the time: they do not suit the positions
+/// if the clock counts milliseconds although its heading says seconds, or seconds although it says milliseconds.
+std::optional<Convention> otherUnitOfClock(const ReferenceData &data, const Identification &result)
+{
+    const auto isDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };
+    if (data.crank || std::ranges::none_of(result.leftOut, isDerivative)) {
+        return std::nullopt;
+    }
+    const double unitOfHeading = data.timeRounding.unitFactor;
+    return Convention{.kind = Convention::Kind::TimeUnit,
+                      .channels = {}, // the headings of the derivatives state their own unit of time
+                      .amount = unitOfHeading == 1.0 ? kMillisecond : 1.0 / unitOfHeading};
+}
+
+/// The exchanges of two doubtful headings of the file.
+std::vector<Convention> possibleExchanges(const ReferenceData &data, const std::vector<Channel> &doubtful)
+{
+    std::vector<Convention> exchanges;
+    for (std::size_t i = 0; i < doubtful.size(); ++i) {
+        for (std::size_t j = i + 1; j < doubtful.size(); ++j) {
+            if (data.find(doubtful[i]) && data.find(doubtful[j])) {
+                exchanges.push_back({.kind = Convention::Kind::SwappedColumns, .channels = {doubtful[i], doubtful[j]}});
+            }
+        }
+    }
+    return exchanges;
+}
+
 } // namespace
 
 std::optional<Convention> findAxisRotation(const ReferenceData &data, bool rotatesAngles)
@@ -69,22 +98,9 @@ std::optional<Convention> findAxisRotation(const ReferenceData &data, bool rotat
 
 std::vector<Convention> possibleTableConventions(const ReferenceData &data, const Identification &result)
 {
-    std::vector<Convention> possible;
-    const auto isDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };
-    if (!data.crank && std::ranges::any_of(result.leftOut, isDerivative)) {
-        // A clock whose heading says seconds may count milliseconds, and one whose heading says these may count
-        // seconds.
-        const double unit = data.timeRounding.unitFactor;
-        const double factor = unit == 1.0 ? kTimeUnits.back() : 1.0 / unit;
-        possible.push_back({.kind = Convention::Kind::TimeUnit, .channels = {}, .amount = factor});
-    }
-    const std::vector<Channel> doubtful = findDoubtfulHeadings(result);
-    for (std::size_t i = 0; i < doubtful.size(); ++i) {
-        for (std::size_t j = i + 1; j < doubtful.size(); ++j) {
-            if (data.find(doubtful[i]) && data.find(doubtful[j])) {
-                possible.push_back({.kind = Convention::Kind::SwappedColumns, .channels = {doubtful[i], doubtful[j]}});
-            }
-        }
+    std::vector<Convention> possible = possibleExchanges(data, findDoubtfulHeadings(result));
+    if (std::optional<Convention> clock = otherUnitOfClock(data, result)) {
+        possible.insert(possible.begin(), *std::move(clock));
     }
     return possible;
 }

@@ -20,18 +20,24 @@ namespace
 using Kind = Convention::Kind;
 
 /// Parameters of an exact file, whose standard errors are tiny, may differ by this fraction of their size from those
-/// that a person has typed with few digits. For angles, it is 0.1°.
+/// that a person has typed with few digits. The size of a length is a + b + |c|; for angles, the fraction is 0.1°.
 constexpr double kTypedDifference = 2e-3;
 
-/// Whether two mechanisms have the same lengths and speed, within three standard errors or 0.2 %.
-bool areNear(const Parameters &found, const Parameters &given, const ParameterErrors &errors)
+/// How far a parameter may be from the given one: three standard errors, or kTypedDifference of its size if this is
+/// more.
+double toleranceOf(Parameter parameter, const Parameters &given, double standardError)
 {
-    return std::ranges::all_of(kAllParameters, [&](Parameter parameter) {
-        const double error = errors[indexOf(parameter)];
-        const double tolerance = std::max(kTypedDifference * parameterSize(parameter, given),
-                                          std::isfinite(error) ? kStandardErrors * error : 0.0);
-        return parameter == Parameter::Theta20 ||
-               std::abs(valueOf(found, parameter) - valueOf(given, parameter)) <= tolerance;
+    const double ofTyping = kTypedDifference * parameterSize(parameter, given);
+    return std::isfinite(standardError) ? std::max(ofTyping, kStandardErrors * standardError) : ofTyping;
+}
+
+/// Whether two mechanisms have the same lengths and speed, within toleranceOf() each. θ20 and the assembly may differ.
+bool haveSameLengthsAndSpeed(const Parameters &found, const Parameters &given, const ParameterErrors &errors)
+{
+    constexpr std::array kCompared{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2};
+    return std::ranges::all_of(kCompared, [&](Parameter parameter) {
+        return std::abs(valueOf(found, parameter) - valueOf(given, parameter)) <=
+               toleranceOf(parameter, given, errors[indexOf(parameter)]);
     });
 }
 
@@ -48,20 +54,29 @@ void appendForColumns(std::vector<ConventionFinding> &conventions, const Referen
     }
 }
 
-/// The factor nearest to |wanted| that corrects a wrong unit: values in the default unit, which includes those without
-/// a unit, may be in one of `units`, and those in one of `units` may be in the default unit.
-double nearestFactor(std::span<const double> units, double wanted, double unitOfHeading)
+/// The factors that may correct the unit of values. `statedUnit`: the unit in which they are stated to be, by their
+/// heading or by a convention that has been applied, as a multiple of the default unit; 1 without a unit. Values in the
+/// default unit may really be in any of `units`, values in another unit only in the default one.
+std::vector<double> possibleFactors(std::span<const double> units, double statedUnit)
 {
-    const auto distance = [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); };
-    double nearest = 1.0;
+    if (statedUnit == 1.0) {
+        return {units.begin(), units.end()};
+    }
+    std::vector<double> factors{1.0};
     for (const double unit : units) {
         for (const double factor : {unit, 1.0 / unit}) {
-            const bool isPossible =
-                unitOfHeading == 1.0 ? factor == unit : std::abs(factor * unitOfHeading - 1.0) < kSameUnit;
-            nearest = isPossible && distance(factor) < distance(nearest) ? factor : nearest;
+            if (std::abs(factor * statedUnit - 1.0) < kSameUnit) {
+                factors.push_back(factor);
+            }
         }
     }
-    return nearest;
+    return factors;
+}
+
+/// The one of some factors that is nearest to |wanted|, by their ratio.
+double nearestFactor(const std::vector<double> &factors, double wanted)
+{
+    return std::ranges::min(factors, {}, [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); });
 }
 
 /// What all columns of a file are multiplied by.
@@ -77,9 +92,10 @@ WholeFileFactors findFactorsTowards(const Parameters &given, const Parameters &f
     const auto isLength = [](const ReferenceSeries &series) { return !isAngle(series.channel.coordinate); };
     const auto length = std::ranges::find_if(data.series, isLength);
     const double lengthUnit = length != data.series.end() ? length->rounding.unitFactor : 1.0;
-    WholeFileFactors factors{.length = nearestFactor(kLengthUnits, given.a / found.a, lengthUnit)};
+    WholeFileFactors factors{.length = nearestFactor(possibleFactors(kLengthUnits, lengthUnit), given.a / found.a)};
     if (!data.crank) { // a table over the crank angle shows neither
-        factors.time = nearestFactor(kTimeUnits, found.omega2 / given.omega2, data.timeRounding.unitFactor);
+        factors.time =
+            nearestFactor(possibleFactors(kTimeUnits, data.timeRounding.unitFactor), found.omega2 / given.omega2);
         factors.isReversed = found.omega2 * given.omega2 < 0.0;
     }
     return factors;
@@ -132,9 +148,7 @@ void appendLateStart(WholeFileConventions &result, const Parameters &given)
     Parameters &p = result.parameters;
     const double angle = std::remainder(p.theta20 - given.theta20, kTurn);
     const double error = result.standardError[indexOf(Parameter::Theta20)];
-    const double tolerance =
-        std::isfinite(error) ? std::max(kTypedDifference, kStandardErrors * error) : kTypedDifference;
-    if (std::abs(angle) > tolerance) {
+    if (std::abs(angle) > toleranceOf(Parameter::Theta20, given, error)) {
         const double late =
             roundToFewestDigits(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0}).value;
         result.conventions.push_back({{Kind::TimeShift, {}, late}});
@@ -154,7 +168,7 @@ WholeFileConventions findWholeFileConventions(const ReferenceData &data, const P
     const WholeFileFactors factors = findFactorsTowards(given, found, data);
     WholeFileConventions result = none;
     multiplyMechanism(result, factors);
-    if (!areNear(result.parameters, given, result.standardError)) {
+    if (!haveSameLengthsAndSpeed(result.parameters, given, result.standardError)) {
         return none;
     }
     appendFactors(result.conventions, factors, data, found.branch);
