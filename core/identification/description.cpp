@@ -21,10 +21,15 @@ namespace
 void convertToUnitOfMostColumns(LastFit &last)
 {
     Indices lengths;
-    std::ranges::copy_if(last.fit.columns, std::back_inserter(lengths), [&](Index k) {
+    Indices sliderLine; // R4_y, which has been fitted in the same unit, but shows none
+    for (const Index k : last.fit.columns) {
         const ObservedColumn &column = last.observations.columns[k];
-        return !column.containsAngles() && !column.isConstant();
-    });
+        if (column.channel == kSliderLine) {
+            sliderLine.push_back(k);
+        } else if (!column.containsAngles() && !column.isConstant()) {
+            lengths.push_back(k);
+        }
+    }
     const auto columnsWith = [&](double unit) {
         return std::ranges::count_if(lengths,
                                      [&](Index k) { return std::abs(last.fit.model.readings[k].factor) == unit; });
@@ -34,8 +39,10 @@ void convertToUnitOfMostColumns(LastFit &last)
         const double unit = std::abs(last.fit.model.readings[k].factor);
         mostFrequentUnit = columnsWith(unit) > columnsWith(mostFrequentUnit) ? unit : mostFrequentUnit;
     }
-    for (const Index k : lengths) {
-        last.fit.model.readings[k].factor /= mostFrequentUnit;
+    for (const Indices &columns : {lengths, sliderLine}) {
+        for (const Index k : columns) {
+            last.fit.model.readings[k].factor /= mostFrequentUnit;
+        }
     }
     Parameters &mechanism = last.fit.model.mechanism;
     for (const Parameter length : kLengths) {
@@ -70,12 +77,13 @@ void chooseImage(Findings &findings, const Parameters &given)
     }
 }
 
-/// Replaces the lengths of the last fit by the given ones.
+/// Replaces the lengths of the last fit by the given ones, with its drive and its origins fitted again, and chooses its
+/// image anew: findings.otherImages still have the lengths from before.
 void moveToGivenLengths(Findings &findings, const Parameters &given)
 {
     Fit &last = findings.lastFit.fit;
     last.replaceModel(fitWithGivenLengths(findings.lastFit.observations, last, given));
-    chooseImage(findings, given); // the other images have the same lengths
+    chooseImage(findings, given);
 }
 
 /// Compares the lengths of the last fit with the given ones. If the given ones explain the file as well, a fit with

@@ -33,8 +33,7 @@ Model mirroredInX(const Model &model, const Observations &observations)
     image.mechanism.c = -model.mechanism.c;
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const Coordinate coordinate = observations.columns[k].channel.coordinate;
-        const bool isY = coordinate == R2y || coordinate == R3y || coordinate == R4y;
-        image.readings[k].factor *= isAngle(coordinate) || isY ? -1.0 : 1.0;
+        image.readings[k].factor *= isAngle(coordinate) || isAlongY(coordinate) ? -1.0 : 1.0;
         if (observations.columns[k].channel == Channel{Theta3, Order::Position} &&
             image.mechanism.branch == Branch::Crossed) {
             // The model has θ3 of the crossed assembly between 90° and 270°, and not between -270° and -90°.
@@ -51,11 +50,10 @@ Model mirroredInY(const Model &model, const Observations &observations)
     image.mechanism.branch = oppositeBranch(model.mechanism.branch);
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const Channel channel = observations.columns[k].channel;
-        const bool isX = channel.coordinate == R2x || channel.coordinate == R3x || channel.coordinate == R4x;
         if (isAngle(channel.coordinate) && channel.order == Order::Position) {
             image.readings[k].origin += model.readings[k].factor * kHalfTurn;
         }
-        image.readings[k].factor *= isAngle(channel.coordinate) || isX ? -1.0 : 1.0;
+        image.readings[k].factor *= isAngle(channel.coordinate) || isAlongX(channel.coordinate) ? -1.0 : 1.0;
     }
     return image;
 }
@@ -66,22 +64,22 @@ bool isOddHalfTurn(double angle)
     return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
 }
 
-/// How many columns of one kind (lengths or angles) are negated. Displacements, which are R4_x with a free origin, are
-/// not among these columns.
+/// How many columns of one kind (lengths or angles) are negated. A displacement, which is R4_x with a free origin, is
+/// not counted, because its direction may be chosen freely.
 struct SignCount {
     int columns = 0;
     int negated = 0;
-    bool hasNegatedDisplacement = false;
+    bool isDisplacementNegated = false;
 
-    /// The number of unusual readings. If all columns are negated, they are counted along the opposite axis, which is
-    /// one unusual reading; beside a negated displacement it is none, because derivatives share the direction of a
-    /// displacement, and that may be chosen freely.
-    int countUnusual() const
+    int countUnusualReadings() const
     {
-        if (negated < columns) {
+        const bool areAllNegated = columns > 0 && negated == columns;
+        if (!areAllNegated) {
             return negated;
         }
-        return columns == 0 || hasNegatedDisplacement ? 0 : 1;
+        // They are counted along the opposite axis, which is one unusual reading. Derivatives share the direction of a
+        // displacement, so that it is none beside a negated one.
+        return isDisplacementNegated ? 0 : 1;
     }
 };
 
@@ -128,7 +126,7 @@ int countUnusualReadings(const Observations &observations, const Fit &fit, const
         // R4_x with an origin of its own is a displacement, unless the whole frame of the file is shifted, R4_y as
         // well.
         if (hasOrigin && !column.containsAngles() && !isLineShifted) {
-            lengths.hasNegatedDisplacement = lengths.hasNegatedDisplacement || isNegated;
+            lengths.isDisplacementNegated = lengths.isDisplacementNegated || isNegated;
             continue;
         }
         SignCount &signs = column.containsAngles() ? angles : lengths;
@@ -138,7 +136,7 @@ int countUnusualReadings(const Observations &observations, const Fit &fit, const
             column.containsAngles() && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor);
         count += isHalfTurnOff ? 1 : 0;
     }
-    return count + lengths.countUnusual() + angles.countUnusual();
+    return count + lengths.countUnusualReadings() + angles.countUnusualReadings();
 }
 
 /// Orders the images: that with the lowest rank, compared member by member, is preferred.

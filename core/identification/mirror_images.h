@@ -12,9 +12,10 @@
 namespace slidercrank
 {
 
-/// Returns the images, one of which is the model of the fit, that have the simplest reading of the file. A reading is
-/// the simpler the fewer columns are negated or half a turn off; another assembly than that of the given mechanism
-/// counts like one such column. The mechanism near the given one comes first.
+/// Of the mirror images of a fit, itself included, returns those with the simplest reading of the file, the one near
+/// the given mechanism first. A reading is the simpler the fewer columns are negated or half a turn off; if all columns
+/// of lengths or of angles are negated, they count once. Another assembly than the given one, and R4_y that is not c,
+/// count like one such column.
 std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given);
 
 } // namespace slidercrank

@@ -20,7 +20,8 @@ namespace
 using Kind = Convention::Kind;
 
 /// Parameters of an exact file, whose standard errors are tiny, may differ by this fraction of their size from those
-/// that a person has typed with few digits. The size of a length is a + b + |c|; for angles, the fraction is 0.1°.
+/// that a person has typed with few digits. The size of a length is a + b + |c|; that of an angle is a radian, so that
+/// it may differ by 0.1°.
 constexpr double kTypedDifference = 2e-3;
 
 /// How far a parameter may be from the given one: three standard errors, or kTypedDifference of its size if this is
@@ -41,22 +42,23 @@ bool haveSameLengthsAndSpeed(const Parameters &found, const Parameters &given, c
     });
 }
 
-/// Appends a convention of all columns of the file for whose channel `concerns` returns true.
+/// Appends a convention of all columns of the file for whose channel `isChanged` returns true.
 template <class Predicate>
 void appendForColumns(std::vector<ConventionFinding> &conventions, const ReferenceData &data, Kind kind, double amount,
-                      const Predicate &concerns)
+                      const Predicate &isChanged)
 {
     Convention &convention = conventions.emplace_back(ConventionFinding{{kind, {}, amount}}).convention;
     for (const ReferenceSeries &series : data.series) {
-        if (concerns(series.channel)) {
+        if (isChanged(series.channel)) {
             convention.channels.push_back(series.channel);
         }
     }
 }
 
-/// The factors that may correct the unit of values. `statedUnit`: the unit in which they are stated to be, by their
-/// heading or by a convention that has been applied, as a multiple of the default unit; 1 without a unit. Values in the
-/// default unit may really be in any of `units`, values in another unit only in the default one.
+/// The factors by which values may have to be multiplied because their unit is wrong. `statedUnit`: how many default
+/// units the unit is that is stated by the heading, or that conventions have made of it; 1 if none is stated. Values
+/// without a unit, or in the default one, may really be in any of `units`; values in another unit may really be in the
+/// default one.
 std::vector<double> possibleFactors(std::span<const double> units, double statedUnit)
 {
     if (statedUnit == 1.0) {
@@ -83,10 +85,10 @@ double nearestFactor(const std::vector<double> &factors, double wanted)
 struct WholeFileFactors {
     double length = 1.0;
     double time = 1.0;       ///< of the times; derivatives are multiplied by its inverse powers
-    bool isReversed = false; ///< angles are counted in the opposite direction
+    bool isReversed = false; ///< y has the opposite direction, so that angles are counted in the opposite one, too
 };
 
-/// The factors after which the mechanism found is nearest to the given one.
+/// The factors after which a and the speed of the mechanism found are nearest to those of the given one.
 WholeFileFactors findFactorsTowards(const Parameters &given, const Parameters &found, const ReferenceData &data)
 {
     const auto isLength = [](const ReferenceSeries &series) { return !isAngle(series.channel.coordinate); };
@@ -116,7 +118,7 @@ void appendFactors(std::vector<ConventionFinding> &conventions, const WholeFileF
     }
     if (factors.isReversed) {
         appendForColumns(conventions, data, Kind::Sign, -1.0,
-                         [](Channel channel) { return isAngle(channel.coordinate); });
+                         [](Channel channel) { return isAngle(channel.coordinate) || isAlongY(channel.coordinate); });
         const Channel coupler{Theta3, Order::Position};
         if (branch == Branch::Crossed && data.find(coupler)) {
             appendForColumns(conventions, data, Kind::WholeTurns, kTurn * kDegreesPerRadian,
@@ -141,8 +143,8 @@ void multiplyMechanism(WholeFileConventions &result, const WholeFileFactors &fac
     result.standardError[indexOf(Parameter::Omega2)] /= factors.time;
 }
 
-/// If the crank is not at the given angle at t = 0, appends a late start, and turns the crank of the mechanism found by
-/// as much as it turns in that time. The two mechanisms have the same speed, apart from its error.
+/// If the crank is not at the given angle at t = 0, appends a late start, and turns the crank of the mechanism found
+/// back by its motion in that time. The two mechanisms have the same speed, apart from its error.
 void appendLateStart(WholeFileConventions &result, const Parameters &given)
 {
     Parameters &p = result.parameters;

@@ -61,6 +61,16 @@ constexpr bool isAngle(Coordinate coordinate)
     return coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3 || coordinate == Theta4;
 }
 
+constexpr bool isAlongX(Coordinate coordinate)
+{
+    return coordinate == R1x || coordinate == R2x || coordinate == R3x || coordinate == R4x;
+}
+
+constexpr bool isAlongY(Coordinate coordinate)
+{
+    return coordinate == R1y || coordinate == R2y || coordinate == R3y || coordinate == R4y;
+}
+
 /// Returns the unit of a channel in files and on the screen, UTF-8: "mm", "mm/s", "mm/s²", "°", "°/s", "°/s²".
 std::string_view fileUnit(Channel channel);
 

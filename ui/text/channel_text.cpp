@@ -12,11 +12,6 @@ namespace slidercrank
 namespace
 {
 
-constexpr bool isAlongX(Coordinate coordinate)
-{
-    return coordinate == R1x || coordinate == R2x || coordinate == R3x || coordinate == R4x;
-}
-
 struct BodyWords {
     const char *name;        ///< untranslated
     const char *superscript; ///< in absolute coordinates

@@ -26,6 +26,8 @@ namespace tst_conventions
 
 using Kind = Convention::Kind;
 
+constexpr Channel kLine{R4y, Order::Position}; // the slider's, constant
+
 /// Returns the number of random files to test.
 int filesOf(int all)
 {
@@ -373,6 +375,29 @@ private slots:
         data.series[0].channel.coordinate = R4y;
         std::ranges::generate(data.series[0].values, [&] { return random.uniform(-50.0, 50.0); });
         QVERIFY(findConventions(data, Parameters()).empty());
+    }
+
+    /// In pictures of a camera, y points downwards: then all y and all angles have the opposite sign.
+    void findsAYAxisThatPointsDownwards()
+    {
+        const Channel coupler{R3y, Order::Position};
+        Printing printing;
+        printing.channels = {kTheta3, kSlider, coupler, kLine};
+        const Convention downwards{Kind::Sign, {kTheta3, coupler, kLine}, -1.0};
+        const auto found = findConventions(applied(downwards, printedData(Parameters(), printing)), Parameters());
+        QVERIFY2(areFound(found, {downwards}), described(found));
+    }
+
+    void convertsR4yWithThePositionOfTheSlider()
+    {
+        Printing printing;
+        printing.channels = kSixChannels;
+        printing.channels.push_back(kLine);
+        const std::vector<Channel> positions{kSlider, kLine};
+        const ReferenceData data =
+            applied({Kind::LengthUnit, positions, 0.1}, printedData(Parameters(), printing)); // cm under mm
+        const auto found = findConventions(data, Parameters());
+        QVERIFY2(areFound(found, {{Kind::LengthUnit, positions, 10.0}}), described(found));
     }
 
     void findsALateStartAsARoundNumber()
