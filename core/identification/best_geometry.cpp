@@ -15,7 +15,8 @@ namespace
 {
 
 /// The two columns of a fit, θ3 and R4_x or two of the centres of the links, may come from two mechanisms, each of
-/// which explains one column exactly. Then returns the fit of the last column alone; otherwise the same fit.
+/// which explains one column exactly and over at least a turn. Then returns the fit of the last column alone; otherwise
+/// the same fit.
 Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
 {
     if (fit.columns.size() != 2 || isExact(searched, fit)) {
@@ -43,8 +44,9 @@ ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Obse
     return fit.isFinite() ? withoutFreedoms(searched, withUsualReadings(searched, std::move(fit))) : ConstrainedFit{};
 }
 
-/// Whether `higher`, the fit of the geometry to higher derivatives, explains these and the lower ones together better
-/// than `lowest`, the fit to the lower ones, does. `columns`: the columns of both.
+/// Whether `higher`, the fit of the geometry to higher derivatives, is better than `lowest`, the fit to the lower ones.
+/// Over the time, it has to explain both together better; in a file with θ2, only its own columns. `columns`: those of
+/// both.
 bool explainsBetter(const Observations &searched, const Fit &higher, const Fit &lowest, const Indices &columns)
 {
     if (searched.hasAngle()) {

@@ -97,8 +97,8 @@ Regression fitCouplerReading(const Moments &moments, ColumnOrigin origin)
     return best;
 }
 
-/// Whether a column depends on a speed of the crank that the file does not contain: derivatives in a table over the
-/// crank angle. Their motion is computed for ω2 = 1.
+/// Whether a column depends on a speed of the crank that is not known yet: derivatives over the angle in the file.
+/// Their motion is computed for ω2 = 1.
 bool dependsOnUnknownSpeed(const ObservedColumn &column, const Model &model)
 {
     return column.isDerivative() && model.followsAngle;
@@ -116,7 +116,7 @@ Regression fitColumn(const ObservedColumn &column, const Moments &moments, const
 /// What the factors of fitted columns say about a mechanism with a = 1 mm.
 struct Scale {
     double crankLength = 1.0; ///< mm
-    double speed = 1.0;       ///< ω2 in a table over the crank angle, rad/s
+    double speed = 1.0;       ///< ω2, rad/s, if the model follows the angle in the file
 };
 
 /// The scale that the columns show; the given length and speed if no column shows them. `regressions`: the result of
@@ -156,31 +156,42 @@ struct Candidate {
     Model model;
 };
 
-/// Chooses the size of a mechanism with a = 1 mm and the readings of the columns, so that its motion fits them best.
-/// Returns the model with these readings and lengths and, in a table over the crank angle, with the speed that follows
-/// from the derivatives. `moments`: those of each column and its motion.
-Candidate scaleToColumns(Model model, const Observations &observations, const Indices &columns,
-                         const std::vector<Moments> &moments, const Parameters &given, Origins origins)
+/// The misfit of some columns, apart from their numbers of values, which are nearly equal.
+double misfitOfRegressions(const Observations &observations, const Indices &columns,
+                           const std::vector<Regression> &regressions)
 {
-    constexpr double kFloor = 1e-8; // of the squared range: smaller residuals on a coarse grid are accidents
-    std::vector<Regression> regressions;
+    constexpr double kFloor = 1e-8; // fraction of the squared range: smaller residuals on a coarse grid are accidents
     double misfit = 0.0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const ObservedColumn &column = observations.columns[columns[i]];
+        misfit += std::log(regressions[i].meanSquare + column.variance + kFloor * column.range * column.range);
+    }
+    return misfit;
+}
+
+/// Chooses the size of a mechanism with a = 1 mm and the readings of the columns, so that its motion fits them best.
+/// Returns the model with these readings and lengths and, if it follows the angle in the file, with the speed that
+/// follows from the derivatives. `moments`: those of each column and its motion.
+Candidate scaleToColumns(Model model, const Observations &observations, const Indices &columns,
+                         const std::vector<Moments> &moments, const Parameters &given, Origins origins)
+{
+    std::vector<Regression> regressions;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const ObservedColumn &column = observations.columns[columns[i]];
         regressions.push_back(fitColumn(column, moments[i], model, allowedOrigin(column.channel, origins)));
-        misfit += std::log(regressions.back().meanSquare + column.variance + kFloor * column.range * column.range);
     }
     const Scale scale = scaleOfColumns(observations, columns, regressions, model, given);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Index k = columns[i];
         model.readings[k] = scaledReading(observations.columns[k], regressions[i].reading, model, scale.speed);
     }
-    Parameters &mechanism = model.mechanism;
-    mechanism.omega2 = model.followsAngle ? scale.speed : mechanism.omega2;
-    mechanism.a *= scale.crankLength;
-    mechanism.b *= scale.crankLength;
-    mechanism.c *= scale.crankLength;
-    return {.misfit = misfit, .model = std::move(model)};
+    if (model.followsAngle) {
+        model.mechanism.omega2 = scale.speed;
+    }
+    for (const Parameter length : kLengths) {
+        valueOf(model.mechanism, length) *= scale.crankLength;
+    }
+    return {.misfit = misfitOfRegressions(observations, columns, regressions), .model = std::move(model)};
 }
 
 /// The best candidates of a grid if the columns have their usual origins, and if they may have any.
@@ -216,7 +227,7 @@ GridResult searchGrid(const Observations &observations, const Indices &columns, 
     constexpr int kAngles = 16; // of the crank, every 22.5°
     GridResult result;
     Model model = start;
-    // In a table over the crank angle, derivatives are compared with those by the angle, which are those of ω2 = 1.
+    // Over the angle in the file, derivatives are compared with those by the angle, which are those of ω2 = 1.
     const double speed = start.followsAngle ? 1.0 : start.mechanism.omega2;
     for (const double offset : kOffsets) {
         for (const double coupler : kCouplers) {
@@ -254,7 +265,7 @@ Unknowns geometryUnknowns(const Observations &observations, const Indices &colum
         unknowns.push_back({Unknown::Kind::A});
     }
     const auto showsSpeed = [&](Index k) { return !isPosition(k) && !isLength(k); };
-    // Derivatives of lengths over the angle show only the product of a and ω2.
+    // Velocities of lengths over the angle show only a ω2, accelerations a ω2².
     if (!observations.hasAngle() || std::ranges::any_of(columns, showsSpeed)) {
         unknowns.push_back({Unknown::Kind::Omega2});
     }
@@ -333,6 +344,18 @@ Indices changingColumns(const Observations &observations, Coordinate coordinate)
     return columns;
 }
 
+/// The model of a geometry, in which each of `columns` that it does not use is read in the unit that suits it best.
+Model withUsualFactors(const Observations &observations, const Fit &geometry, const Indices &columns)
+{
+    Model model = geometry.model;
+    for (const Index k : columns) {
+        if (!geometry.usesColumn(k)) {
+            model.readings[k].factor = usualFactor(observations, geometry, k);
+        }
+    }
+    return model;
+}
+
 } // namespace
 
 Indices shapeColumns(const Observations &observations, std::size_t skipped)
@@ -405,14 +428,17 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
 double misfitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
     constexpr int kIterations = 5; // enough, because the predictions are linear in the origins
+    if (!geometry.isFinite()) {
+        return kInfinity;
+    }
     Unknowns origins;
     for (const Index k : columns) {
         if (!observations.columns[k].isDerivative()) {
             origins.push_back({Unknown::Kind::Origin, k});
         }
     }
-    return geometry.isFinite() ? fitModel(observations, geometry.model, columns, origins, kIterations).misfit
-                               : kInfinity;
+    const Model start = withUsualFactors(observations, geometry, columns);
+    return fitModel(observations, start, columns, origins, kIterations).misfit;
 }
 
 double misfitOfRepeatedFit(const Observations &observations, const Fit &geometry, const Indices &columns)
@@ -420,14 +446,11 @@ double misfitOfRepeatedFit(const Observations &observations, const Fit &geometry
     if (!geometry.isFinite()) {
         return kInfinity;
     }
-    Model start = geometry.model;
+    Model start = withUsualFactors(observations, geometry, columns);
     Unknowns unknowns = geometry.unknowns;
     for (const Index k : columns) {
         const ObservedColumn &column = observations.columns[k];
         const Unknown origin{Unknown::Kind::Origin, k};
-        if (!geometry.usesColumn(k)) {
-            start.readings[k].factor = usualFactor(observations, geometry, k);
-        }
         if (!column.isDerivative() && !geometry.isFree(origin)) {
             unknowns.push_back(origin);
         }
