@@ -11,23 +11,26 @@ namespace slidercrank
 namespace
 {
 
-/// Makes the angle of the crank in the file a column like the others, because a constant speed predicts it, and fits it
-/// together with them over the time.
-ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
+/// Appends the angle of the crank in the file to the columns.
+void appendAngle(Observations &observations)
 {
-    Observations &observations = current.wholeFile;
-    Fit &fit = current.fit;
     ObservedColumn angle{.channel = kCrankAngle,
                          .values = observations.angle,
                          .range = observations.angle.maxCoeff() - observations.angle.minCoeff()};
     angle.setHalfSteps(Values::Constant(observations.size(), observations.angleHalfStep));
     observations.columns.push_back(std::move(angle));
-    const Index column = std::ssize(observations.columns) - 1;
+}
+
+/// Changes a model that follows the angle in the file to one that turns with the constant speed of a drive, and reads
+/// that angle as a column, which is appended to those of the fit.
+void followTime(Fit &fit, const Drive &drive)
+{
     Model &model = fit.model;
     model.readings.push_back({1.0 / model.angleFactor, -model.mechanism.theta20 / model.angleFactor});
     model.followsAngle = false;
     model.mechanism.omega2 = drive.omega2;
     model.mechanism.theta20 = drive.theta20;
+    const Index column = std::ssize(model.readings) - 1;
     fit.columns.push_back(column);
     for (const Unknown unknown : {Unknown{Unknown::Kind::CrankAngle}, {Unknown::Kind::Omega2}}) {
         if (!fit.isFree(unknown)) {
@@ -35,7 +38,16 @@ ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
         }
     }
     fit.unknowns.push_back({Unknown::Kind::Origin, column});
-    current.searched = selectRows(withoutSpikes(observations), kSearchedRows);
+}
+
+/// Makes the angle of the crank in the file a column like the others, because a constant speed predicts it, and fits it
+/// together with them over the time.
+ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
+{
+    appendAngle(current.wholeFile);
+    current.searched = selectRows(withoutSpikes(current.wholeFile), kSearchedRows); // with the new column
+    Fit &fit = current.fit;
+    followTime(fit, drive);
     fit = fitModel(current.searched, fit.model, fit.columns, fit.unknowns);
     return current;
 }
@@ -47,7 +59,8 @@ bool hasPrintedAbscissa(const Observations &observations, const Model &model)
     return (model.followsAngle ? observations.printedAngle : observations.printedTime).size() > 0;
 }
 
-/// The observations with the abscissa of a model as it was printed, which is then taken as exact.
+/// The observations with the abscissa of a model as it was printed. Its values are not moved within their rounding any
+/// more, but the bounds of rounding still allow for half a step of it.
 Observations withPrintedAbscissa(Observations observations, const Model &model)
 {
     if (model.followsAngle) {

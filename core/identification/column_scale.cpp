@@ -67,13 +67,15 @@ ColumnScale fitScale(const Observations &observations, const Fit &fit, const Mod
 {
     const ObservedColumn &column = observations.columns[k];
     const double factor = bestScale(observations, fit, model, k);
+    // The scale is relative to this sign, a reading is not.
+    const double sign = signOfCoordinate(observations, fit, column.channel.coordinate);
     Model scaled = model;
-    scaled.readings[k] = {factor * signOfCoordinate(observations, fit, column.channel.coordinate), 0.0};
-    const Fit ofColumn = evaluateModel(observations, scaled, {k});
-    const bool isSmall = ofColumn.rms[0] < largestFurtherResidual(othersAreExact) * column.range;
+    scaled.readings[k] = {sign * factor, 0.0};
+    const Fit fitOfColumn = evaluateModel(observations, scaled, {k});
+    const bool isSmall = fitOfColumn.rms[0] < largestFurtherResidual(othersAreExact) * column.range;
     return {.factor = factor,
-            .isExplained = ofColumn.isFinite() && (isSmall || isWithinRounding(observations, ofColumn, 0)),
-            .isNearRounding = ofColumn.isFinite() && isNearRounding(observations, ofColumn, 0)};
+            .isExplained = fitOfColumn.isFinite() && (isSmall || isWithinRounding(observations, fitOfColumn, 0)),
+            .isNearRounding = fitOfColumn.isFinite() && isNearRounding(observations, fitOfColumn, 0)};
 }
 
 double usualFactor(const Observations &observations, const Fit &fit, Index k)

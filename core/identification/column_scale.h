@@ -52,7 +52,8 @@ struct ColumnScale {
     bool isNearRounding = false; ///< they are as small as rounding
 };
 
-/// Compares a column with the prediction of `model` like bestScale(). `othersAreExact`: see largestFurtherResidual().
+/// Compares a derivative, which has no origin, with the prediction of `model` like bestScale(). `othersAreExact`: see
+/// largestFurtherResidual().
 ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index column,
                      bool othersAreExact);
 

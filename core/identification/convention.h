@@ -12,7 +12,7 @@
 //     mirrored in the y axis    θ → 180° - θ, x → -x     ω2 → -ω2, θ20 → 180° - θ20, the other assembly
 //     turned by 180°            θ → θ + 180°, x → -x     c → -c, θ20 → θ20 + 180°, the other assembly
 //     enlarged                  θ → θ, x → k x           a, b, c times k
-//     started late              t → t + τ                θ20 → θ20 + ω2 τ
+//     started late              t → t + τ                θ20 → θ20 - ω2 τ
 //     timed otherwise           t → f t, derivatives times powers of 1/f     ω2 → ω2 / f
 //
 // (θ and x with their derivatives, θ up to whole turns), and, for θ alone, if
@@ -21,7 +21,8 @@
 //
 // Therefore the length unit of the whole file, times in milliseconds, a late start and the other assembly are reported
 // only if the file then agrees with the given mechanism. Otherwise the result is another mechanism without a
-// convention. Some files can be described by either of two conventions:
+// convention. (Milliseconds are also reported if derivatives show them, see table_conventions.h.) Some files can be
+// described by either of two conventions:
 //
 //     θ turned by 180°, or x negated
 //     one of two columns negated, or the other one
@@ -86,9 +87,9 @@ ReferenceData applied(const Convention &convention, ReferenceData data);
 struct ConventionFinding {
     Convention convention;
 
-    /// The largest error without and with the convention, in percent of the motion's peak, after all other conventions
-    /// are applied: of the columns that the convention changes, or of all if it changes the times, the axes or the
-    /// model. 0 without values.
+    /// The largest error without and with the convention, in percent of the peak of the column, after all other
+    /// conventions are applied: of the columns that the convention changes, or of all if it changes the times, the
+    /// axes, the model, or θ2 where this is the abscissa. 0 without values.
     double before = 0.0;
     double after = 0.0;
 

@@ -59,9 +59,9 @@ ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, Refere
     return data;
 }
 
-/// Compares a mechanism with a file to which all conventions have been applied. If the speed of the crank is not
-/// constant, positions are compared as in a table over the crank angle, and derivatives are not compared. `fitted`: how
-/// the mechanism was fitted to the file; {} if it was not.
+/// Compares a mechanism with a file to which all conventions have been applied. If the file with θ2 does not show a
+/// constant speed, positions are compared as in a table over the crank angle, and derivatives are not compared.
+/// `fitted`: how the mechanism was fitted to the file; {} if it was not.
 std::vector<ChannelComparison> compareCorrectedFile(const Parameters &mechanism, const ReferenceData &data,
                                                     const Findings &findings, const FittedMechanism &fitted)
 {
@@ -167,8 +167,8 @@ void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 }
 
 /// Appends the conventions of the whole file after which the mechanism found is the given one, if there are such, and
-/// changes the mechanism accordingly. Does nothing if the lengths are only ratios or the speed changes. `usedColumns`:
-/// as they are in the file.
+/// changes the mechanism accordingly. Does nothing if the file contains only angles or the speed changes.
+/// `usedColumns`: as they are in the file.
 void addWholeFileConventions(Identification &result, const ReferenceData &usedColumns, const Parameters &given)
 {
     if (result.lengthScale == Identification::LengthScale::GivenCrank || result.drive) {

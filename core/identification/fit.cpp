@@ -156,8 +156,8 @@ std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const 
     }
     const Index size = std::ssize(unknowns);
     LocalShape shape{0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        addColumn(shape, sums[k], observations, columns[k], unknowns);
+    for (std::size_t place = 0; place < columns.size(); ++place) {
+        addColumn(shape, sums[place], observations, columns[place], unknowns);
     }
     return std::isfinite(shape.value) ? std::optional(std::move(shape)) : std::nullopt;
 }

@@ -118,9 +118,10 @@ std::optional<Fit> withSimplestReading(const Observations &observations, const F
     return std::nullopt;
 }
 
-/// Whether a slider-crank with proportions other than those of the fit explains the column at the same speed. A coupler
-/// of more than a hundred cranks proves nothing, because its length hardly shows.
-bool isMotionOfOtherLengths(const Observations &observations, const Fit &fit, Index k)
+/// Whether a slider-crank with proportions other than those of the fit explains the column at the same speed. (A wrong
+/// unit changes the lengths, but not the proportions.) A coupler of more than a hundred cranks proves nothing, because
+/// its length hardly shows.
+bool isMotionOfOtherProportions(const Observations &observations, const Fit &fit, Index k)
 {
     constexpr double kMinValues = 20.0; // fewer prove nothing
     constexpr double kMinChange = 3e-3; // of b/a or c/a, relative to (b + |c|)/a: a delayed column changes neither
@@ -141,14 +142,14 @@ bool isMotionOfOtherLengths(const Observations &observations, const Fit &fit, In
            changeOfProportions > kMinChange * (found.b + std::abs(found.c)) / found.a;
 }
 
-/// The largest deviation of a column from the prediction times a factor, in percent of its peak.
+/// The largest deviation of a column from the prediction times a factor, in percent of its peak, at most 100 %.
 double percentOfPeak(const Observations &observations, const Fit &fit, Index k, double factor)
 {
     Model model = fit.model;
     model.readings[k] = {factor, 0.0};
     const Fit alone = evaluateModel(observations, model, {k});
     const double deviation = gapsAsZeros(alone.residuals.col(0)).abs().maxCoeff();
-    // If a column contains only zeros, its deviation is the peak of the prediction.
+    // A larger deviation counts as 100 %, such as that of a column of zeros, which is the peak of the prediction.
     const double peak = std::max(gapsAsZeros(observations.columns[k].values).abs().maxCoeff(), deviation);
     return peak > 0.0 ? 100.0 * deviation / peak : kNone;
 }
@@ -185,13 +186,15 @@ Reason reasonOfMismatch(const Observations &observations, const Fit &fit, Index 
     if (column.isDifference) {
         return Reason::FiniteDifferences;
     }
-    const bool isOtherMotion = column.channel != kSliderLine && isMotionOfOtherLengths(observations, fit, k);
+    const bool isOtherMotion = column.channel != kSliderLine && isMotionOfOtherProportions(observations, fit, k);
     return isOtherMotion ? Reason::OtherMotion : Reason::Unknown;
 }
 
-/// The same as percentOfPeak(), at the speed of the crank and in the unit that suit the column best.
-double percentOfPeakAtBestSpeed(const Observations &observations, const Fit &fit, Index k)
+/// The same as percentOfPeak(), with the factor that suits the column best: a derivative is multiplied by it if the
+/// speed of the crank or the unit is another one.
+double percentOfPeakAtBestScale(const Observations &observations, const Fit &fit, Index k)
 {
+    // The scale is relative to this sign, the factor of percentOfPeak() is not.
     const double sign = signOfCoordinate(observations, fit, observations.columns[k].channel.coordinate);
     return percentOfPeak(observations, fit, k, sign * bestScale(observations, fit, fit.model, k));
 }
@@ -203,7 +206,7 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
     const ObservedColumn &column = observations.columns[k];
     const Fit &fit = result.fit;
     if (const std::optional<Reason> reason = reasonWithoutPrediction(column, fit, drive)) {
-        const double percent = *reason == Reason::UnevenSpeed ? kNone : percentOfPeakAtBestSpeed(observations, fit, k);
+        const double percent = *reason == Reason::UnevenSpeed ? kNone : percentOfPeakAtBestScale(observations, fit, k);
         result.leftOut.push_back({column.channel, *reason, percent});
         return;
     }

@@ -20,9 +20,10 @@ struct FurtherColumns {
     std::vector<double> speeds{};
 };
 
-/// Adds columns to a fit, positions first. A column is added in its usual reading, or in another unit or with another
-/// sign, if it is explained together with the columns of the fit: its residuals are rounding or small, and the misfit
-/// of the others does not grow. `given`: chooses among speeds that the units of a table leave open.
+/// Adds columns to a fit, positions first. A column is added in its usual reading, or else in another unit, with
+/// another sign or with a free origin, if it is explained together with the columns of the fit: its residuals are
+/// rounding or small, and the misfit of the others grows by at most kSameMisfit. `given`: chooses among speeds that the
+/// units of a table leave open.
 FurtherColumns withFurtherColumns(const Observations &observations, const Fit &fit, const Drive &drive,
                                   const Parameters &given);
 

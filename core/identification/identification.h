@@ -46,11 +46,14 @@ struct LeftOutColumn {
     };
     Channel channel;
     Reason reason = Reason::Unknown;
-    double percentOfPeak = kNone; ///< its largest deviation from the mechanism found, at the speed that suits it best
-                                  ///< if the speed is open; NaN if the speed is uneven
+
+    /// Its largest deviation from the mechanism found, at the speed that suits it best if the speed is open. NaN if the
+    /// speed is uneven, for θ2, and if the column and its prediction are zero.
+    double percentOfPeak = kNone;
 };
 
-/// How far a column and the mechanism found are apart, after the conventions are applied, without excluded rows.
+/// How far a column and the mechanism found are apart, without excluded rows: after the conventions are applied;
+/// without a mechanism, in the unit of the heading.
 struct ColumnResidual {
     Channel channel;
     double rms = 0.0;
@@ -92,8 +95,10 @@ struct Identification {
         return !stopped && (outcome == Outcome::Identified || outcome == Outcome::Approximate);
     }
 
-    /// The mechanism found; otherwise the given mechanism. θ20 is in (-π, π]. Parameters that are not identifiable are
-    /// those of the given mechanism. With an uneven drive, ω2 is UnevenDrive::omega2.
+    /// The mechanism found, with θ20 in (-π, π]. What the file does not determine is that of the given mechanism. If it
+    /// determines only ratios of lengths, the lengths have these ratios and the given a or ω2 (see `lengthScale`). With
+    /// an uneven drive, ω2 is UnevenDrive::omega2. Without a mechanism: what an insufficient file determines, the rest
+    /// and all others as given.
     Parameters parameters;
 
     /// The parameters in as few decimals as explain the file equally well; otherwise equal to `parameters`. Lengths are
@@ -121,8 +126,8 @@ struct Identification {
     };
     LengthScale lengthScale = LengthScale::Measured;
 
-    /// Approximate: neighbouring residuals have the same sign (filtered, interpolated or integrated values), so that
-    /// nothing bounds the errors of the parameters.
+    /// The file proves that the residuals are systematic (filtered, interpolated or integrated values), so that nothing
+    /// bounds the errors of the parameters.
     bool hasSystematicResiduals = false;
 
     /// The possible magnitudes of ω2 (rad/s) if the derivatives in a table over the crank angle do not show in which
@@ -146,7 +151,7 @@ struct Identification {
     /// The reason for Insufficient; the first that applies.
     enum class Lack {
         FewValues,      ///< too few values or rows for the number of unknowns
-        NothingMoves,   ///< all values of each column are equal
+        NothingMoves,   ///< neither R4_x nor θ3 nor the centre of a link changes
         FewRowsPerTurn, ///< a file over the time with positions only: other speeds give the same values in all rows
         OpenParameters, ///< the file does not determine openParameters
         Nothing         ///< the outcome is not Insufficient
@@ -170,7 +175,7 @@ struct Identification {
 };
 
 /// Identifies the mechanism of a file. `given` supplies what the file does not determine, and is preferred among equal
-/// answers. If stopped, only Identification::stopped is set.
+/// answers. If stopped, the result has the given parameters, and Identification::stopped is set.
 Identification identify(const ReferenceData &data, const Mechanism &given, std::stop_token stop = {});
 
 } // namespace slidercrank

@@ -82,7 +82,7 @@ Identification identifyTable(const ReferenceData &file, const std::optional<Conv
     Identification result = judge(data, findings, given);
     if (result.hasMechanism()) {
         addConventionsAndComparisons(result, file, tableConvention, findings, given);
-        if (!allAgree(result.channels)) {
+        if (!allAgree(result.channels)) { // the comparison, which the user can repeat, has the last word
             result.outcome = Identification::Outcome::Approximate;
         }
     }

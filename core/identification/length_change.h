@@ -14,9 +14,9 @@ namespace slidercrank
 /// Fits the given lengths to the file in the reading of `best`: only the drive and the origins are free.
 Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const Parameters &given);
 
-/// Returns the only length that has to be changed so that the given mechanism explains the file, in the reading of
-/// `best` and with its drive, as well as `best` does. It is a round number of `lengthUnit` (mm) if that explains the
-/// file as well. nullopt if no length, or if any of several could be the wrong one: all three if
+/// Returns the only length that has to be changed so that the given mechanism explains the file as well as `best` does,
+/// in the reading of `best`, with the drive and the origins fitted again. It is a round number of `lengthUnit` (mm) if
+/// that explains the file as well. nullopt if no length, or if any of several could be the wrong one: all three if
 /// nothing has to be changed.
 std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best, const Parameters &given,
                                              double lengthUnit);

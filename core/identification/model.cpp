@@ -14,8 +14,9 @@ Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observatio
             continue;
         }
         const double speed = model.crankSpeed(observations, row);
-        for (Index k = 0; k < result.cols(); ++k) {
-            result(row, k) = motionAtSpeed(motion, observations.columns[columns[k]].channel, speed, model.alpha2);
+        for (Index place = 0; place < result.cols(); ++place) {
+            const Channel channel = observations.columns[columns[place]].channel;
+            result(row, place) = motionAtSpeed(motion, channel, speed, model.alpha2);
         }
     }
     return result;
@@ -24,9 +25,9 @@ Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observatio
 Eigen::ArrayXXd predictValues(const Model &model, const Observations &observations, const Indices &columns)
 {
     Eigen::ArrayXXd result = computeMotion(model, observations, columns);
-    for (Index k = 0; k < result.cols(); ++k) {
-        const ColumnReading &reading = model.readings[columns[k]];
-        result.col(k) = reading.factor * result.col(k) + reading.origin;
+    for (Index place = 0; place < result.cols(); ++place) {
+        const ColumnReading &reading = model.readings[columns[place]];
+        result.col(place) = reading.factor * result.col(place) + reading.origin;
     }
     return result;
 }

@@ -83,8 +83,8 @@ Number motionAtSpeed(const TextbookMotion<Number> &motion, Channel channel, doub
     return motion.valueAt({channel.coordinate, Order::Position});
 }
 
-/// The motion of the model in all rows of some columns (mm, rad, s), before it is read as ColumnReading says. Returns
-/// one column for each of `columns`; NaN where the mechanism cannot be assembled.
+/// The motion of the model in each row, for some columns (mm, rad, s), before it is read as ColumnReading says. Returns
+/// one column for each of `columns`; NaN where the mechanism cannot be assembled or is singular.
 Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observations, const Indices &columns);
 
 /// The values that some columns should contain: factor · motion + origin. Otherwise like computeMotion().

@@ -50,8 +50,7 @@ Values computeHalfSteps(const std::vector<double> &valuesInFile, const Rounding 
     }
     Values halfSteps(std::ssize(rows));
     for (Index i = 0; i < halfSteps.size(); ++i) {
-        const double step = rounding.stepAt(valuesInFile[rows[i]]) * unit;
-        halfSteps[i] = std::isfinite(step) ? 0.5 * step : 0.0; // 0 in a gap
+        halfSteps[i] = 0.5 * rounding.stepAt(valuesInFile[rows[i]]) * unit;
     }
     // Digits below these limits have no meaning.
     return halfSteps.max(std::max(kSmallestFractionOfLargestStep * halfSteps.maxCoeff(), 0.5 * kArithmeticStep * size));
@@ -132,20 +131,22 @@ Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<
 {
     constexpr int kBits = 26; // of the result; more are lost in rounding errors
     const Index last = printed.size() - 1;
-    const Values spacings = Eigen::Map<const Values>(gridNumbers.data(), std::ssize(gridNumbers));
-    const Values fractions = spacings / spacings[last]; // of the duration of the grid
+    const Values numbers = Eigen::Map<const Values>(gridNumbers.data(), std::ssize(gridNumbers));
+    const Values fractions = numbers / numbers[last]; // of the duration of the grid
     // The times of a grid that starts at zero. The first and the last time stamp allow durations from the shortest one
     // (stretch = -1) to the longest one (stretch = 1).
-    const auto grid = [&](double stretch) -> Values {
+    const auto gridFromZero = [&](double stretch) -> Values {
         return (printed[last] - printed[0] + stretch * (halfSteps[0] + halfSteps[last])) * fractions;
     };
     // Every time stamp limits the start of the grid from both sides.
-    const auto earliestStart = [&](double stretch) { return (printed - grid(stretch) - halfSteps).maxCoeff(); };
-    const auto latestStart = [&](double stretch) { return (printed - grid(stretch) + halfSteps).minCoeff(); };
-    const auto contradiction = [&](double stretch) { return earliestStart(stretch) - latestStart(stretch); };
-    const double best = boost::math::tools::brent_find_minima(contradiction, -1.0, 1.0, kBits).first;
-    return {.times = 0.5 * (earliestStart(best) + latestStart(best)) + grid(best),
-            .margin = std::max(0.0, -0.5 * contradiction(best))};
+    const auto earliestStart = [&](double stretch) { return (printed - gridFromZero(stretch) - halfSteps).maxCoeff(); };
+    const auto latestStart = [&](double stretch) { return (printed - gridFromZero(stretch) + halfSteps).minCoeff(); };
+    // By how much the earliest start is after the latest one; negative if the limits leave starts between them. This is
+    // a convex function, so that its only local minimum is the least.
+    const auto excess = [&](double stretch) { return earliestStart(stretch) - latestStart(stretch); };
+    const double best = boost::math::tools::brent_find_minima(excess, -1.0, 1.0, kBits).first;
+    return {.times = 0.5 * (earliestStart(best) + latestStart(best)) + gridFromZero(best),
+            .margin = std::max(0.0, -0.5 * excess(best))};
 }
 
 /// Reads the time stamps of a file over the time.

@@ -41,22 +41,23 @@ struct ObservedColumn {
     bool isConstant() const { return range == 0.0; } ///< it repeats one value with one rounding error
 
     /// Sets the half steps and the variance of the rounding errors, which are distributed evenly within a step.
-    void setHalfSteps(Values steps)
+    void setHalfSteps(Values newHalfSteps)
     {
-        halfSteps = std::move(steps);
-        variance = halfSteps.square().mean() / 3.0;
+        halfSteps = std::move(newHalfSteps);
+        variance = halfSteps.square().mean() / 3.0; // step²/12
     }
 };
 
 struct Observations {
-    Values time;                ///< s, zero in the middle of the file; empty in a table over the crank angle
-    Values printedTime;         ///< the rounded time stamps if `time` is evenly spaced before rounding; otherwise empty
-    Values angle;               ///< θ2 as in the file, rad, without jumps; empty if the file does not contain it
-    Values printedAngle;        ///< the rounded `angle` of a table if `angle` is evenly spaced before rounding
-    double timeOrigin = 0.0;    ///< time of the file at which `time` is zero, s
-    double timeHalfStep = 0.0;  ///< half of the rounding step of the time stamps, s; 0 if they are evenly spaced
+    Values time;             ///< s, zero in the middle of the file; empty in a table over the crank angle
+    Values printedTime;      ///< the rounded time stamps if `time` is evenly spaced before rounding; otherwise empty
+    Values angle;            ///< θ2 as in the file, rad, without jumps; empty if the file does not contain it
+    Values printedAngle;     ///< the rounded `angle` of a table if `angle` is evenly spaced before rounding
+    double timeOrigin = 0.0; ///< time of the file at which `time` is zero, s
+    double timeHalfStep =
+        0.0; ///< half of the rounding step of the time stamps, s; 0 if those in the file are evenly spaced
     double timeMargin = 0.0;    ///< how far the evenly spaced time stamps can be moved within their rounding, s
-    double angleHalfStep = 0.0; ///< half of the rounding step of `angle`, rad
+    double angleHalfStep = 0.0; ///< half of the rounding step of `angle`, rad; 0 in a table with evenly spaced angles
     Indices rows;               ///< index in the file of each row
     std::vector<ObservedColumn>
         columns;          ///< without those that tell nothing; θ2 only if withDriveOfFile() has made it one
@@ -80,12 +81,12 @@ struct Observations {
     }
 };
 
-/// Reads the observations from a file. Rows without any value are left out, and so are columns that tell nothing about
-/// the mechanism: those that are zero in every mechanism, α2, and empty ones. A column that changes by no more than
-/// rounding errors is kept, with a range of 0.
+/// Reads the observations from a file. Rows without any value are left out, rows without θ2 if most rows have it, and
+/// columns that tell nothing about the mechanism: those that are zero in every mechanism, α2, and empty ones. A column
+/// that changes by no more than rounding errors is kept, with a range of 0.
 Observations observe(const ReferenceData &data, std::stop_token stop);
 
-/// The number of rows that are enough for the fits before the last one: the time of a search is proportional to it.
+/// The number of rows that are enough for all fits but the last one: the time of a search is proportional to it.
 inline constexpr Index kSearchedRows = 400;
 
 /// Selects at most `count` rows, one at an irregular place in each of `count` equal sections of the file: at equal

@@ -46,20 +46,21 @@ ColumnResidual describeResidual(const Observations &observations, const Fit &fit
             .percentOfRange = hasRange ? 100.0 * largest / column.range : 0.0};
 }
 
-/// How far the parameters may be off: their standard errors if the residuals are independent. These assume that the
-/// errors of many rows cancel. Systematic errors need not: n equal errors change a parameter √n times as much as n
-/// independent ones of the same size. The standard errors already contain the square root of the dependence of
-/// the residuals.
+/// How far the parameters may be off. Standard errors assume that the errors of many rows cancel. Systematic errors may
+/// all have the same sign, and n of these change a parameter √n times as much as n independent ones of the same
+/// size. The standard errors already contain the square root of the dependence of the residuals.
 ParameterErrors worstCaseErrors(const LastFit &lastFit, bool areResidualsSystematic)
 {
     ParameterErrors errors = lastFit.standardError;
-    for (double &error : errors) {
-        error *= areResidualsSystematic ? std::sqrt(lastFit.fit.valueCount() / lastFit.dependence) : 1.0;
+    if (areResidualsSystematic) {
+        for (double &error : errors) {
+            error *= std::sqrt(lastFit.fit.valueCount() / lastFit.dependence);
+        }
     }
     return errors;
 }
 
-/// A parameter is left open if it may be off by a larger fraction of its size.
+/// The largest error of a parameter, relative to its size, with which it is not left open.
 double maxRelativeError(Unknown unknown, bool areResidualsSystematic)
 {
     if (areResidualsSystematic) {
@@ -78,7 +79,7 @@ bool hasOneCoordinate(const LastFit &lastFit)
 }
 
 /// Which unknown parameters the file leaves open. `errors`: the result of worstCaseErrors(). A parameter whose error is
-/// NaN is not open: it belongs to the drive.
+/// NaN belongs to the drive, and is open only if all are.
 ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors &errors, bool areResidualsSystematic)
 {
     const Fit &fit = lastFit.fit;

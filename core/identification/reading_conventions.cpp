@@ -32,9 +32,10 @@ void appendForColumn(std::vector<ConventionFinding> &conventions, Kind kind, Cha
     conventions.push_back({{kind, {channel}, amount}});
 }
 
-/// Appends the convention that adds `amount` (° or mm) to a column. `errorOfAmount`: its standard error.
-/// `hadJumps`: jumps by whole turns have to be removed from the column. Amounts are usual that are multiples of 180°,
-/// or 0 mm: they have no error.
+/// Appends the convention that adds `amount` (° or mm) to a column. A usual amount, which is a multiple of 180° or 0
+/// mm, is exact: an odd multiple becomes HalfTurn, an even one WholeTurns, and 0 nothing. Another amount becomes
+/// ZeroPoint, with `errorOfAmount`. `hadJumps`: jumps by whole turns have to be removed from the column, which
+/// WholeTurns and HalfTurn do.
 void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, double amount, double errorOfAmount,
                  bool hadJumps)
 {

@@ -91,8 +91,8 @@ struct Estimate {
 };
 
 /// Makes an estimate in which no unknown is fixed yet. `unrounded`: the parameters of the last fit at t = 0 of the
-/// file. θ20 of a model that follows the angle in the file is the origin of that angle. The errors of origins are
-/// compared with 1 mm or 1 rad.
+/// file. θ20 of a model that follows the angle in the file is the origin of that angle, so that it is an origin here
+/// and no parameter. The errors of origins are compared with 1 mm or 1 rad.
 Estimate makeEstimate(const LastFit &lastFit, const Parameters &unrounded)
 {
     const Model &model = lastFit.fit.model;
@@ -225,8 +225,8 @@ bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit
     return 100.0 * (fit.counts[place] - beyond) >= static_cast<double>(kPercentWithinBound) * fit.counts[place];
 }
 
-/// Whether rounded parameters still explain what the fit from which they were rounded explains: every column that
-/// agreed with it still agrees, and the misfit is hardly higher. (Two fits are compared by explainsAsWell().)
+/// Whether rounded parameters still explain what the fit from which they were rounded explains: each column that was
+/// nearly all within rounding still is, and the misfit is hardly higher. (For a fit, explainsAsWell() allows more.)
 bool areStillExplained(const Observations &observations, const Fit &rounded, const Fit &fit)
 {
     // The misfit of the true values of five parameters is higher than that of the fit by 5 on average, and seldom

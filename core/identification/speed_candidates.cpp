@@ -87,8 +87,8 @@ double computeCoverage(const Observations &observations)
     return std::min(1.0, static_cast<double>(pairs) * median(distances) / observations.span());
 }
 
-/// How many turns of the crank may have crossings that are not counted, because they are incomplete at the start and at
-/// the end of the file.
+/// By how many turns the number that follows from the crossings may be wrong, because the first and the last turn are
+/// incomplete.
 constexpr double kMaxIncompleteTurns = 1.0;
 
 /// Whether the crank may have made a number of turns in a file with a number of pairs of crossings: a periodic motion
@@ -122,9 +122,9 @@ struct CrossingCount {
     }
 };
 
-/// Equally spaced numbers of turns that the crank may have made in the file, according to the number of crossings. If
-/// crossings may be missed, these are all numbers up to half a turn per row: a faster crank gives the same positions as
-/// one of these.
+/// Those of equally spaced numbers of turns that the crank may have made in the file, according to the number of
+/// crossings. If crossings may be missed, these are all numbers up to half a turn per row: a faster crank gives the
+/// same positions as one of these.
 std::vector<double> possibleTurns(const CrossingCount &crossings)
 {
     constexpr double kSpacing = 0.1;  // a tenth of the width of a minimum of the periodogram

@@ -98,11 +98,11 @@ std::optional<Convention> findAxisRotation(const ReferenceData &data, bool rotat
 
 std::vector<Convention> possibleTableConventions(const ReferenceData &data, const Identification &result)
 {
-    std::vector<Convention> possible = possibleExchanges(data, findDoubtfulHeadings(result));
+    std::vector<Convention> conventions = possibleExchanges(data, findDoubtfulHeadings(result));
     if (std::optional<Convention> clock = otherUnitOfClock(data, result)) {
-        possible.insert(possible.begin(), *std::move(clock));
+        conventions.insert(conventions.begin(), *std::move(clock)); // of equal results, the earlier one is kept
     }
-    return possible;
+    return conventions;
 }
 
 } // namespace slidercrank
