@@ -7,6 +7,8 @@
 #include "ui/widgets/message_bar.h"
 #include "ui/window/views.h"
 
+#include <QComboBox>
+#include <QCoreApplication>
 #include <QFontInfo>
 #include <QKeyEvent>
 #include <QMainWindow>
@@ -30,6 +32,18 @@ QFont largeFont(const QWidget &window)
     QFont font = window.font();
     font.setPixelSize(std::max(QFontInfo(font).pixelSize(), window.screen()->size().height() / kLinesOnScreen));
     return font;
+}
+
+/// Sets the font of the parts of a widget. Qt 6.4 computes the smallest width of a combo box only once, except after a
+/// change of the style: with larger letters, its text would be cut off.
+void setFontOfParts(QWidget &widget, const QFont &font)
+{
+    widget.setFont(font);
+    for (QComboBox *box : widget.findChildren<QComboBox *>()) {
+        QEvent styleChange(QEvent::StyleChange);
+        QCoreApplication::sendEvent(box, &styleChange);
+        box->updateGeometry();
+    }
 }
 
 } // namespace
@@ -59,7 +73,7 @@ void Presentation::setOn(bool on)
     m_window->statusBar()->setVisible(!on);
     m_window->menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX); // the shortcuts of a hidden menu bar do not work
     m_views.tabs->setFolded(true);
-    m_window->centralWidget()->setFont(on ? largeFont(*m_window) : QFont());
+    setFontOfParts(*m_window->centralWidget(), on ? largeFont(*m_window) : QFont());
     m_views.tabs->setFolded(false); // sets the height for the font, and so does folding
     m_views.tabs->setFolded(on || m_wasFolded);
     m_views.columns->setSizes(on ? QList<int>{400, 600} : m_widths); // the proportion of the widths

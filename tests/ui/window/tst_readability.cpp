@@ -14,6 +14,7 @@
 #include "ui/widgets/folding_tabs.h"
 #include "ui/window/exports.h"
 #include "ui/window/messages.h"
+#include "ui/window/presentation.h"
 #include "ui/window/scene_file.h"
 
 #include <QAbstractButton>
@@ -170,6 +171,24 @@ private slots:
         }
         QApplication::setFont(usual);
         QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+    }
+
+    /// A former defect: with the large letters of presentation mode, the unit was "rad/".
+    void unitsAreWholeInPresentationMode()
+    {
+        for (const Language language : {Language::English, Language::Spanish}) {
+            setLanguage(language);
+            openWindow();
+            m_window->resize(900, 700);
+            for (const bool isOn : {true, false}) {
+                m_window->presentation().setOn(isOn);
+                settle(*m_window);
+                for (const QComboBox *combo : m_window->findChildren<QComboBox *>()) {
+                    const bool isWhole = cutOff(combo).isEmpty();
+                    QVERIFY2(isWhole || !combo->isVisible(), qPrintable(combo->currentText()));
+                }
+            }
+        }
     }
 
     void everythingFitsOnASmallScreen()
