@@ -242,10 +242,8 @@ void readPicture(const OptionReader &options, RenderRequest &request)
     request.paper = options.choice("paper", PaperSize::A4);
     readFigure(options, request.figure);
     readSize(options, request);
-    request.animation.size = request.size.value_or(videoSize({1920, 1080}));
-    if (isFrames && !request.size) {
-        request.animation.size.scale *= request.scale;
-    }
+    request.animation.size = videoSize(request.size ? request.size->size : QSize(1920, 1080));
+    request.animation.size.scale *= request.scale;
 }
 
 RenderRequest readRequest(const OptionReader &options)

@@ -47,17 +47,19 @@ Problem findFault(const QString &path)
     return std::nullopt;
 }
 
-/// Returns nullopt on success, a message on failure, or an empty text if it was cancelled.
-Problem drawFrames(const QTemporaryDir &folder, const Animation &animation, const FrameDrawing &draw,
-                   const AnimationProgress &progress)
+/// Draws the frames into a folder that lasts until they are at `path`. Returns nullopt on success, a message on
+/// failure, or an empty text if it was cancelled.
+Problem drawFrames(const QTemporaryDir &folder, const QString &path, const Animation &animation,
+                   const FrameDrawing &draw, const AnimationProgress &progress)
 {
     for (int frame = 0; frame < animation.frameCount(); ++frame) {
         const QString name = QStringLiteral("frame_%1.png").arg(frame + 1, 4, 10, QLatin1Char('0'));
         const auto drawFrame = [&](QPainter &painter, const QSize &size) {
             draw(painter, size, animation.timeOfFrame(frame));
         };
-        if (const Problem problem = exportFigure(folder.filePath(name), animation.size, {}, drawFrame)) {
-            return problem;
+        const QString file = folder.filePath(name);
+        if (Problem problem = exportFigure(file, animation.size, {}, drawFrame)) {
+            return problem->replace(QDir::toNativeSeparators(file), QDir::toNativeSeparators(path));
         }
         if (!progress(frame + 1)) {
             return QString();
@@ -125,12 +127,17 @@ double Animation::timeOfFrame(int frame) const
 
 FigureSize videoSize(const QSize &pixels)
 {
-    constexpr int kLinesPerScale = 540;
-    int scale = std::max(1, pixels.height() / kLinesPerScale);
+    constexpr int kLinesPerScale = 360; // of a small window, in which links and letters have their usual size
+    constexpr int kLettersOnSide = 30;  // as many letters above one another are legible from the back of a lecture room
+    constexpr int kSmallestLetters = 12; // px
+    const int shorterSide = std::min(pixels.width(), pixels.height());
+    int scale = std::max(1, shorterSide / kLinesPerScale);
     while (pixels.width() % scale != 0 || pixels.height() % scale != 0) {
         --scale; // so that the frames have exactly these pixels
     }
-    return {pixels / scale, static_cast<double>(scale)};
+    FigureSize size{pixels / scale, static_cast<double>(scale)};
+    size.fontPixels = std::max(kSmallestLetters, shorterSide / scale / kLettersOnSide);
+    return size;
 }
 
 bool hasVideoEncoder()
@@ -154,7 +161,7 @@ std::optional<QString> exportAnimation(const QString &path, const Animation &ani
     if (!folder.isValid()) {
         return cannotWrite(path, withoutFullStop(folder.errorString()));
     }
-    Problem problem = drawFrames(folder, animation, draw, progress);
+    Problem problem = drawFrames(folder, path, animation, draw, progress);
     if (!problem && isVideo(path)) {
         problem = makeVideo(folder, path, animation, progress);
     } else if (!problem) {

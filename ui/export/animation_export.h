@@ -32,8 +32,8 @@ struct Animation {
     double timeOfFrame(int frame) const; ///< s
 };
 
-/// Returns the size of frames with that many pixels. Frames of 1080 lines and more are drawn enlarged, so that links
-/// and letters keep their proportions.
+/// Returns the size of frames with that many pixels. In larger frames, links and letters are larger, so that they can
+/// be read from the back of a lecture room: letters have 1/30 of the shorter side, but at least 12 pixels.
 FigureSize videoSize(const QSize &pixels);
 
 /// Draws the frame at that time (s), with its background, in that logical size from the origin.

@@ -198,6 +198,19 @@ private slots:
         QCOMPARE(backwards.frameCount(), 1);
     }
 
+    /// The letters of a video are legible from the back of a lecture room, whatever its size and shape.
+    void framesHaveLargeLetters()
+    {
+        for (const QSize &pixels :
+             {QSize(1920, 1080), {3840, 2160}, {1280, 720}, {1080, 1920}, {1919, 1079}, {854, 480}, {1000, 1080}}) {
+            const FigureSize size = videoSize(pixels);
+            QCOMPARE((QSizeF(size.size) * size.scale).toSize(), pixels);
+            const double letters = size.fontPixels * size.scale / std::min(pixels.width(), pixels.height());
+            QVERIFY2(letters > 0.9 / 30.0 && letters < 1.1 / 30.0, qPrintable(QString::number(letters)));
+        }
+        QCOMPARE(videoSize({200, 150}).fontPixels, 12);
+    }
+
     void leavesNoFilesAfterAFailureOrACancel()
     {
         QVERIFY(QDir(m_folder->path()).mkdir("full"));
