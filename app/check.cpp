@@ -10,7 +10,6 @@
 #include "app/time_step_report.h"
 #include "ui/document/settings_fields.h"
 #include "ui/text/check_text.h"
-#include "ui/text/quantity_text.h"
 #include "ui/text/typed_value.h"
 
 #include <QJsonArray>
@@ -46,8 +45,8 @@ NamedValue readValue(const QString &argument, const Units &units)
             CommandLine::tr("%1 has no value: write it after the = without a space, such as %1=9.74.").arg(name)};
     }
     const TypedValue typed = readTypedValue(number, channel, units);
-    if (const std::optional<QuantityFault> fault = typed.written.fault) {
-        throw UsageError{QString("%1: %2").arg(name, quantityFaultText(typed.text, *fault, typed.unit))};
+    if (typed.written.fault) {
+        throw UsageError{QString("%1: %2").arg(name, faultText(typed))};
     }
     return {name, typed};
 }

@@ -3814,6 +3814,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <source>“%1”: enter this number without a unit.</source>
         <translation>«%1»: escriba este número sin unidad.</translation>
     </message>
+    <message>
+        <source>A comma is not accepted: write %1, or %2 if it separates thousands.</source>
+        <translation>No se admite una coma: escriba %1, o %2 si separa los miles.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReadFaultText</name>
@@ -5137,6 +5141,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>exact: %1</source>
         <translation>exacto: %1</translation>
+    </message>
+    <message>
+        <source>“%1” does not show to which digit it is rounded: write it as a decimal number, such as %2.</source>
+        <translation>«%1» no muestra en qué cifra está redondeado: escríbalo como número decimal, por ejemplo %2.</translation>
     </message>
 </context>
 </TS>

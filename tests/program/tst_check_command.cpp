@@ -72,6 +72,16 @@ private slots:
         QVERIFY(run(QString(kExample) + "theta3=-154").output.contains("measured at B (θ₃ = θ³ + 180°)"));
     }
 
+    /// A former defect: the unit of "4.1cm/s" was ".1cm/s".
+    void theUnitBeginsBehindTheLastDigit()
+    {
+        const RunResult decimals = run(QString(kExample) + "v=-4.1cm/s theta3=25.1deg omega3=5.1rad/s x=1.0cm");
+        for (const char *text : {"exact: −4.146 cm/s  right", "exact: 25.94 deg  off by −0.844 deg",
+                                 "exact: 5.417 rad/s  off by −0.317 rad/s", "exact: 0.9792 cm  right"}) {
+            QVERIFY2(decimals.output.contains(text), decimals.output.constData());
+        }
+    }
+
     void writesJson()
     {
         const RunResult outcome = run(QString(kExample) + "x=9.79 theta3=-154 v=41.46 omega3=-310.4 --format json");
@@ -207,6 +217,13 @@ private slots:
                                    << "x: “nine” is not a number";
         QTest::newRow("decimal comma") << "x=9,74"
                                        << "Write the decimal sign as";
+        QTest::newRow("comma before three digits") << "a=1,024"
+                                                   << "a: A comma is not accepted: write 1.024, or 1024";
+        QTest::newRow("mixed fraction") << "\"x=9 3/4\""
+                                        << "write it as a decimal number, such as 9.75 mm.";
+        QTest::newRow("fraction with a unit") << "\"x=1/2 in\" --length-unit in"
+                                              << "x: “1/2 in” does not show to which digit it is rounded: write it as "
+                                                 "a decimal number, such as 0.5 in.";
         QTest::newRow("nothing behind the equals sign") << "x= 9"
                                                         << "x has no value";
         QTest::newRow("other dimension") << "x=9deg"

@@ -410,7 +410,7 @@ TableRow MotionTablePanel::myValues()
         const TypedValue typed = readTypedValue(number, channel, units);
         if (typed.written.fault) {
             cell.tone = Tone::Bad;
-            sentences << quantityFaultText(cell.text, *typed.written.fault, typed.unit);
+            sentences << QStringLiteral("%1: %2").arg(symbolOf(channel), faultText(typed));
             continue;
         }
         values.push_back(typed);

@@ -2,6 +2,7 @@
 #include "ui/text/quantity_text.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <array>
 
@@ -56,7 +57,13 @@ QString quantityFaultText(const QString &text, QuantityFault fault, const std::o
     case QuantityFault::NotANumber: return QuantityText::tr("“%1” is not a number.").arg(quoted(text));
     case QuantityFault::CommaForPoint: {
         const QString sign = QLocale().decimalPoint();
-        return QuantityText::tr("Write the decimal sign as “%1”: %2.").arg(sign, quoted(text).replace(u',', sign));
+        const QString asDecimal = quoted(text).replace(u',', sign);
+        static const QRegularExpression thousands(R"((?<!\d)[1-9]\d{0,2},\d{3}(?!\d))");
+        if (text.contains(thousands)) {
+            return QuantityText::tr("A comma is not accepted: write %1, or %2 if it separates thousands.")
+                .arg(asDecimal, quoted(text).remove(u','));
+        }
+        return QuantityText::tr("Write the decimal sign as “%1”: %2.").arg(sign, asDecimal);
     }
     case QuantityFault::TooLarge: return QuantityText::tr("“%1” is too large.").arg(quoted(text));
     case QuantityFault::UnknownUnit:

@@ -4,6 +4,8 @@
 #include "core/import/cells.h"
 #include "core/mechanism/turn.h"
 #include "ui/text/check_text.h"
+#include "ui/text/expression.h"
+#include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -30,10 +32,11 @@ bool isCommonAngle(const TypedValue &typed)
            (std::abs(given.value) > kTurn || given.halfStep > kLargestChance * kQuarterTurn);
 }
 
-/// Returns the unit behind the number of a text that is a quantity; empty if there is none.
+/// Returns the unit behind the number of a text that is a quantity; empty if there is none. The number is as long as
+/// possible: the unit of "45.1in" is not ".1in".
 std::string_view unitBehindNumber(std::string_view text)
 {
-    for (std::size_t end = 1; end < text.size(); ++end) {
+    for (std::size_t end = text.size(); end > 0; --end) {
         const std::string_view unit = trimmed(text.substr(end));
         if (parseUnit(unit) && !readQuantity(text.substr(0, end), {}).fault) {
             return unit;
@@ -139,6 +142,18 @@ std::vector<TypedValue> inLikelyUnits(std::vector<TypedValue> values, const Cran
         }
     }
     return values;
+}
+
+QString faultText(const TypedValue &typed)
+{
+    constexpr int kDigits = 4; // of the number that replaces a fraction, whose rounding is unknown
+    const Quantity computed = readExpression(typed.text, typed.unit, QLocale::c());
+    if (!computed.fault) {
+        return TypedValueText::tr("“%1” does not show to which digit it is rounded: write it as a decimal number, such "
+                                  "as %2.")
+            .arg(typed.text, numberText(computed.value, kDigits) + typed.unitBehind());
+    }
+    return quantityFaultText(typed.text, *typed.written.fault, typed.unit);
 }
 
 QString exactText(const TypedValue &typed, const CheckedValue &checked)

@@ -46,6 +46,9 @@ TypedValue readTypedValue(const QString &text, const OutputChannel &channel, con
 std::vector<TypedValue> inLikelyUnits(std::vector<TypedValue> values, const CrankPosition &position,
                                       const Units &units);
 
+/// Returns why the text of a value that has a fault is no value, and what to write instead.
+QString faultText(const TypedValue &typed);
+
 /// Returns the value and what is wrong with it: "exact: 9.792 mm" and "off by 0.00818 mm".
 QString exactText(const TypedValue &typed, const CheckedValue &checked);
 QString verdictText(const TypedValue &typed, const CheckedValue &checked);

@@ -238,7 +238,10 @@ private slots:
         type(3, "60.45"); // the coupler turns the other way, too
         QVERIFY2(judgement->text().contains("ω₂ with the opposite sign"), qPrintable(judgement->text()));
         type(6, "nine");
-        QVERIFY2(judgement->text().contains("is not a number"), qPrintable(judgement->text()));
+        QVERIFY2(judgement->text().contains("v⁴: “nine” is not a number"), qPrintable(judgement->text()));
+        type(6, "1/2");
+        QVERIFY2(judgement->text().contains("v⁴: “1/2” does not show to which digit it is rounded"),
+                 qPrintable(judgement->text()));
         for (const int column : {3, 5, 6}) {
             type(column, "");
         }
