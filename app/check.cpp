@@ -28,10 +28,12 @@ struct NamedValue {
     TypedValue typed;
 };
 
-/// `units`: those of a number without a unit.
-NamedValue readValue(const QString &argument, const Units &units)
+NamedValue readValue(const OptionReader &options, const QString &argument)
 {
     const QString name = argument.section('=', 0, 0).trimmed();
+    if (!outputChannelNamed(name.toStdString())) {
+        options.refuseOptionWithoutDashes(argument);
+    }
     if (!argument.contains('=')) {
         throw UsageError{
             CommandLine::tr("A value must be a name, = and a number, such as x=9.74 or theta3=-154deg, not "
@@ -44,7 +46,7 @@ NamedValue readValue(const QString &argument, const Units &units)
         throw UsageError{
             CommandLine::tr("%1 has no value: write it after the = without a space, such as %1=9.74.").arg(name)};
     }
-    const TypedValue typed = readTypedValue(number, channel, units);
+    const TypedValue typed = readTypedValue(number, channel, readUnits(options));
     if (typed.written.fault) {
         throw UsageError{QString("%1: %2").arg(name, faultText(typed))};
     }
@@ -56,7 +58,7 @@ std::vector<NamedValue> readValues(const OptionReader &options, const CrankPosit
     const Units units = readUnits(options);
     std::vector<NamedValue> values;
     for (const QString &argument : options.files()) {
-        values.push_back(readValue(argument, units));
+        values.push_back(readValue(options, argument));
         const auto channelOf = [](const NamedValue &other) { return other.typed.channel; };
         if (std::ranges::count(values, channelOf(values.back()), channelOf) > 1) {
             throw UsageError{CommandLine::tr("%1 is given more than once: keep one of them.").arg(values.back().name)};

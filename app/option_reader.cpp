@@ -7,6 +7,7 @@
 #include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
 
+#include <QFileInfo>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ double parseNumber(const char *option, const QString &text, const std::optional<
 }
 
 /// Returns the options whose description contains the words, such as --branch for "assembly" and --omega2 for
-/// "crank-speed". None if there are so many that the words say little.
+/// "crank-speed". Returns none if the words are in the descriptions of more than kMaxOptions options: then they do not
+/// tell which one was meant.
 static QStringList optionsDescribedBy(const std::vector<OptionDescription> &options, const QString &words)
 {
     constexpr qsizetype kMaxOptions = 3;
@@ -117,6 +119,7 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
                          CommandLine::tr("--help describes the options.")};
     }
     checkRepetitions();
+    checkDetachedUnits(arguments);
     m_scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
 }
 
@@ -143,6 +146,21 @@ void OptionReader::checkRepetitions() const
     }
 }
 
+void OptionReader::checkDetachedUnits(const QStringList &arguments) const
+{
+    static const QRegularExpression number("[\\d.π]$");
+    for (qsizetype i = 1; i < arguments.size(); ++i) {
+        const QString &before = arguments[i - 1];
+        const QString &unit = arguments[i];
+        const bool isUnit = files().contains(unit) && parseUnit(unit.toStdString()) && !QFileInfo::exists(unit);
+        if (isUnit && before.contains(number)) {
+            const bool isOfOption = i > 1 && arguments[i - 2].startsWith("--");
+            throw UsageError{CommandLine::tr("%1%2 %3: write the number and its unit without a space, %2%3.")
+                                 .arg(isOfOption ? arguments[i - 2] + ' ' : QString(), before, unit)};
+        }
+    }
+}
+
 void OptionReader::checkWord(const char *name) const
 {
     indexAmong(QString(find(name)->value).split('|'), text(name), name);
@@ -165,12 +183,23 @@ QStringList OptionReader::inputFiles() const
     return files() + texts("reference") + texts("scene");
 }
 
+void OptionReader::refuseOptionWithoutDashes(const QString &argument) const
+{
+    const QString name = argument.section('=', 0, 0).trimmed();
+    const OptionDescription *option = find(name.toUtf8());
+    if (option && option->value) {
+        const QString value = argument.contains('=') ? argument.section('=', 1).trimmed() : option->value;
+        throw UsageError{CommandLine::tr("\"%1\" is not an option: write --%2 %3.").arg(argument, name, value)};
+    }
+}
+
 void OptionReader::refuseFiles() const
 {
     if (files().isEmpty()) {
         return;
     }
     const QString file = files().first();
+    refuseOptionWithoutDashes(file);
     const char *const option = file.endsWith(QLatin1String(".slidercrank")) ? "scene" : "reference";
     if (find(option)) {
         throw UsageError{CommandLine::tr("\"slidercrank %1\" takes options only: write --%2 before \"%3\".")

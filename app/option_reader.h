@@ -49,6 +49,9 @@ public:
     void refuseFiles() const;                                            ///< throws if there are any
     QStringList inputFiles() const;                                      ///< all files that the command reads
 
+    /// Throws if the argument names an option that takes a value, such as "b=8" instead of "--b 8".
+    void refuseOptionWithoutDashes(const QString &argument) const;
+
     /// The number that parseNumber() finds in the option.
     double number(const char *name, double defaultValue, const std::optional<Unit> &unit = {},
                   double smallest = -kLargestParameter, double largest = kLargestParameter) const;
@@ -71,6 +74,8 @@ public:
 
 private:
     void checkRepetitions() const; ///< throws if an option or standard input is given twice, or a file has no name
+    /// Throws if an argument is the unit of the number before it, as in "--omega2 60 rpm".
+    void checkDetachedUnits(const QStringList &arguments) const;
     void checkWord(const char *name) const; ///< throws if the value is none of the words in the table of options
     const OptionDescription *find(const char *name) const; ///< null if the command does not take the option
 

@@ -8,6 +8,8 @@
 #include "ui/text/read_fault_text.h"
 #include "ui/text/written_number.h"
 
+#include <QFileInfo>
+
 namespace slidercrank
 {
 
@@ -39,6 +41,11 @@ ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
     if (options.files().isEmpty()) {
         throw UsageError{
             CommandLine::tr("\"slidercrank %1\" needs a file: slidercrank %1 FILE…").arg(options.command().name)};
+    }
+    for (const QString &file : options.files()) {
+        if (!QFileInfo::exists(file)) {
+            options.refuseOptionWithoutDashes(file);
+        }
     }
     if (options.has("join")) {
         files = {options.files()};

@@ -1265,6 +1265,22 @@ Equipo: %1. Tiempo: %2 s.
         <source>coupler angles in the text: absolute coordinates (θ³ at A), or those of textbooks (θ₃ at B) (absolute)</source>
         <translation>ángulos de la biela en el texto: coordenadas absolutas (θ³ en A), o los de los libros de texto (θ₃ en B) (absolute)</translation>
     </message>
+    <message>
+        <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs, or a value to be checked is wrong; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written), or a request of --design, --when or --omega2-for is impossible; 5 not converged or singular at some time step, or no mechanism identified. If several apply, the first of 3, 4, 5, 1 is returned.</source>
+        <translation>Código de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere, o un valor revisado es erróneo; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente), o lo que se pide con --design, --when u --omega2-for es imposible; 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios, se devuelve el primero de 3, 4, 5, 1.</translation>
+    </message>
+    <message>
+        <source>%1%2 %3: write the number and its unit without a space, %2%3.</source>
+        <translation>%1%2 %3: escriba el número y su unidad sin espacio, %2%3.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an option: write --%2 %3.</source>
+        <translation>«%1» no es una opción: escriba --%2 %3.</translation>
+    </message>
+    <message>
+        <source>all, or names separated by commas: theta3,R4_x_diff (all); also transmission_angle, displacement (from the outer dead centre), A_x and A_y, with _diff and _diff2. The columns have the order of all, not that of the names</source>
+        <translation>all, o nombres separados por comas: theta3,R4_x_diff (all); también transmission_angle, displacement (desde el punto muerto exterior), A_x y A_y, con _diff y _diff2. Las columnas tienen el orden de all, no el de los nombres</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>

@@ -162,6 +162,18 @@ private slots:
             {"study --cases soft", "nominal, hard or all"},
             {"study x.csv", "takes options only: remove \"x.csv\""},
             {"render x.csv -o y.svg", "takes options only: write --reference before \"x.csv\""},
+            {"solve --omega2 60 rpm", "--omega2 60 rpm: write the number and its unit without a space, 60rpm."},
+            {"solve --omega2=60 rpm", "without a space, --omega2=60rpm."},
+            {"limits --a 3 in --b 8 in", "--a 3 in: write the number and its unit without a space, 3in."},
+            {"limits --theta20 -30 °", "-30°."},
+            {"compare x.csv --a 3 in", "3in."},
+            {"check x=9.79 in", "x=9.79 in: write the number and its unit without a space, x=9.79in."},
+            {"solve a=40 b=120", "\"a=40\" is not an option: write --a 40."},
+            {"limits a 40", "\"a\" is not an option: write --a MM."},
+            {"study theta20=30deg", "write --theta20 30deg."},
+            {"compare b=60", "\"b=60\" is not an option: write --b 60."},
+            {"check b=8 x=9", "\"b=8\" is not an option: write --b 8."},
+            {"solve --b 2,500", "write 2.500, or 2500 if it separates thousands."},
             {"study x.slidercrank", "takes options only: write --scene before \"x.slidercrank\""},
         };
         for (const Row &row : rows) {
