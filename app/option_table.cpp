@@ -153,7 +153,8 @@ public:
          {{"solve", "channels", "LIST",
            QT_TR_NOOP(
                "all, or names separated by commas: theta3,R4_x_diff (all); also transmission_angle, displacement "
-               "(from the outer dead centre), A_x and A_y, with _diff and _diff2")},
+               "(from the outer dead centre), A_x and A_y, with _diff and _diff2. The columns have the order of all, "
+               "not that of the names")},
           {"limits", "notation", kJoinedWords<Symbols>.data(),
            QT_TR_NOOP("coupler angles in the text: absolute coordinates (θ³ at A), or those of textbooks (θ₃ at B) "
                       "(absolute)")},

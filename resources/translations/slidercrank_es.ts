@@ -1003,10 +1003,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Solo --what frames tiene velocidad: quite %1.</translation>
     </message>
     <message>
-        <source>Exit status: 0 success; 1 --fail-on-difference was given and a channel differs, or a value to be checked is wrong; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some time step (the other steps are still written), or --design is impossible; 5 not converged or singular at some time step, or no mechanism identified. If several apply, the first of 3, 4, 5, 1 is returned.</source>
-        <translation>Código de salida: 0 correcto; 1 se dio --fail-on-difference y un canal difiere, o un valor revisado es erróneo; 2 error de uso; 3 un archivo no se puede leer o escribir; 4 el mecanismo no se puede ensamblar en algún paso de tiempo (los demás se escriben igualmente), o --design es imposible; 5 sin convergencia o singular en algún paso de tiempo, o ningún mecanismo identificado. Si se dan varios, se devuelve el primero de 3, 4, 5, 1.</translation>
-    </message>
-    <message>
         <source>instead of --steps and --duration: a row for each step of this crank angle, over one revolution</source>
         <translation>en lugar de --steps y --duration: una fila por cada paso de este ángulo de la manivela, durante una revolución</translation>
     </message>
@@ -1149,10 +1145,6 @@ Equipo: %1. Tiempo: %2 s.
     <message>
         <source>The crank has a constant speed over time, and %1 applies to single positions: add --at-angle, --at, --step-angle or --when.</source>
         <translation>La manivela tiene velocidad constante en el tiempo, y %1 se aplica a posiciones sueltas: añada --at-angle, --at, --step-angle o --when.</translation>
-    </message>
-    <message>
-        <source>all, or names separated by commas: theta3,R4_x_diff (all); also transmission_angle, displacement (from the outer dead centre), A_x and A_y, with _diff and _diff2</source>
-        <translation>all, o nombres separados por comas: theta3,R4_x_diff (all); también transmission_angle, displacement (desde el punto muerto exterior), A_x y A_y, con _diff y _diff2</translation>
     </message>
     <message>
         <source>factor of the number of pixels of a PNG, 0.1 to 10 (1)</source>
