@@ -284,6 +284,12 @@ void MotionTablePanel::makeTables()
         QMetaObject::invokeMethod(this, &MotionTablePanel::showPresent,
                                   Qt::QueuedConnection); // after the cell is closed
     });
+    for (const auto &[source, target] : {std::pair(m_present, m_table), {m_table, m_present}}) {
+        connect(source->horizontalHeader(), &QHeaderView::sectionResized, target,
+                [target = target](int column, int, int width) {
+                    target->setColumnWidth(column, std::max(width, target->columnWidth(column)));
+                });
+    }
     connect(m_table->horizontalScrollBar(), &QScrollBar::valueChanged, m_present->horizontalScrollBar(),
             &QScrollBar::setValue);
     connect(m_table, &NumberTable::timeRequested, this, &MotionTablePanel::timeRequested);

@@ -217,6 +217,23 @@ private slots:
         QCOMPARE(QApplication::clipboard()->text().count('\n'), qsizetype(14));
     }
 
+    /// A former defect: while the motion was played, the columns of the present position became wider than those of the
+    /// table below, whose numbers then stood under other headings.
+    void columnsStayAligned()
+    {
+        ShownTable shown;
+        shown.session.setParameters({.a = 40.0, .b = 120.0, .c = 20.0, .omega2 = 628.0});
+        const auto *present = child<NumberTable>(shown.panel, "presentPosition");
+        const auto *table = child<NumberTable>(shown.panel, "motionTable");
+        for (const double time : {0.0, 0.00036, 0.0015, 0.0023, 0.0041}) {
+            shown.session.setTime(time);
+            settle(shown.panel);
+            for (int column = 0; column < present->model()->columnCount(); ++column) {
+                QCOMPARE(table->columnWidth(column), present->columnWidth(column));
+            }
+        }
+    }
+
     /// By a pocket calculator: x = 139.1 mm, v = -233.1 mm/s and ω3 = -60.45 °/s at 60°.
     void judgesTypedValuesByTheirDigits()
     {
