@@ -79,7 +79,7 @@ std::vector<Positions> readRevolution(const OptionReader &options, const Mechani
 }
 
 /// Returns the message that no position has the wanted value. It says so if that is the angle θ3 at B.
-QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, const Units &units)
+QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, double alpha2, const Units &units)
 {
     const QString name = columnName(wanted.channel);
     const bool isAngleAtB = wanted.channel == OutputChannel(Channel{Theta3, Order::Position}) &&
@@ -90,8 +90,18 @@ QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, const
                                "B, as in Norton's book, write %1=%3.")
             .arg(name, wanted.text, withUnit(numberText(atA, 10), unitText(Measure::Angle, units)));
     }
-    return CommandLine::tr("There is no position with %1 = %2: \"slidercrank limits\" shows how far the motion goes.")
-        .arg(name, wanted.text);
+    const std::optional<ChannelRange> range = rangeOf(mechanism, wanted.channel, alpha2);
+    if (!range || !std::isfinite(range->least) || !std::isfinite(range->greatest)) {
+        return CommandLine::tr(
+                   "There is no position with %1 = %2: \"slidercrank limits\" shows how far the motion goes.")
+            .arg(name, wanted.text);
+    }
+    constexpr int kDigits = 10;
+    const Measure measure = measureOf(wanted.channel);
+    const QString unit = unitText(measure, units);
+    return CommandLine::tr("There is no position with %1 = %2: %1 lies between %3 and %4.")
+        .arg(name, wanted.text, withUnit(lowerBoundText(shownValue(measure, range->least, units), kDigits), unit),
+             withUnit(upperBoundText(shownValue(measure, range->greatest, units), kDigits), unit));
 }
 
 /// Reads --when: all positions of the revolution that begins at --start. If the crank stands still, the revolution is
@@ -108,7 +118,7 @@ std::vector<Positions> readSolutions(const OptionReader &options, const Mechanis
                              : CommandLine::tr("--when: %1 does not depend on the crank angle.").arg(name)};
     }
     if (angles->empty()) {
-        throw UsageError{noPosition(mechanism, wanted, units), ExitStatus::NotAssemblable};
+        throw UsageError{noPosition(mechanism, wanted, alpha2, units), ExitStatus::NotAssemblable};
     }
     if (mechanism.omega2() == 0.0) {
         for (double &theta2 : *angles) {

@@ -56,6 +56,14 @@ std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, Derived
     return std::nullopt;
 }
 
+std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, const OutputChannel &channel)
+{
+    if (const DerivedChannel *derived = std::get_if<DerivedChannel>(&channel)) {
+        return scaledFunction(mechanism, derived->quantity);
+    }
+    return scaledFunction(mechanism, std::get<Channel>(channel).coordinate);
+}
+
 /// Returns the critical points of the channel for ω2 = 1 rad/s and a crank acceleration, each of them once.
 CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction &scaled, Order order, double alpha2)
 {
@@ -255,6 +263,26 @@ std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, con
     }
     return solutionsAtUnitSpeed(mechanism, channel, value / unit,
                                 order == Order::Acceleration ? alpha2 / (omega2 * omega2) : 0.0);
+}
+
+std::optional<ChannelRange> rangeOf(const Mechanism &mechanism, const OutputChannel &channel, double alpha2)
+{
+    const std::optional<ScaledFunction> scaled = scaledFunction(mechanism, channel);
+    const Order order = orderOf(channel);
+    const double omega2 = mechanism.omega2();
+    const bool isAtRest = omega2 == 0.0 && order == Order::Acceleration; // f'' ω2² + f' α2 is f' α2
+    const double unit = isAtRest ? alpha2 : std::pow(omega2, static_cast<int>(order));
+    if (!scaled || unit == 0.0) {
+        return std::nullopt;
+    }
+    const CriticalPoints points = isAtRest ? criticalPointsOf(mechanism, *scaled, Order::Velocity, 0.0)
+                                           : criticalPointsOf(mechanism, *scaled, order, alpha2 / (omega2 * omega2));
+    if (points.empty()) {
+        return std::nullopt;
+    }
+    const auto [least, greatest] = std::ranges::minmax(points, {}, &CriticalPoint::value);
+    const auto [low, high] = std::minmax({unit * least.value, unit * greatest.value});
+    return ChannelRange{low, high};
 }
 
 std::optional<double> crankSpeedFor(const Mechanism &mechanism, double theta2, const OutputChannel &channel,

@@ -23,6 +23,17 @@ namespace slidercrank
 std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, const OutputChannel &channel, double value,
                                                  double alpha2 = 0.0);
 
+/// The smallest and the largest value of a channel over a revolution (mm, rad, s).
+struct ChannelRange {
+    double least = 0.0;
+    double greatest = 0.0;
+};
+
+/// Returns the range of a channel if the crank has the acceleration alpha2 (rad/s²). It is infinite where a derivative
+/// is, at a limit position of a rocker. Returns nullopt where crankAnglesAt() does, if there is no motion, and for the
+/// crank angle and the transmission angle.
+std::optional<ChannelRange> rangeOf(const Mechanism &mechanism, const OutputChannel &channel, double alpha2 = 0.0);
+
 /// Returns the crank speed (rad/s) at which a first derivative has the value at the crank angle theta2 (rad), or
 /// nullopt if it is zero at any speed there, such as the slider's velocity at a dead centre, or does not exist.
 /// Requires a channel of Order::Velocity.

@@ -1273,6 +1273,10 @@ Equipo: %1. Tiempo: %2 s.
         <source>all, or names separated by commas: theta3,R4_x_diff (all); also transmission_angle, displacement (from the outer dead centre), A_x and A_y, with _diff and _diff2. The columns have the order of all, not that of the names</source>
         <translation>all, o nombres separados por comas: theta3,R4_x_diff (all); también transmission_angle, displacement (desde el punto muerto exterior), A_x y A_y, con _diff y _diff2. Las columnas tienen el orden de all, no el de los nombres</translation>
     </message>
+    <message>
+        <source>There is no position with %1 = %2: %1 lies between %3 and %4.</source>
+        <translation>No hay ninguna posición con %1 = %2: %1 está entre %3 y %4.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -3192,6 +3196,10 @@ PA = %4, PB = %5</translation>
     <message>
         <source>Your values are shown again at %1.</source>
         <translation>Sus valores volverán a mostrarse en %1.</translation>
+    </message>
+    <message>
+        <source>There is no such position: %1 lies between %2 and %3.</source>
+        <translation>No existe tal posición: %1 está entre %2 y %3.</translation>
     </message>
 </context>
 <context>

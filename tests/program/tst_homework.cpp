@@ -170,6 +170,9 @@ private slots:
         QVERIFY(isAmong);
         const RunResult none = run(row + "--when a=1e9");
         QVERIFY(none.status == 4 && none.error.contains("There is no position"));
+        // sqrt((3 + 8)² - 2²) = 10.81665383… in and sqrt((8 - 3)² - 2²) = 4.58257569… in
+        const RunResult beyond = run(row + "--when x=11");
+        QVERIFY2(beyond.error.contains("R4_x lies between 4.582575695 in and 10.81665382 in."), beyond.error);
     }
 
     /// θ3 = 190° at B is 10° at A, where `solve` measures it.
@@ -181,7 +184,8 @@ private slots:
         const RunResult atA = run("solve --a 40 --b 120 --c 20 --when theta3=10°");
         QCOMPARE(CsvTable(atA.output).rows.size(), std::size_t(2));
         QCOMPARE(CsvTable(run("solve --a 40 --b 120 --c 20 --when theta3=-350").output).rows.size(), std::size_t(2));
-        QVERIFY(run("solve --when theta3=80").error.contains("slidercrank limits"));
+        const QByteArray atNeither = run("solve --a 40 --b 120 --c 20 --when theta3=80").error; // asin((20 ± 40)/120)
+        QVERIFY2(atNeither.contains("theta3 lies between −9.594068226° and 30°."), atNeither);
     }
 
     void findsThePositionsOfAValue()

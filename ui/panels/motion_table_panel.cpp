@@ -73,6 +73,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     m_layout->addLayout(makeControls());
     m_layout->addLayout(makeFindLine());
     m_layout->addWidget(m_answer);
+    m_answer->setTextFormat(Qt::RichText);
     m_answer->hide();
     m_layout->addLayout(m_presentRow);
     m_layout->addWidget(m_judgement);
@@ -499,7 +500,16 @@ QString MotionTablePanel::noPosition() const
                    : tr("There is no such position: this θ³ is measured at A. View > Notation and units has the angle "
                         "at B.");
     }
-    return tr("There is no such position.");
+    const std::optional<ChannelRange> range = rangeOf(mechanism, channel, m_session->alpha2());
+    if (!range || !std::isfinite(range->least) || !std::isfinite(range->greatest)) {
+        return tr("There is no such position.");
+    }
+    constexpr int kDigits = 5; // as in the table
+    const Branch branch = mechanism.branch();
+    const QString unit = shownUnit(channel);
+    return tr("There is no such position: %1 lies between %2 and %3.")
+        .arg(symbolOf(channel), withUnit(lowerBoundText(shownChannel(channel, branch, range->least), kDigits), unit),
+             withUnit(upperBoundText(shownChannel(channel, branch, range->greatest), kDigits), unit));
 }
 
 void MotionTablePanel::goToNext()
@@ -525,7 +535,7 @@ void MotionTablePanel::goToNext()
         }
         answer = tr("Positions of a revolution: θ₂ = %1").arg(texts.join("; "));
     }
-    m_answer->setText(answer);
+    m_answer->setText(subscriptHtml(answer));
     m_answer->show();
 }
 

@@ -52,6 +52,17 @@ int exponentOfRounded(double magnitude, int digits)
     return magnitude >= next - 0.5 * std::pow(10.0, exponent + 1 - digits) ? exponent + 1 : exponent;
 }
 
+/// Returns the smallest number with so many significant digits that is not below the value.
+double roundedUp(double value, int significantDigits)
+{
+    constexpr double kSlack = 1e-9; // of the last digit, so that rounding errors do not change it
+    if (value == 0.0) {
+        return 0.0;
+    }
+    const double step = std::pow(10.0, exponentOf(std::abs(value)) + 1 - significantDigits);
+    return std::ceil(value / step - kSlack) * step;
+}
+
 QString withMinusSign(QString text)
 {
     return text.replace(QLocale().negativeSign(), "−");
@@ -62,6 +73,16 @@ QString withMinusSign(QString text)
 QString numberText(std::optional<double> value, int significantDigits)
 {
     return value ? withMinusSign(formatted(*value, 'g', significantDigits, withPowerOfTen)) : dash();
+}
+
+QString lowerBoundText(double value, int significantDigits)
+{
+    return numberText(roundedUp(value, significantDigits), significantDigits);
+}
+
+QString upperBoundText(double value, int significantDigits)
+{
+    return numberText(-roundedUp(-value, significantDigits), significantDigits);
 }
 
 int digitsToTellApart(double x, double y)

@@ -189,6 +189,45 @@ private slots:
                  std::size_t(2));
     }
 
+    /// The scanned values reach the ends of the range, and none is beyond them.
+    void theRangeHoldsAllValues()
+    {
+        RandomMechanisms random(20260);
+        for (int i = 0; i < 40; ++i) {
+            const Parameters p = random.next();
+            const double alpha2 = (i % 3 - 1) * 0.7 * p.omega2 * p.omega2;
+            const bool isFarFromToggle = p.b > 1.2 * (p.a + std::abs(p.c)); // so that the scan meets every peak
+            for (const OutputChannel &channel : channelsThatVary()) {
+                const auto range = rangeOf(Mechanism(p), channel, alpha2);
+                if (!range) {
+                    QCOMPARE(std::get<DerivedChannel>(channel).quantity, DerivedQuantity::TransmissionAngle);
+                    continue;
+                }
+                const double unit = std::pow(p.omega2, static_cast<int>(orderOf(channel)));
+                long double least = 1e300L;
+                long double greatest = -1e300L;
+                for (const long double value : scan(p, channel, alpha2 / (p.omega2 * p.omega2))) {
+                    least = std::min(least, std::isnan(value) ? least : unit * value);
+                    greatest = std::max(greatest, std::isnan(value) ? greatest : unit * value);
+                }
+                const double size = static_cast<double>(greatest - least);
+                QVERIFY(range->least <= static_cast<double>(least) + 1e-12 * size);
+                QVERIFY(range->greatest >= static_cast<double>(greatest) - 1e-12 * size);
+                if (isFarFromToggle) {
+                    QVERIFY(range->least > static_cast<double>(least) - 1e-3 * size);
+                    QVERIFY(range->greatest < static_cast<double>(greatest) + 1e-3 * size);
+                }
+            }
+        }
+        QVERIFY(!rangeOf(Mechanism(), *outputChannelNamed("R4_y")));
+        QVERIFY(!rangeOf(Mechanism({.omega2 = 0.0}), *outputChannelNamed("R4_x_diff")));
+        // f' α2 is the velocity at ω2 = α2
+        const auto atRest = rangeOf(Mechanism({.omega2 = 0.0}), *outputChannelNamed("R4_x_diff2"), 5.0);
+        const auto moving = rangeOf(Mechanism({.omega2 = 5.0}), *outputChannelNamed("R4_x_diff"));
+        QCOMPARE(atRest->greatest, moving->greatest);
+        QCOMPARE(atRest->least, moving->least);
+    }
+
     /// θ3 is a direction: -170° and 190° are the same one, which only the crossed assembly has.
     void anAngleIsADirection()
     {

@@ -361,7 +361,9 @@ private slots:
         QVERIFY(std::abs(shown.session.pose().motion.R4x - 60.0) < 1e-9 && shown.session.time() != first);
         shown.type("findValue", "90");
         shown.click("findNext");
-        QVERIFY(child<QLabel>(shown.panel, "findAnswer")->text().contains("no such position"));
+        // sqrt((20 + 65)² - 25²) = 81.2404 and sqrt((65 - 20)² - 25²) = 37.4166, both rounded inwards
+        QCOMPARE(child<QLabel>(shown.panel, "findAnswer")->text(),
+                 QString("There is no such position: Rₓ⁴ lies between 37.417 mm and 81.24 mm."));
 
         shown.session.setTime(1.0 / 6.0); // 60°
         shown.choose("R4_x_diff");
@@ -420,7 +422,13 @@ private slots:
         QVERIFY(child<QLabel>(shown.panel, "findAnswer")->text().contains("measured at B"));
         shown.type("findValue", "100");
         shown.click("findNext");
-        QCOMPARE(child<QLabel>(shown.panel, "findAnswer")->text(), QString("There is no such position."));
+        // asin((25 ± 20)/65) = 43.8131° and 4.41171°, at B 180° more
+        QCOMPARE(child<QLabel>(shown.panel, "findAnswer")->text(),
+                 QString("There is no such position: θ₃ lies between 184.42° and 223.81°."));
+        shown.choose("R4_x");
+        shown.type("findValue", "90");
+        shown.click("findNext");
+        QVERIFY(child<QLabel>(shown.panel, "findAnswer")->text().contains("x<sub>B</sub> lies between 37.417 mm"));
     }
 
 private:

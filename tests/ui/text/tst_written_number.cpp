@@ -43,6 +43,19 @@ private slots:
             QCOMPARE(measuredText(value, error, scale), QString::fromUtf8(text));
         }
     }
+
+    void roundsBoundsInwards()
+    {
+        QCOMPARE(lowerBoundText(37.4166, 4), QString("37.42"));
+        QCOMPARE(upperBoundText(81.2404, 4), QString("81.24"));
+        QCOMPARE(upperBoundText(81.2499, 4), QString("81.24"));
+        QCOMPARE(lowerBoundText(-54.8182, 4), QString("−54.81"));
+        QCOMPARE(upperBoundText(-54.8182, 4), QString("−54.82"));
+        QCOMPARE(lowerBoundText(80.0 - 1e-13, 4), QString("80"));
+        QCOMPARE(upperBoundText(80.0 + 1e-13, 4), QString("80"));
+        QCOMPARE(lowerBoundText(9.9996, 4), QString("10"));
+        QCOMPARE(upperBoundText(0.0, 4), QString("0"));
+    }
 };
 
 const Suite<TestWrittenNumber> suite("tst_written_number");
