@@ -272,7 +272,8 @@ QLineF MechanismSketch::offsetDimension() const
 }
 
 /// Returns the lengths as they are written in the upper left corner: in one line if the button for the assembly leaves
-/// space for it, otherwise below each other.
+/// space for it, otherwise below each other. They are left out where they would cover the slider's line or the crank's
+/// circle, as in a very low drawing.
 QStringList MechanismSketch::lengthLines() const
 {
     constexpr double kButton = 0.45; // largest fraction of the width that the button takes
@@ -284,8 +285,11 @@ QStringList MechanismSketch::lengthLines() const
         lengths << lengthText(mechanism(), length);
     }
     const QString line = lengths.join("   ");
-    return textSize(line, TextSize::Small).width() < (1.0 - kButton) * projection().size.width() ? QStringList(line)
-                                                                                                 : lengths;
+    if (textSize(line, TextSize::Small).width() < (1.0 - kButton) * projection().size.width()) {
+        lengths = QStringList(line);
+    }
+    const double top = toPixels({0.0, std::max(mechanism().a(), mechanism().c())}).y(); // px, of circle and line
+    return cornerLineTop(static_cast<int>(lengths.size())) < top ? lengths : QStringList();
 }
 
 /// Returns the number of text lines in the upper left corner.

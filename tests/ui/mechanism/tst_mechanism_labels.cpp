@@ -212,6 +212,27 @@ private slots:
         QVERIFY(narrow.label("b = ").top() >= narrow.label("a = ").bottom() - 1.0);
     }
 
+    /// A former defect: at 764×450 the lengths lay over the slider's line and the dimension of the offset, and the
+    /// angle over the letter b.
+    void lowDrawingsHaveNoTextsOverEachOther()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        setNotation({Symbols::Textbook, {LengthUnit::Inch, AngleUnit::Degree}});
+        constexpr MechanismSettings kFirst{.names = true, .dimensions = true, .angles = true};
+        QVERIFY(!Drawn({}, 0.0, kFirst, {400.0, 300.0}).label("a = ").isNull());
+        for (int i = 0; i < 24; ++i) {
+            const Drawn drawn({}, i / 24.0, kFirst, {331.0, 178.0});
+            QVERIFY(drawn.label("a = ").isNull());
+            for (const char *letter : {"a", "b", "c"}) {
+                const QRectF box = drawn.label(letter);
+                for (const char *angle : {"θ₂", "θ₃"}) {
+                    QVERIFY2(!box.adjusted(0.0, 2.0, 0.0, -2.0).intersects(drawn.label(angle).adjusted(0, 2, 0, -2)),
+                             qPrintable(QString("%1 at %2°").arg(letter).arg(15 * i)));
+                }
+            }
+        }
+    }
+
     /// A former defect: in a window of 800×600 the numbers of the grid lay below other texts.
     void gridNumbersKeepClearOfOtherTexts()
     {
