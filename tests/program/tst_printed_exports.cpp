@@ -214,6 +214,17 @@ private slots:
         QVERIFY(QString::fromUtf8(contentOf(file)).contains("[mm/s]"));
     }
 
+    /// A former defect: the area in which the pin A can be dragged was a transparent circle, and black in some
+    /// programs.
+    void picturesHaveNoInvisibleShapes()
+    {
+        const QString file = path("x.svg");
+        for (const char *what : {"mechanism", "figure", "polygons"}) {
+            QCOMPARE(run(QStringLiteral("render --what %1 -o ").arg(what) + file).status, 0);
+            QVERIFY2(!contentOf(file).contains("opacity=\"0\""), what);
+        }
+    }
+
     /// A former defect: in a narrow figure the time lay over a curve.
     void theTimeStandsAboveThePlots()
     {

@@ -34,13 +34,19 @@ void MechanismDrawing::paint(QPainter &painter) const
     painter.setBrush(m_colours.grid);
     painter.drawRects(m_grid);
     painter.setRenderHint(QPainter::Antialiasing); // not of the grid, whose lines are whole pixels
+    // What is invisible is left out: some programs show a transparent shape of an SVG file in black.
     for (const DrawnShape &shape : m_shapes) {
-        painter.setPen(shape.pen);
-        painter.setBrush(shape.brush);
-        painter.drawPath(shape.path);
+        const bool isFilled = shape.brush != Qt::NoBrush && shape.brush.color().alpha() > 0;
+        if (isFilled || shape.pen.style() != Qt::NoPen) {
+            painter.setPen(shape.pen);
+            painter.setBrush(shape.brush);
+            painter.drawPath(shape.path);
+        }
     }
     for (const Label &label : m_labels) {
-        painter.fillRect(label.box, label.paper);
+        if (label.paper.alpha() > 0) {
+            painter.fillRect(label.box, label.paper);
+        }
         painter.setPen(label.ink);
         const QFont &font = label.isSmall ? m_smallFont : m_font;
         painter.setFont(font);
