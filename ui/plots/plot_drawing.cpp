@@ -72,6 +72,21 @@ QString multipleOfPiText(long degrees)
     return degrees < 0 ? QStringLiteral("−") + text : text;
 }
 
+/// Returns the exponent of the power of ten that all labels of an axis have, or nullopt if each label may have its own:
+/// if numberText() wrote some labels with a power and some without, as in "500000" and "10⁶", one of them would be hard
+/// to compare with the others. `largest`: the largest magnitude on the axis.
+std::optional<int> commonPower(double step, double largest, int digits)
+{
+    constexpr int kSmallestPlain = -4; // exponent down to which numberText() writes no power
+    const auto exponentOf = [](double magnitude) { return static_cast<int>(std::floor(std::log10(magnitude))); };
+    const auto hasPower = [digits](int exponent) { return exponent < kSmallestPlain || exponent >= digits; };
+    if (!(step > 0.0) || !std::isfinite(largest) || largest < step) {
+        return std::nullopt;
+    }
+    const int exponent = exponentOf(std::floor(largest / step * (1.0 + kEpsilon)) * step);
+    return hasPower(exponentOf(step)) != hasPower(exponent) ? std::optional(exponent) : std::nullopt;
+}
+
 } // namespace
 
 double smallestDetail(const QPainter &painter)
@@ -110,6 +125,7 @@ double NumberTicker::getTickStep(const QCPRange &range)
     const double largest = std::max(std::abs(range.lower - mTickOrigin), std::abs(range.upper - mTickOrigin)) / unit;
     const double digits = std::ceil(std::log10(largest / m_step)) + 1.0; // not finite if the range underflows
     m_digits = static_cast<int>(std::min(std::max(kMinDigits, digits), kMaxDigits));
+    m_commonPower = commonPower(m_step, largest, m_digits);
     return m_step * unit;
 }
 
@@ -120,8 +136,16 @@ QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
     if (m_isPartOfTurn && angle == AngleUnit::Radian) {
         return multipleOfPiText(std::lround(value * kDegreesPerRadian));
     }
-    return isLogarithmic ? powerOfTenText(static_cast<int>(std::lround(value)))
-                         : numberText(std::abs(value) < kRoundingError * m_step ? 0.0 : value, m_digits);
+    if (isLogarithmic) {
+        return powerOfTenText(static_cast<int>(std::lround(value)));
+    }
+    if (std::abs(value) < kRoundingError * m_step) {
+        return numberText(0.0);
+    }
+    if (m_commonPower) {
+        return withPowerOfTen(numberText(value / std::pow(10.0, *m_commonPower), m_digits), *m_commonPower);
+    }
+    return numberText(value, m_digits);
 }
 
 PlotDrawing::PlotDrawing()

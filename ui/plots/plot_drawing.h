@@ -40,8 +40,9 @@ protected:
 
 private:
     double m_step = 1.0;
-    int m_digits = 6;            ///< significant digits of the labels
-    bool m_isPartOfTurn = false; ///< whether the step is a part or a multiple of a turn
+    int m_digits = 6;                 ///< significant digits of the labels
+    std::optional<int> m_commonPower; ///< exponent of the power of ten that all labels have
+    bool m_isPartOfTurn = false;      ///< whether the step is a part or a multiple of a turn
 };
 
 /// Returns the size, in units of the painter, of the smallest detail that its device shows: a pixel, or 0.06 mm on

@@ -10,19 +10,6 @@ namespace slidercrank
 namespace
 {
 
-/// Returns a mantissa with a power of ten: "1.5·10⁻⁷". A mantissa of 1 is omitted.
-QString withPowerOfTen(const QString &mantissa, int exponent)
-{
-    const QString power = powerOfTenText(exponent);
-    if (mantissa == QLocale().toString(1)) {
-        return power;
-    }
-    if (mantissa == QLocale().toString(-1)) {
-        return QLocale().negativeSign() + power;
-    }
-    return QStringLiteral("%1·%2").arg(mantissa, power);
-}
-
 QString toText(double value, char format, int digits)
 {
     QLocale locale;
@@ -69,6 +56,18 @@ QString withMinusSign(QString text)
 }
 
 } // namespace
+
+QString withPowerOfTen(const QString &mantissa, int exponent)
+{
+    const QString power = powerOfTenText(exponent);
+    if (mantissa == QLocale().toString(1)) {
+        return power;
+    }
+    if (mantissa == QLocale().toString(-1) || mantissa == u"−1") {
+        return "−" + power;
+    }
+    return QStringLiteral("%1·%2").arg(mantissa, power);
+}
 
 QString numberText(std::optional<double> value, int significantDigits)
 {

@@ -43,6 +43,9 @@ QString measuredText(double value, double standardError, double scale);
 /// Returns a power of ten: "10⁻⁷".
 QString powerOfTenText(int exponent);
 
+/// Returns a mantissa with a power of ten: "1.5·10⁻⁷". A mantissa of 1 is omitted.
+QString withPowerOfTen(const QString &mantissa, int exponent);
+
 /// Returns the smallest of …, 1, 2, 5, 10, 20, 50, … that is at least `value`. Requires value > 0.
 double nextRoundNumber(double value);
 
