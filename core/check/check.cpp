@@ -38,10 +38,13 @@ bool isWithinRounding(const GivenValue &given, double deviation)
     return std::abs(deviation) <= given.halfStep + kArithmetic * std::abs(given.value);
 }
 
-/// Returns whether a value rounds to the given one.
+/// Returns whether a value rounds to the given one. Every angle would round to one whose rounding is half of its period
+/// or more, such as 1e6°: that says nothing.
 bool roundsTo(const GivenValue &given, double value)
 {
-    return isWithinRounding(given, difference(given.channel, given.value, value));
+    const double period = periodOf(given.channel);
+    const bool saysNothing = period > 0.0 && given.halfStep >= 0.5 * period;
+    return !saysNothing && isWithinRounding(given, difference(given.channel, given.value, value));
 }
 
 /// Returns whether the slip gives this value. In the wrong unit an angle has no period: the number itself counts.

@@ -149,7 +149,8 @@ private slots:
     /// rad and so for a third of all angles.
     void takesNoCommonAngleForRadians()
     {
-        for (const char *angle : {"154", "334", "20", "1"}) {
+        for (const char *angle : {"154", "334", "20", "1", "1000000", "2e3deg"}) { // ± 5000 and ± 500
+
             QCOMPARE(run(QString(kExample) + "theta3=" + angle).status, 1);
         }
         QCOMPARE(run(QString(kExample) + "theta3=0.453").status, 0);
