@@ -170,7 +170,7 @@ LengthTolerances readTolerances(const OptionReader &options)
 /// their names. If a peak occurs at several crank angles, the row contains the value at the first of them.
 std::vector<Record> varyLimits(const OptionReader &options, Parameters parameters, const Units &units)
 {
-    static const QRegularExpression syntax("^(\\w+)=(.+?)\\.\\.(.+)$");
+    static const QRegularExpression syntax("^(\\w+)=(.*[^.])\\.\\.([^.].*)$"); // not 5...7, which may be 5 to .7
     const QRegularExpressionMatch match = syntax.match(options.text("vary"));
     const auto parameter =
         std::ranges::find(kAllParameters, match.captured(1), [](Parameter each) { return QString(optionName(each)); });

@@ -110,6 +110,7 @@ private slots:
             {"solve --step-angle 7", "must divide 360"},
             {"solve --step-angle 10 --steps 3", "remove --steps"},
             {"limits --vary b=50 --format csv", "b=50..120"},
+            {"limits --vary b=50...120", "such as b=50..120, not \"b=50...120\""},
             {"limits --vary x=1..2 --format csv", "must be a parameter"},
             {"limits --vary b=0..2 --format csv", "--vary must be between 1e-9"},
             {"limits --vary theta20=0..90", "--vary 90: add a unit"},
