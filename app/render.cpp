@@ -71,12 +71,21 @@ QStringList namesOfPlots()
     return names;
 }
 
+/// Returns the name of the plot that shows the quantity of this name or symbol, such as "R4_x" for "x" (--channels
+/// knows the same symbols). Returns other words as they are.
+QString plotNamed(const QString &word)
+{
+    const std::optional<OutputChannel> channel = outputChannelNamed(word.toStdString());
+    const QString name = channel ? columnName(*channel) : QString();
+    return namesOfPlots().contains(name) ? name : word;
+}
+
 /// Reads --what, --plots and --no-cursor.
 void readSubject(const OptionReader &options, RenderRequest &request)
 {
     QStringList plots;
     if (options.has("what")) {
-        const QString what = options.text("what");
+        const QString what = plotNamed(options.text("what"));
         QStringList words;
         request.subject = Subject::Plot;
         for (const auto &[subject, word] : kSubjects) {
@@ -90,7 +99,9 @@ void readSubject(const OptionReader &options, RenderRequest &request)
         if (request.subject != Subject::Figure) {
             throw UsageError{CommandLine::tr("--plots chooses among the plots of the figure: use it without --what.")};
         }
-        plots = options.text("plots").split(',');
+        for (const QString &word : options.text("plots").split(',')) {
+            plots += plotNamed(word.trimmed());
+        }
     }
     for (const QString &plot : plots) {
         indexAmong(namesOfPlots(), plot, "plots"); // throws if it is not among them

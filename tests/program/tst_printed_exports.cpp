@@ -182,7 +182,11 @@ private slots:
         QCOMPARE(run("render --b 60 --plots theta3,R4_x --at 0.25 -o " + file).status, 0);
         const QByteArray both = contentOf(file);
         QVERIFY(both.contains("θ³") && both.contains("Rₓ⁴") && !both.contains("ω³"));
-        QVERIFY(both.contains("4.780") && both.contains("t = 0.2500 s")); // asin(5/60) in degrees
+        QVERIFY(both.contains("4.780") && both.contains("t = 0.2500 s"));           // asin(5/60) in degrees
+        QCOMPARE(run("render --b 60 --plots θ₃,x --at 0.25 -o " + file).status, 0); // as --channels
+        QCOMPARE(contentOf(file), both);
+        QCOMPARE(run("render --b 60 --what v -o " + file).status, 0);
+        QVERIFY(contentOf(file).contains("slider velocity"));
         QCOMPARE(run("render --b 60 --plots theta3,R4_x --at 0.25 --no-cursor -o " + file).status, 0);
         QVERIFY(!contentOf(file).contains("4.780"));
     }
