@@ -241,7 +241,7 @@
     </message>
     <message>
         <source>%1 gives exactly your %2.</source>
-        <translation>%1 da exactamente sus valores de %2.</translation>
+        <translation>%1 da exactamente lo que usted obtuvo para %2.</translation>
     </message>
     <message>
         <source>All values are right to their digits.</source>
