@@ -148,12 +148,12 @@ void OptionReader::checkRepetitions() const
 
 void OptionReader::checkDetachedUnits(const QStringList &arguments) const
 {
-    static const QRegularExpression number("[\\d.π]$");
     for (qsizetype i = 1; i < arguments.size(); ++i) {
         const QString &before = arguments[i - 1];
         const QString &unit = arguments[i];
         const bool isUnit = files().contains(unit) && parseUnit(unit.toStdString()) && !QFileInfo::exists(unit);
-        if (isUnit && before.contains(number)) {
+        const bool isBehindNumber = !readExpression(before.section('=', -1), {}, QLocale::c()).fault;
+        if (isUnit && isBehindNumber) {
             const bool isOfOption = i > 1 && arguments[i - 2].startsWith("--");
             throw UsageError{CommandLine::tr("%1%2 %3: write the number and its unit without a space, %2%3.")
                                  .arg(isOfOption ? arguments[i - 2] + ' ' : QString(), before, unit)};

@@ -192,8 +192,8 @@ private slots:
         for (const QStringList &line :
              {QStringList{"compare", "no.csv"}, QStringList{"identify", "no.csv"},
               QStringList{"solve", "--scene", "no.slidercrank"}, QStringList{"solve", "--scene", noScene},
-              QStringList{"./no.csv"}, QStringList{"no.slidercrank"}, QStringList{kSample, "no.csv"},
-              QStringList{"render", "-o", path("x.png"), "--reference", "no.csv"}}) {
+              QStringList{"compare", "--join", "run1", "m"}, QStringList{"./no.csv"}, QStringList{"no.slidercrank"},
+              QStringList{kSample, "no.csv"}, QStringList{"render", "-o", path("x.png"), "--reference", "no.csv"}}) {
             const RunResult outcome = run(line);
             QVERIFY2(outcome.status == 3 && outcome.hasOneLineError(), qPrintable(line.join(' ')));
         }
