@@ -406,6 +406,7 @@ TableRow MotionTablePanel::myValues()
     const Units &units = notation().units;
     std::vector<TypedValue> values;
     QStringList sentences;
+    bool hasUnreadable = false; // a text that is no value
     const TypedTexts *typedHere = textsAtPresent();
     for (const OutputChannel &channel : m_settings.columns) {
         TableCell &cell = row.cells.emplace_back();
@@ -416,6 +417,7 @@ TableRow MotionTablePanel::myValues()
         const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
         const TypedValue typed = readTypedValue(number, channel, units);
         if (typed.written.fault) {
+            hasUnreadable = true;
             cell.tone = Tone::Bad;
             sentences << QStringLiteral("%1: %2").arg(symbolOf(channel), faultText(typed));
             continue;
@@ -441,7 +443,8 @@ TableRow MotionTablePanel::myValues()
         sentences << otherPositions();
     }
     m_judgement->setVisible(!sentences.isEmpty());
-    if (!values.empty()) {
+    const bool isIncomplete = wrong.isEmpty() && hasUnreadable; // then not "all values are right"
+    if (!values.empty() && !isIncomplete) {
         sentences << explanationText(result, wrong);
     }
     m_judgement->setText(subscriptHtml(sentences.join(u' ')));
