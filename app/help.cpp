@@ -31,9 +31,8 @@ QString exitStatusText()
         "Exit status: 0 success; 1 --fail-on-difference was given and a channel differs, or a value to be checked is "
         "wrong; 2 usage error; 3 a file cannot be read or written; 4 the mechanism cannot be assembled at some "
         "time step (the other steps are still written), or a request of --design, --when or --omega2-for is "
-        "impossible; 5 not "
-        "converged or singular at some time step, or no mechanism identified. If several apply, the first of 3, 4, 5, "
-        "1 is returned.");
+        "impossible; 5 not converged or singular at some time step, or no mechanism identified. If several apply, the "
+        "first of 3, 4, 5, 1 is returned.");
 }
 
 QString unitsText()

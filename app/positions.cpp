@@ -91,7 +91,7 @@ QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, doubl
             .arg(name, wanted.text, withUnit(numberText(atA, 10), unitText(Measure::Angle, units)));
     }
     const std::optional<ChannelRange> range = rangeOf(mechanism, wanted.channel, alpha2);
-    if (!range || !std::isfinite(range->least) || !std::isfinite(range->greatest)) {
+    if (!range || !range->excludes(wanted.value)) {
         return CommandLine::tr(
                    "There is no position with %1 = %2: \"slidercrank limits\" shows how far the motion goes.")
             .arg(name, wanted.text);

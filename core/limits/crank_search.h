@@ -9,6 +9,7 @@
 
 #include "core/limits/output_channel.h"
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,12 @@ std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, con
 struct ChannelRange {
     double least = 0.0;
     double greatest = 0.0;
+
+    /// Whether the range is finite and the value is beyond it. A rocker also misses some values within its range.
+    bool excludes(double value) const
+    {
+        return std::isfinite(least) && std::isfinite(greatest) && (value < least || value > greatest);
+    }
 };
 
 /// Returns the range of a channel if the crank has the acceleration alpha2 (rad/s²). It is infinite where a derivative

@@ -185,6 +185,8 @@ private slots:
         QCOMPARE(CsvTable(atA.output).rows.size(), std::size_t(2));
         QCOMPARE(CsvTable(run("solve --a 40 --b 120 --c 20 --when theta3=-350").output).rows.size(), std::size_t(2));
         const QByteArray atNeither = run("solve --a 40 --b 120 --c 20 --when theta3=80").error; // asin((20 ± 40)/120)
+        const QByteArray inGap = run("solve --a 40 --b 20 --c 5 --when x=0").error; // between the arcs of a rocker
+        QVERIFY2(inGap.contains("slidercrank limits") && !inGap.contains("lies between"), inGap);
         QVERIFY2(atNeither.contains("theta3 lies between −9.594068226° and 30°."), atNeither);
     }
 

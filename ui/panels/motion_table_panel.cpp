@@ -504,7 +504,7 @@ QString MotionTablePanel::noPosition() const
                         "at B.");
     }
     const std::optional<ChannelRange> range = rangeOf(mechanism, channel, m_session->alpha2());
-    if (!range || !std::isfinite(range->least) || !std::isfinite(range->greatest)) {
+    if (!range || !range->excludes(wantedValue())) {
         return tr("There is no such position.");
     }
     constexpr int kDigits = 5; // as in the table
