@@ -120,6 +120,23 @@ bool hasBoxes(std::string_view text)
     return beginning.find("\xE2\x94") != text.npos || beginning.find("\xE2\x95") != text.npos; // U+2500 to U+257F
 }
 
+/// Returns which byte of each pair is the lower one, 0 or 1, if the text is UTF-16: by the byte order mark or, without
+/// one, because the other byte of most characters is zero. Otherwise nullopt.
+std::optional<std::size_t> findLowerByte(std::string_view bytes)
+{
+    if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+        return bytes[0] == '\xFF' ? 0 : 1;
+    }
+    const std::string_view beginning = bytes.substr(0, kFileBeginning);
+    std::array<std::size_t, 2> zeros{}; // at even and at odd positions
+    for (std::size_t i = 0; i < beginning.size(); ++i) {
+        zeros[i % 2] += beginning[i] == '\0' ? 1 : 0;
+    }
+    const std::size_t lower = zeros[0] < zeros[1] ? 0 : 1;
+    const bool isUtf16 = zeros[lower] == 0 && 4 * zeros[1 - lower] > beginning.size();
+    return isUtf16 ? std::optional(lower) : std::nullopt;
+}
+
 } // namespace
 
 std::string_view decodeText(std::string_view bytes, std::string &converted)
@@ -129,15 +146,11 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
     std::string_view text = bytes;
     std::u16string units; // of other encodings than UTF-8
     const auto byteAt = [bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-    const bool isLittleEndian = bytes.starts_with("\xFF\xFE");
-    if (isLittleEndian || bytes.starts_with("\xFE\xFF")) {
-        const std::size_t low = isLittleEndian ? 2 : 3; // where the lower byte of the first unit is
-        units.resize(bytes.size() / 2 - 1);
+    if (const std::optional<std::size_t> lower = findLowerByte(bytes)) {
+        units.resize(bytes.size() / 2);
         for (std::size_t i = 0; i < units.size(); ++i) {
-            units[i] = static_cast<char16_t>(byteAt(2 * i + 5 - low) * 256 + byteAt(2 * i + low));
+            units[i] = static_cast<char16_t>(byteAt(2 * i + 1 - *lower) * 256 + byteAt(2 * i + *lower));
         }
-    } else if (bytes.starts_with(kUtf8Mark)) {
-        text.remove_prefix(kUtf8Mark.size());
     } else if (!isUtf8(bytes.substr(0, kExamined))) {
         units.resize(bytes.size());
         std::ranges::transform(bytes, units.begin(), [](unsigned char byte) {
@@ -147,6 +160,7 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
     if (!units.empty()) {
         text = converted = boost::locale::conv::utf_to_utf<char>(units);
     }
+    text.remove_prefix(text.starts_with(kUtf8Mark) ? kUtf8Mark.size() : 0);
     if (hasBoxes(text)) {
         text = converted = withAsciiBoxes(text);
     }

@@ -111,6 +111,8 @@ const std::vector<NamesRow> kNames{
     {"\xEF\xBB\xBFtime,R4_x,theta3" + kRows, "time R4_x theta3", ", point line 1"},
     {utf16Of(kSpanish, true, true), "time R4_x theta3", "; comma line 1"},
     {utf16Of(kSpanish, false, true), "time R4_x theta3", "; comma line 1"},
+    {utf16Of(kSpanish, true, false), "time R4_x theta3", "; comma line 1"},
+    {utf16Of(kSpanish, false, false), "time R4_x theta3", "; comma line 1"},
     {QString::fromUtf8(kSpanish).toLatin1(), "time R4_x theta3", "; comma line 1"},
     {"sep=;\ntime;R4_x\n0;1\n", "time R4_x", "; point line 2"},
     {"200\nrun 7, 1 s\n# solved\ntime,R4_x\n0,1\n", "time R4_x", ", point line 4"},
