@@ -113,6 +113,33 @@ std::string withAsciiBoxes(std::string_view text)
     return boost::locale::conv::utf_to_utf<char>(characters);
 }
 
+/// Returns whether the lines of a table in MediaWiki or Jira are near the beginning of a text: "{|" before all of them,
+/// or "||t||x||" around the headings.
+bool hasDoubledBars(std::string_view text)
+{
+    bool isFound = false;
+    for (std::string_view rest = text.substr(0, kFileBeginning); !rest.empty();) {
+        const std::string_view line = trimmed(takeUntil('\n', rest));
+        const bool isAround = line.starts_with("||") && line.ends_with("||");
+        isFound = isFound || line.starts_with("{|") || (isAround && line.find_first_not_of('|') != line.npos);
+    }
+    return isFound;
+}
+
+/// Returns the text of such a table with one bar between two cells: "|0.1|85" for "|0.1||85", "|t|x" for "!t!!x".
+std::string withSingleBars(std::string_view text)
+{
+    std::string plain;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const std::string_view two = text.substr(i, 2);
+        const bool isDoubled = two == "||" || two == "!!";
+        const bool isFirstMark = text[i] == '!' && (i == 0 || text[i - 1] == '\n');
+        plain += isDoubled || isFirstMark ? '|' : text[i];
+        i += isDoubled ? 1 : 0;
+    }
+    return plain;
+}
+
 /// Returns whether lines are drawn with box characters near the beginning of a text.
 bool hasBoxes(std::string_view text)
 {
@@ -163,6 +190,9 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
     text.remove_prefix(text.starts_with(kUtf8Mark) ? kUtf8Mark.size() : 0);
     if (hasBoxes(text)) {
         text = converted = withAsciiBoxes(text);
+    }
+    if (hasDoubledBars(text)) {
+        text = converted = withSingleBars(text);
     }
     text = withoutPadding(text);
     if (const std::size_t binary = findBinary(text); binary != text.npos) {

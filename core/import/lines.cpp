@@ -60,11 +60,20 @@ bool isRule(std::string_view line)
            (has("--") || has("==") || has("__") || line.starts_with('|'));
 }
 
-/// Returns a line of a table in Markdown or LaTeX without its borders; empty for a line between rows.
+/// Returns the text without the number that Stata prints before the first bar of a row: "1. | 0.1   85 |".
+std::string_view withoutRowNumber(std::string_view text)
+{
+    const std::size_t bar = text.find_first_not_of("0123456789");
+    const bool isNumbered = bar > 0 && bar != text.npos && text.substr(bar).starts_with(". |") && text.ends_with('|');
+    return isNumbered ? text.substr(bar + 2) : text;
+}
+
+/// Returns a line of a table in Markdown, LaTeX, MediaWiki or Stata without its borders; empty for a line between rows.
 std::string_view withoutBorders(std::string_view line)
 {
-    std::string_view text = trimmed(line);
-    if (isRule(text) || text.starts_with("\\begin{") || text.starts_with("\\end{")) {
+    std::string_view text = withoutRowNumber(trimmed(line));
+    const auto begins = [text](std::string_view border) { return text.starts_with(border); };
+    if (isRule(text) || begins("\\begin{") || begins("\\end{") || begins("{|") || begins("|}")) {
         return {};
     }
     if (text.starts_with('|') && text.ends_with('|') && text.size() > 1) {
@@ -82,6 +91,15 @@ bool isCommonFactor(std::string_view line)
 {
     const std::string_view text = trimmed(line);
     return text.ends_with('*') && text.find('e') != text.npos && looksNumeric(trimmed(text.substr(0, text.size() - 1)));
+}
+
+/// Returns a line of Arduino's serial monitor without the time of its receipt: "12:03:04.013 -> 0.01, 85".
+std::string_view withoutTimeOfReceipt(std::string_view line)
+{
+    constexpr std::string_view kArrow = " -> ";
+    const std::string_view before = trimmed(line.substr(0, line.find(kArrow)));
+    const bool isTime = before.find(':') != before.npos && before.find_first_not_of("0123456789:.") == before.npos;
+    return isTime && before.size() < line.size() ? line.substr(line.find(kArrow) + kArrow.size()) : line;
 }
 
 /// Returns where the first line ends. Line ends in a quoted heading, as spreadsheets write them, belong to the line.
@@ -115,7 +133,7 @@ std::vector<Line> splitLines(std::string_view text)
         do {
             ++number;
             const std::string_view line =
-                withoutBorders(lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest));
+                withoutBorders(withoutTimeOfReceipt(lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest)));
             if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
             }

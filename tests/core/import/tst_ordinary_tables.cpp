@@ -105,6 +105,15 @@ const std::vector<Layout> kLayouts{
     {"start\nt=0 x=85mm\nt=1 x=84mm\nt=2 x=80mm\n", "time R4_x"},
     {"\\begin{tabular}{S S}\n{$t$ (\\si{s})} & {$x$ (\\si{mm})} \\\\\n0 & 85 \\\\\n1 & 84 \\\\\n2 & 80 \\\\\n",
      "time R4_x"},
+    {"     +-----------+\n     |  t   x  v |\n     |-----------|\n  1. |  0  85  1 |\n  2. |  1  84  2 |\n"
+     "  3. |  2  80  3 |\n     +-----------+\n",
+     "time R4_x R4_x_diff"}, // Stata
+    {"{| class=\"wikitable\"\n|+ Motion\n|-\n! t (s) !! x (mm) !! v (mm/s)\n|-\n| 0 || 85 || 1\n|-\n| 1 || 84 || 2\n"
+     "|-\n| 2 || 80 || 3\n|}\n",
+     "- time R4_x R4_x_diff"},                                    // MediaWiki
+    {"||t (s)||x (mm)||\n|0|85|\n|1|84|\n|2|80|\n", "time R4_x"}, // Jira
+    {"12:03:04.013 -> t, x\r\n12:03:04.026 -> 0, 85\r\n12:03:04.039 -> 1, 84\r\n12:03:04.052 -> 2, 80\r\n",
+     "time R4_x"}, // Arduino
     // Headings in two lines.
     {"Time;Piston;Piston\ns;Position [mm];Velocity [mm/s]\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"},
     {"Time,Slider,Slider\n(s),X (mm),VX (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
