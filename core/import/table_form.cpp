@@ -288,12 +288,48 @@ std::optional<SplitLine> findUnknownHeadings(std::vector<SplitLine> &lines, cons
     return areHeadings ? std::optional(std::move(*last)) : std::nullopt;
 }
 
+/// Returns the text behind the number in a line that describes a column: "time [s]" of "# Column 1: time [s]". Empty if
+/// the first number in the line is a different one.
+std::string_view textBehindNumber(std::string_view line, std::size_t number)
+{
+    const std::string digits = std::to_string(number);
+    const std::string_view rest = line.substr(std::min(line.find_first_of("0123456789"), line.size()));
+    const std::size_t text = rest.find_first_not_of(" \t:=.)]-", digits.size());
+    return rest.starts_with(digits) && text != rest.npos && !isDigit(rest[digits.size()]) ? trimmed(rest.substr(text))
+                                                                                          : std::string_view();
+}
+
+/// Returns the headings of a table above which each line describes a column, as their numbers from 0 or 1 show, or,
+/// directly above the row, all their names. Its line is the last one.
+std::optional<SplitLine> findListOfHeadings(Lines above, std::size_t size)
+{
+    for (std::size_t end = above.size(); end >= size; --end) {
+        for (const std::size_t first : {0, 1}) {
+            Cells texts;
+            Cells names;
+            for (const Line &line : above.subspan(end - size, size)) {
+                texts.push_back(textBehindNumber(line.text, first + texts.size()));
+                names.push_back(withoutMark(line.text));
+            }
+            const bool isNumbered = std::ranges::count(texts, std::string_view()) == 0;
+            SplitLine list = countNames(isNumbered ? texts : names, ',');
+            list.line = end - 1;
+            const bool areNames = end == above.size() && list.times == 1 && list.known() == size;
+            if (isNumbered ? list.known() > 0 : areNames) {
+                return list;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
 /// Finds the line of headings:
 ///
 /// 1. the first line of all that names a time and a quantity and has as many cells as the row,
-/// 2. else, of the lines above the row, the one with most names,
-/// 3. else, if there is no row of numbers, the first line,
-/// 4. else the one directly above the numbers and their units, if it has as many cells as the row.
+/// 2. else the lines above the row that describe one column each,
+/// 3. else, of the lines above the row, the one with most names,
+/// 4. else, if there is no row of numbers, the first line,
+/// 5. else the one directly above the numbers and their units, if it has as many cells as the row.
 ///
 /// Returns nullopt if the file begins with the first row of numbers.
 std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> &row)
@@ -308,6 +344,9 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
         if (!row || i < row->line) {
             above.push_back(std::move(names));
         }
+    }
+    if (std::optional<SplitLine> list = row ? findListOfHeadings(lines.first(row->line), row->cells.size()) : row) {
+        return list;
     }
     if (SplitLine *const named = findMostNames(above, row)) {
         return std::move(*named);

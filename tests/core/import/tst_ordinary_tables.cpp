@@ -114,6 +114,15 @@ const std::vector<Layout> kLayouts{
     {"||t (s)||x (mm)||\n|0|85|\n|1|84|\n|2|80|\n", "time R4_x"}, // Jira
     {"12:03:04.013 -> t, x\r\n12:03:04.026 -> 0, 85\r\n12:03:04.039 -> 1, 84\r\n12:03:04.052 -> 2, 80\r\n",
      "time R4_x"}, // Arduino
+    // Each column is described in a line.
+    {"# Column 1: t [s]\n# Column 2: slider position [mm]\n# Column 3: slider velocity [mm/s]\n0 85 1\n1 84 2\n2 80 "
+     "3\n",
+     "time R4_x R4_x_diff"},
+    {"% 1) t [s]\n% 2) slider position [mm]\n% 3) slider velocity [mm/s]\n% data\n0 85 1\n1 84 2\n2 80 3\n",
+     "time R4_x R4_x_diff"},
+    {"# name 0 = time [s]\n# name 1 = load [V]\n# name 2 = slider position [mm]\n0 5 85\n1 6 84\n2 7 80\n",
+     "time - R4_x"},
+    {"# time [s]\n# slider position [mm]\n# slider velocity [mm/s]\n0 85 1\n1 84 2\n2 80 3\n", "time R4_x R4_x_diff"},
     // Headings in two lines.
     {"Time;Piston;Piston\ns;Position [mm];Velocity [mm/s]\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"},
     {"Time,Slider,Slider\n(s),X (mm),VX (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
