@@ -398,7 +398,10 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
     findCrank(table, candidates);
     findBodyOfPosition(candidates);
     removeColumns(candidates, ColumnReason::UnknownBody, [](const RawColumn &column) {
-        return column.meaning.doubt == Doubt::IsOfCrank && column.use.channel.coordinate != Theta2;
+        const Coordinate coordinate = column.use.channel.coordinate;
+        const bool isOfCrank = coordinate == R2x || coordinate == R2y; // of its pin or its centre of mass
+        return (column.meaning.doubt == Doubt::IsOfCrank && coordinate != Theta2) ||
+               (isOfCrank && isOfUnnamedBody(&column) && column.meaning.owner.empty());
     });
 }
 

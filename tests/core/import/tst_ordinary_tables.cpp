@@ -322,6 +322,22 @@ private slots:
         QCOMPARE(reasonsBeside("displacement"), 3);
     }
 
+    /// Beside the crank angle, x and y without a name are those of the crank pin or of the crank's centre of mass.
+    void readsNoCentreOfMassIntoTheCrankPin()
+    {
+        for (const char *const turn : {"90", "1.5708"}) {
+            QByteArray table = "t,x,y,theta\n";
+            for (int row = 0; row < 12; ++row) {
+                const bool isAtX = row % 2 == 0;
+                const QByteArray radius = row % 4 < 2 ? "20" : "-20";
+                table += QByteArray::number(row) + ',' + (isAtX ? radius + ",0," : "0," + radius + ',') +
+                         QByteArray::number(row * QByteArray(turn).toDouble()) + '\n';
+            }
+            const Outcome outcome = read(table);
+            QCOMPARE(rolesOf(std::get<ReferenceData>(outcome).layout), std::string("time - - theta2?"));
+        }
+    }
+
     /// Without a point's name, both components of the slider's velocity cannot change.
     void readsNoSliderIntoACurve()
     {
