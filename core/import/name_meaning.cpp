@@ -19,11 +19,14 @@ using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
 using Doubt = NameMeaning::Doubt;
 
-/// Beginnings of remarks about the sensor (", Ch P1" of PASCO) and about the origin: "piston position from TDC".
-constexpr std::array<std::string_view, 19> kRemarkBeginnings{
-    ", Ch ",         " from ", " since ", " relative to ", " with respect to ", " after ",       " ab ",
-    " vom ",         " nach ", " desde ", " respecto a",   " depuis ",          " par rapport ", " à partir ",
-    " rispetto al ", " dal ",  " vanaf ", " od ",          " a partir "};
+/// Beginnings of remarks about the sensor (", Ch P1" of PASCO), about the abscissa, and about the origin: "piston
+/// position from TDC".
+constexpr std::array<std::string_view, 22> kRemarkBeginnings{
+    " vs ",          " vs. ",         " versus ",          ", Ch ",       " from ",
+    " since ",       " relative to ", " with respect to ", " after ",     " ab ",
+    " vom ",         " nach ",        " desde ",           " respecto a", " depuis ",
+    " par rapport ", " à partir ",    " rispetto al ",     " dal ",       " vanaf ",
+    " od ",          " a partir "};
 
 /// Greek letters that denote other angles than the coupler's, such as the transmission angle.
 constexpr std::string_view kOtherAngles = "gamma delta lambda";
@@ -125,11 +128,15 @@ NameMeaning::Doubt doubtOf(const NameReading &name, const std::optional<Unit> &u
     return unit ? Doubt::None : name.doubt;
 }
 
-/// Returns whether the name is a symbol that cannot have the unit, such as W in m/s², an acceleration in Russian.
+/// Returns whether the name is a symbol that cannot have the unit, such as W in m/s², an acceleration in Russian, and A
+/// in degrees, the crank angle in the English Wikipedia.
 bool isForeignSymbol(const NameReading &name, const std::optional<Unit> &unit)
 {
-    return unit && !name.symbol.empty() && name.axis == ' ' && !name.body && name.dimension &&
-           unit->dimension != Dimension::Time && unit->dimension != *name.dimension;
+    if (!unit || name.symbol.empty() || name.axis != ' ' || name.body || unit->dimension == Dimension::Time) {
+        return false;
+    }
+    const bool isOpenRate = !name.dimension && name.order && unit->order == 0; // v and a, of lengths or angles
+    return isOpenRate ? unit->dimension == Dimension::Angle : name.dimension && unit->dimension != *name.dimension;
 }
 
 /// Returns whether a name has an index or words for a point or body that is none of the three: "x_G", "phase angle".

@@ -132,7 +132,7 @@ const WordMeaning *indexNamed(const NameReading &before, std::string_view word)
 bool includeIndex(NameReading &reading, std::string_view word, const WordMeaning &index)
 {
     const bool isOfSlider = index.body == Body::Slider && reading.dimension == Dimension::Angle; // θ_c, θ_b
-    reading.isUnknownBody = reading.isUnknownBody || isOfSlider;
+    reading.isUnknownBody = reading.isUnknownBody || (isOfSlider && !reading.body); // but "connecting rod ω_c"
     if (reading.hasIndex) {
         return false;
     }
@@ -210,6 +210,7 @@ bool includePart(NameReading &reading, std::string_view part, Entries entries)
 {
     constexpr std::size_t kShortestFiller = 4; // bytes
     const bool isShortFiller = part.size() < kShortestFiller && findWord(part, WordUse::Filler);
+    reading.isLabelled = false; // "piston pin VX" has no joint V
     return !isShortFiller && !findWord(part, WordUse::Label) && includeEntry(reading, part, entries);
 }
 
@@ -402,14 +403,26 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
     return true;
 }
 
-/// Splits a name whose owner follows after "@" or a hyphen, "Pos_TX@Slider" or "Position - Cart", or is before the
-/// hyphen, "Slider - X". Returns nullopt for other names.
+/// Returns the mark between a quantity and its owner: "@", a hyphen, or a colon behind the quantity, as in
+/// "slider_pos:MECHANISM" of Creo.
+std::string_view markOfOwner(std::string_view name)
+{
+    if (name.find('@') != name.npos) {
+        return "@";
+    }
+    const std::size_t colon = name.find(':');
+    const bool isBehindQuantity = colon != name.npos && namesQuantity(wordsOf(name.substr(0, colon))) &&
+                                  !namesQuantity(wordsOf(name.substr(colon + 1)));
+    return isBehindQuantity ? ":" : " - ";
+}
+
+/// Splits a name whose owner follows after "@", a hyphen or a colon, "Pos_TX@Slider" or "Position - Cart", or is before
+/// the hyphen, "Slider - X". Returns nullopt for other names.
 std::optional<NamePath> splitAtOwner(std::string_view name)
 {
     const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
     name.remove_prefix(isOfRecurDyn ? 2 : 0);
-    const std::string_view usualMark = name.find('@') != name.npos ? "@" : " - ";
-    const std::string_view mark = isOfRecurDyn ? "-" : usualMark;
+    const std::string_view mark = isOfRecurDyn ? "-" : markOfOwner(name);
     const std::size_t at = name.find(mark);
     if (at == name.npos || at == 0) {
         return std::nullopt;
@@ -420,6 +433,16 @@ std::optional<NamePath> splitAtOwner(std::string_view name)
         return NamePath{{before, after}, std::string(before)};
     }
     return NamePath{{after.substr(0, after.find('@')), before}, std::string(after)};
+}
+
+/// Returns whether the full stop at `at` is before an index, as Mathcad writes it: "x.B", "θ.2". A part of a path, as
+/// in "slider.s", is no capital letter or digit.
+bool isBeforeIndex(std::string_view name, std::size_t at)
+{
+    const Words before = wordsOf(name.substr(0, at));
+    const char last = name.back();
+    return at + 2 == name.size() && (isDigit(last) || lowerCase(last) != last) && before.size() == 1 &&
+           findWord(before[0], WordUse::Symbol);
 }
 
 } // namespace
@@ -437,7 +460,7 @@ NamePath splitPath(std::string_view name)
         case '/':
         case ':':
         case '|': return true;
-        case '.': return !hasBlank || isBeforeName;
+        case '.': return (!hasBlank || isBeforeName) && !isBeforeIndex(name, i);
         case '\\': return !isLatex;
         case ',': return i > 1 && i + 3 < name.size() && name[i + 1] == ' '; // "Slider, X Displacement"
         default: return false;

@@ -114,12 +114,13 @@ std::span<const WordMeaning> vocabulary()
                     "kluky klukoveho 크랭크 кривошип 曲柄 クランク link_2 glied_2 eslabon_2 barra_2 membro_2",
                     kOpen, kOpen, Crank},
         WordMeaning{Word, "ca cad kw kurbelw atdc drehwinkel", Angle, Position, Crank},
-        WordMeaning{Word,
-                    "coupler coup rod conrod connecting biela bielle biella acoplador pleuel pleuelstange koppel "
-                    "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
-                    "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki шатун "
-                    "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3",
-                    kOpen, kOpen, Coupler},
+        WordMeaning{
+            Word,
+            "coupler coup rod conrod connecting biela bielle biella bielei acoplador pleuel pleuelstange koppel "
+            "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
+            "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki kiertokangen шатун "
+            "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3",
+            kOpen, kOpen, Coupler},
         WordMeaning{Word,
                     "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera "
                     "deslizador deslizante corredora corredissa embolo carro carrito cursore cursor pattino "
