@@ -197,17 +197,19 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
     return number;
 }
 
-CellNumber parseClock(std::string_view text, DecimalSign decimalSign)
+CellNumber parseClock(std::string_view text)
 {
     constexpr double kPerUnit = 60.0; // seconds a minute, minutes an hour
     text.remove_prefix(text.substr(0, text.find(':')).find_last_not_of("0123456789") + 1);
-    std::string_view rest = text.substr(0, text.find_first_not_of("0123456789:.,"));
+    std::string time(text.substr(0, text.find_first_not_of("0123456789:.,")));
+    std::ranges::replace(time, ',', '.');
+    std::string_view rest = time;
     const auto colons = std::ranges::count(rest, ':');
     CellNumber number{.fault = RowFault::NotANumber};
-    if (colons == 2 || (colons == 1 && rest.find_first_of(".,") != rest.npos)) {
+    if (colons == 2 || (colons == 1 && rest.find('.') != rest.npos)) {
         double sum = 0.0;
         while (!rest.empty()) {
-            number = parseNumber(takeUntil(':', rest), decimalSign);
+            number = parseNumber(takeUntil(':', rest), DecimalSign::Point);
             sum = kPerUnit * sum + number.value;
         }
         number.value = sum;

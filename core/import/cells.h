@@ -56,8 +56,8 @@ struct CellNumber {
 CellNumber parseNumber(std::string_view text, DecimalSign decimalSign);
 
 /// Parses the time of a clock, "12:34:56.789" or "05:06.7", with or without a date before it and a time zone after it:
-/// the seconds since midnight.
-CellNumber parseClock(std::string_view text, DecimalSign decimalSign);
+/// the seconds since midnight. Either decimal sign may be before the fractions of a second, whatever the file has.
+CellNumber parseClock(std::string_view text);
 
 /// Returns whether the text consists of the characters of a number with either decimal sign.
 bool looksNumeric(std::string_view text);

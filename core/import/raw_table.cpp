@@ -26,7 +26,7 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
     if (!unit.empty() && cell.ends_with(unit)) {
         cell = trimmed(cell.substr(0, cell.size() - unit.size()));
     }
-    return column.cells.isClock ? parseClock(cell, decimalSign) : parseNumber(cell, decimalSign);
+    return column.cells.isClock ? parseClock(cell) : parseNumber(cell, decimalSign);
 }
 
 /// Reads the cells of a row into its columns. Returns the number of cells.

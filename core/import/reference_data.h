@@ -8,7 +8,7 @@
 // Reading has three stages: text (file_text.h), table of numbers (raw_table.h), meaning of the columns
 // (column_assignment.h).
 //
-// The text is UTF-8, UTF-16 with a byte order mark, or Windows-1252. A line names the columns: the time and the
+// The text is UTF-8, UTF-16, or Windows-1252. A line names the columns: the time and the
 // channels (nameOf(), or words), in any order and case, each with or without its unit. There may be other lines above
 // it, and a line of units below. A comment mark (#, %, //) before the names is ignored. Cells are separated by commas,
 // semicolons, tabs or vertical bars, or else by spaces, and may be quoted; a cell never contains a line break. Numbers

@@ -93,14 +93,30 @@ std::string_view labelOf(std::string_view cell)
     return isLabelled ? cell.substr(0, mark + 1) : std::string_view();
 }
 
+/// Returns the labels of all cells of a line, which stand before the number in the cell, or in the cell before it, as
+/// in "x= 85" and "x = 85" between blanks. The label of a cell that is a label is the cell itself; that of others is
+/// empty.
+Cells labelsOf(const Line &line, char delimiter)
+{
+    const Cells cells = splitCells(line.text, delimiter);
+    const auto isLabel = [&cells](std::size_t i) { return cells[i].ends_with('=') || cells[i].ends_with(':'); };
+    Cells labels;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        std::string_view label = labelOf(cells[i]);
+        const bool isBeforeMark = i + 1 < cells.size() && cells[i + 1] == "=";
+        if (isNumber(cells[i]) && i > 0 && isLabel(i - 1)) {
+            label = cells[i - 1] == "=" && i > 1 ? cells[i - 2] : cells[i - 1];
+        } else if (!isNumber(cells[i]) && (isLabel(i) || isBeforeMark)) {
+            label = cells[i];
+        }
+        labels.push_back(label);
+    }
+    return labels;
+}
+
 /// Returns the first line whose cells have the same labels before their numbers as those of the next line.
 std::optional<SplitLine> findLabelledRow(Lines lines)
 {
-    const auto labelsOf = [](const Line &line, char delimiter) {
-        Cells labels = splitCells(line.text, delimiter);
-        std::ranges::transform(labels, labels.begin(), labelOf);
-        return labels;
-    };
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
         for (const char delimiter : std::string_view("\t;,| ")) {
             const Cells labels = labelsOf(lines[i], delimiter);
@@ -121,9 +137,15 @@ std::vector<Heading> headingsOfLabels(const SplitLine &labels, const Line &row)
     const Cells cells = splitCells(row.text, labels.delimiter);
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::string_view label = labels.cells[i];
-        Heading &heading = headings.emplace_back(parseHeading(trimmed(label.substr(0, label.size() - 1))));
+        if (label == cells[i]) { // without a number
+            headings.emplace_back();
+            continue;
+        }
+        Heading &heading =
+            headings.emplace_back(parseHeading(trimmed(label.substr(0, label.find_last_not_of(":=") + 1))));
         heading.cells.label = label;
-        heading.cells.unit = splitUnit(trimmed(cells[i].substr(label.size()))).unit;
+        const std::string_view number = cells[i].starts_with(label) ? cells[i].substr(label.size()) : cells[i];
+        heading.cells.unit = splitUnit(trimmed(number)).unit;
     }
     return headings;
 }
@@ -141,12 +163,22 @@ std::string_view withoutMark(std::string_view line)
     return line;
 }
 
-/// Counts the cells that name a time and those that name a quantity. Returns the counts with the cells.
+/// Returns the text in brackets that fills a cell; empty if there are none.
+std::string_view inBrackets(std::string_view cell)
+{
+    const bool isBracketed =
+        cell.size() > 2 && (cell[0] == '[' || cell[0] == '(') && (cell.back() == ']' || cell.back() == ')');
+    return isBracketed ? trimmed(cell.substr(1, cell.size() - 2)) : std::string_view();
+}
+
+/// Counts the cells that name a time and those that name a quantity, which units in brackets do not. Returns the counts
+/// with the cells.
 SplitLine countNames(Cells cells, char delimiter)
 {
     SplitLine names{std::move(cells), delimiter};
     for (const std::string_view cell : names.cells) {
-        const NameMeaning meaning = looksNumeric(cell) ? NameMeaning() : parseHeading(cell).meaning;
+        const bool isName = !looksNumeric(cell) && !parseUnit(inBrackets(cell));
+        const NameMeaning meaning = isName ? parseHeading(cell).meaning : NameMeaning();
         names.times += meaning.kind == Kind::Time ? 1 : 0;
         names.quantities += meaning.kind >= Kind::Quantity && !meaning.hasUnknownWords ? 1 : 0;
     }
@@ -406,14 +438,6 @@ void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view uni
         headings[i].name = column.heading;
     }
     column.unit = unit;
-}
-
-/// Returns the text in brackets that fills a cell; empty if there are none.
-std::string_view inBrackets(std::string_view cell)
-{
-    const bool isBracketed =
-        cell.size() > 2 && (cell[0] == '[' || cell[0] == '(') && (cell.back() == ']' || cell.back() == ')');
-    return isBracketed ? trimmed(cell.substr(1, cell.size() - 2)) : std::string_view();
 }
 
 /// Returns the unknown unit in a cell of a line of units: "(V)", "px", "mm/deg". Longer words, abbreviations such as

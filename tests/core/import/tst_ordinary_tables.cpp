@@ -113,7 +113,13 @@ const std::vector<Layout> kLayouts{
      "- time R4_x R4_x_diff"},                                    // MediaWiki
     {"||t (s)||x (mm)||\n|0|85|\n|1|84|\n|2|80|\n", "time R4_x"}, // Jira
     {"12:03:04.013 -> t, x\r\n12:03:04.026 -> 0, 85\r\n12:03:04.039 -> 1, 84\r\n12:03:04.052 -> 2, 80\r\n",
-     "time R4_x"}, // Arduino
+     "time R4_x"},                                                // Arduino
+    {"t= 0  x= 85\nt= 1  x= 84\nt= 2  x= 80\n", "- time - R4_x"}, // Python
+    {"t = 0, x = 85\nt = 1, x = 84\nt = 2, x = 80\n", "time R4_x"},
+    {"t = 0 x = 85\nt = 1 x = 84\nt = 2 x = 80\n", "- - time - - R4_x"},
+    {"Datum;Uhrzeit;x\n3.5.24;12:00:00.5;85,0\n3.5.24;12:00:01.5;84,0\n3.5.24;12:00:02.5;80,0\n", "- time R4_x"},
+    {"\"A\"\t\"B\"\n\"Time\"\t\".model.SLIDER.CM_Position.X\"\n\"(sec)\"\t\"(mm)\"\n0\t85\n1\t84\n2\t80\n",
+     "time R4_x"}, // Adams
     // Each column is described in a line.
     {"# Column 1: t [s]\n# Column 2: slider position [mm]\n# Column 3: slider velocity [mm/s]\n0 85 1\n1 84 2\n2 80 "
      "3\n",
