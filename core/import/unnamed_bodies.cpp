@@ -42,8 +42,8 @@ bool isOfUnnamedBody(const RawColumn *column)
     return column->meaning.kind == Kind::Quantity;
 }
 
-/// Removes lengths and angles that do not change, beside others of the file that do: a table may contain parameters,
-/// such as the radius of the crank.
+/// Removes columns that do not change, beside others of the file that do: a table may contain parameters, such as the
+/// radius of the crank. Only y, speeds, and the acceleration of the crank may be constant.
 void removeConstants(std::vector<RawColumn *> &candidates)
 {
     std::vector<std::size_t> filesOfMotion;
@@ -54,7 +54,8 @@ void removeConstants(std::vector<RawColumn *> &candidates)
     }
     removeColumns(candidates, ColumnReason::Constant, [&](const RawColumn &column) {
         const Channel channel = column.use.channel;
-        const bool mayBeConstant = channel.coordinate == R4y || channel.order != Order::Position;
+        const bool isAcceleration = channel == Channel{R4x, Order::Acceleration} && column.values.size() >= kFewestRows;
+        const bool mayBeConstant = channel.coordinate == R4y || (channel.order != Order::Position && !isAcceleration);
         return isOfUnnamedBody(&column) && !mayBeConstant && isConstant(column) &&
                column.finiteValues().front() != 0.0 && std::ranges::count(filesOfMotion, column.use.file) > 0;
     });
@@ -397,6 +398,11 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
     removeMagnitudes(candidates);
     findCrank(table, candidates);
     findBodyOfPosition(candidates);
+    removeColumns(candidates, ColumnReason::Constant,
+                  [](const RawColumn &column) { // such as the rotation of the slider
+                      return isOfUnnamedBody(&column) && column.use.channel.coordinate == Theta3 &&
+                             isConstant(column) && column.values.size() >= kFewestRows;
+                  });
     removeColumns(candidates, ColumnReason::UnknownBody, [](const RawColumn &column) {
         const Coordinate coordinate = column.use.channel.coordinate;
         const bool isOfCrank = coordinate == R2x || coordinate == R2y; // of its pin or its centre of mass

@@ -448,6 +448,17 @@ private slots:
                  QString("time R4_x R4_y theta4"));
     }
 
+    /// A crank length "a" is no acceleration, and an angle that stays 0 is not that of the coupler.
+    void usesNoConstants()
+    {
+        QByteArray text = "t,x,a,theta,Gyroscope z (rad/s)\n";
+        for (int row = 0; row < 12; ++row) {
+            text += QByteArray::number(row) + ',' + QByteArray::number(30 + (row - 6) * (row - 6)) + ",20,0,0\n";
+        }
+        const Outcome outcome = read(text);
+        QCOMPARE(rolesOf(std::get<ReferenceData>(outcome).layout), std::string("time R4_x? - - -"));
+    }
+
     /// Of several points, the slider's is the one whose y does not change. Norton measures θ3 at B.
     void findsTheSliderByItsPath()
     {
