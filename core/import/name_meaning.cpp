@@ -299,6 +299,17 @@ bool beginsWithPointA(const Words &words, int derivatives, const std::optional<U
            (isAmong(words[1], "vx vy") || ((isPosition || derivatives > 0) && isAmong(words[1], "x y")));
 }
 
+/// Splits the wrist pin B or C from the coordinate behind it: "Bx", "Cvy", but not "by hand".
+void splitJoint(Words &words)
+{
+    const bool isWord = words.size() > 1 && words[0] == "by";
+    if (!words.empty() && !isWord && isAmong(words[0].substr(0, 1), "b c") &&
+        isAmong(words[0].substr(1), "x y vx vy ax ay")) {
+        words.insert(words.begin(), words[0].substr(0, 1));
+        words[1].erase(0, 1);
+    }
+}
+
 /// Returns whether the crank pin A with its x or y is the index of a symbol: "v_Ax", "p_A x".
 bool hasIndexA(const Words &words)
 {
@@ -399,6 +410,7 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
+    splitJoint(words);
     if (beginsWithPointA(words, derivatives, parseUnit(unit)) || hasIndexA(words)) {
         return {.reason = ColumnReason::CrankPin};
     }

@@ -131,7 +131,7 @@ std::span<const WordMeaning> vocabulary()
                     "stemplets dugattyu manta mannan luisti ariete stossel ползун поршень поршня 滑块 活塞 "
                     "スライダ スライダー ピストン link_4 glied_4 eslabon_4",
                     kOpen, kOpen, Slider},
-        WordMeaning{Word, "schwenkwinkel", Angle, Position, Coupler},
+        WordMeaning{Word, "schwenkwinkel obliquity", Angle, Position, Coupler},
         // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
         WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
         WordMeaning{Symbol, "y", Length, kOpen, kOpen, 'y'},
@@ -147,7 +147,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word, "r_1 r_0", Length, Position}, // the vector of the frame in a vector loop, to the slider
         WordMeaning{Filler, "o_2 o_4"},                 // the crank pivot of "distance O2B"
         WordMeaning{Word, "l_4", Length, Position, Slider},
-        WordMeaning{Word, "bx b_x", Length, Position, Slider, 'x'},
+        WordMeaning{Word, "b_x", Length, Position, Slider, 'x'},
         WordMeaning{Word, "b_y", Length, Position, Slider, 'y'},
         // Variables of Modelica and Simscape.
         WordMeaning{Symbol, ".s .p", Length, Position},
@@ -169,7 +169,7 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word, "ry_3", Length, Position, Coupler, 'y', true},
         WordMeaning{.words = "g_3", .body = Coupler, .isCentre = true},
         WordMeaning{.words = "g_4", .body = Slider, .isCentre = true},
-        WordMeaning{.use = Filler, .words = "centre center centroid cg cog cm com", .isCentre = true},
+        WordMeaning{.use = Filler, .words = "centre center centroid midpoint cg cog cm com", .isCentre = true},
         // Derivatives.
         WordMeaning{Derivative,
                     "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung "
