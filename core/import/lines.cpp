@@ -160,7 +160,8 @@ bool isData(std::string_view line)
         return false;
     }
     const std::string_view rest = text.substr(std::min(text.find_first_not_of("0123456789", digit), text.size()));
-    const bool mayNumberHeadings = rest.starts_with(". ") || rest.starts_with(") "); // "1. Time (s)"
+    const bool mayNumberHeadings = // "1. Time (s)"
+        rest.starts_with(". ") || rest.starts_with(") ") || rest.starts_with(": ");
     return !mayNumberHeadings || isDigit(trimmed(rest.substr(2))[0]);
 }
 

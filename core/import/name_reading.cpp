@@ -16,9 +16,9 @@ namespace
 using Words = std::vector<std::string>;
 using Doubt = NameMeaning::Doubt;
 
-/// Parts of names that programs with m, rad and s give: OpenSim, MuJoCo and Gazebo.
-constexpr std::array<std::string_view, 7> kNamesInSi{"_tx",        "qpos",       "qvel",      "qacc",
-                                                     "_joint_pos", "_joint_vel", "_joint_acc"};
+/// Parts of names that programs with m, rad and s give: OpenSim, MuJoCo, Gazebo and ROS.
+constexpr std::array<std::string_view, 9> kNamesInSi{"_tx",        "qpos",       "qvel",   "qacc",   "_joint_pos",
+                                                     "_joint_vel", "_joint_acc", ".pose.", ".twist."};
 
 /// Sets `known` to `value` if there is one. Returns false if it differs from the one that was known before.
 template <typename Value>
@@ -378,9 +378,7 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
 {
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string two = i + 1 < words.size() ? words[i] + '_' + words[i + 1] : std::string();
-        const bool isJointWithAxis = reading.isLabelled && (two.ends_with("_x") || two.ends_with("_y")); // "joint B x"
-        const bool isPair = !isJointWithAxis && // "link 3", "O2"
-                            (findWord(two, WordUse::Word) || findWord(two, WordUse::Filler));
+        const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler); // "link 3", "O2"
         bool isIncluded = true;
         if (isNameOfElement(words, i)) {
             reading.unknown.point = words[i] + words[i + 1];

@@ -147,8 +147,6 @@ std::span<const WordMeaning> vocabulary()
         WordMeaning{Word, "r_1 r_0", Length, Position}, // the vector of the frame in a vector loop, to the slider
         WordMeaning{Filler, "o_2 o_4"},                 // the crank pivot of "distance O2B"
         WordMeaning{Word, "l_4", Length, Position, Slider},
-        WordMeaning{Word, "b_x", Length, Position, Slider, 'x'},
-        WordMeaning{Word, "b_y", Length, Position, Slider, 'y'},
         // Variables of Modelica and Simscape.
         WordMeaning{Symbol, ".s .p", Length, Position},
         WordMeaning{Symbol, ".v", Length, Velocity},
