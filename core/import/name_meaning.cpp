@@ -300,11 +300,13 @@ bool beginsWithPointA(const Words &words, int derivatives, const std::optional<U
 }
 
 /// Splits the wrist pin B or C from the coordinate behind it: "Bx", "Cvy", but not "by hand".
-void splitJoint(Words &words)
+void splitJoint(Words &words, std::string_view name)
 {
-    const bool isWord = words.size() > 1 && words[0] == "by";
-    if (!words.empty() && !isWord && isAmong(words[0].substr(0, 1), "b c") &&
-        isAmong(words[0].substr(1), "x y vx vy ax ay")) {
+    const bool isWord = words.size() > 1 || !name.starts_with('B');
+    if (words.empty() || (isWord && words[0] == "by")) {
+        return;
+    }
+    if (isAmong(words[0].substr(0, 1), "b c") && isAmong(words[0].substr(1), "x y vx vy ax ay")) {
         words.insert(words.begin(), words[0].substr(0, 1));
         words[1].erase(0, 1);
     }
@@ -410,7 +412,7 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
-    splitJoint(words);
+    splitJoint(words, lastPart);
     if (beginsWithPointA(words, derivatives, parseUnit(unit)) || hasIndexA(words)) {
         return {.reason = ColumnReason::CrankPin};
     }

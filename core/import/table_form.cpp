@@ -297,12 +297,16 @@ SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
 }
 
 /// Returns the line with most names of times and quantities; null if no line has any. Of lines with as many names, it
-/// is the last one that has as many cells as the row, or else the first one.
+/// is the last one that has as many cells as the row, or else the first one. Between blanks, at least half of the words
+/// are names, unlike in a remark.
 SplitLine *findMostNames(std::vector<SplitLine> &lines, const std::optional<SplitLine> &row)
 {
     SplitLine *best = nullptr;
     for (SplitLine &names : lines) {
         const std::size_t known = best ? best->known() : 0;
+        if (names.delimiter == ' ' && 2 * names.known() < names.cells.size()) {
+            continue;
+        }
         if (names.known() > known || (best && names.known() == known && names.fit(row))) {
             best = &names;
         }
@@ -357,7 +361,8 @@ std::optional<SplitLine> findListOfHeadings(Lines above, std::size_t size)
 
 /// Finds the line of headings:
 ///
-/// 1. the first line of all that names a time and a quantity and has as many cells as the row,
+/// 1. the first line of all that names a time and a quantity and has as many cells as the row, with its delimiter or
+///    else another one,
 /// 2. else the lines above the row that describe one column each,
 /// 3. else, of the lines above the row, the one with most names,
 /// 4. else, if there is no row of numbers, the first line,
@@ -367,15 +372,23 @@ std::optional<SplitLine> findListOfHeadings(Lines above, std::size_t size)
 std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> &row)
 {
     std::vector<SplitLine> above;
+    std::optional<SplitLine> otherwiseSplit; // the first line with another delimiter
     for (std::size_t i = 0; i < lines.size(); ++i) {
         SplitLine names = readNames(lines[i].text, row);
         names.line = i;
-        if (names.isComplete() && (!row || names.fit(row))) {
+        const bool isComplete = names.isComplete() && (!row || names.fit(row));
+        if (isComplete && (!row || names.delimiter == row->delimiter)) {
             return names;
+        }
+        if (isComplete && !otherwiseSplit) {
+            otherwiseSplit = names;
         }
         if (!row || i < row->line) {
             above.push_back(std::move(names));
         }
+    }
+    if (otherwiseSplit) {
+        return otherwiseSplit;
     }
     if (std::optional<SplitLine> list = row ? findListOfHeadings(lines.first(row->line), row->cells.size()) : row) {
         return list;
@@ -438,6 +451,25 @@ void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view uni
         headings[i].name = column.heading;
     }
     column.unit = unit;
+}
+
+/// Sets the units that stand directly above the headings, if all cells of the line are units: "s,cm", "# units: s, cm".
+void readUnitsAbove(const Line &line, const std::optional<SplitLine> &row, std::vector<Heading> &headings)
+{
+    std::string_view text = withoutMark(line.text);
+    const std::size_t colon = text.find(':');
+    if (isAmong(lowered(text.substr(0, colon)), "unit units einheit einheiten unidad unidades")) {
+        text = text.substr(colon + 1);
+    }
+    const auto isUnit = [](std::string_view cell) { return !unitIn(cell).empty(); };
+    for (const SplitLine &way : waysToSplit(text, row)) {
+        if (way.cells.size() == headings.size() && std::ranges::all_of(way.cells, isUnit)) {
+            for (std::size_t i = 0; i < headings.size(); ++i) {
+                setUnit(headings, i, unitIn(way.cells[i]), line.number);
+            }
+            return;
+        }
+    }
 }
 
 /// Returns the unknown unit in a cell of a line of units: "(V)", "px", "mm/deg". Longer words, abbreviations such as
@@ -663,6 +695,9 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     } else if (header) {
         rows = rows.subspan(header->line + 1);
         std::ranges::transform(withoutRemark(header->cells), std::back_inserter(headings), parseHeading);
+        if (header->line > 0) {
+            readUnitsAbove(lines[header->line - 1], row, headings);
+        }
         rows = rows.subspan(completeHeadings(rows, row, layout.delimiter, headings));
     } else {
         rows = rows.subspan(row->line);

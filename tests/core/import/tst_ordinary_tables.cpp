@@ -145,6 +145,8 @@ const std::vector<Layout> kLayouts{
     {"t,x (mm),x (in)\n0,85,3.3\n1,84,3.3\n2,80,3.1\n", "time R4_x -"},
     {"t,x (in),x (mm)\n0,3.3,85\n1,3.3,84\n2,3.1,80\n", "time - R4_x"},
     {"θ2 (deg),θ2 (rad),x\n0,0,85\n90,1.5708,84\n180,3.1416,80\n", "angle - R4_x"},
+    // Lines above the headings whose words are separated otherwise.
+    {"Length unit: mm\nTime unit: s\n\nt,x,v\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     // Symbols below the headings, of which s is no unit.
     {"Zeit;Weg;Winkel;Geschwindigkeit\nt;s;φ;v\ns;mm;°;mm/s\n0;85;0;1\n1;84;9;2\n2;80;0;1\n",
      "time R4_x theta3 R4_x_diff"},
@@ -326,6 +328,17 @@ private slots:
         };
         QCOMPARE(reasonsBeside("R4_x"), 3);
         QCOMPARE(reasonsBeside("displacement"), 3);
+    }
+
+    /// Units above the headings count as those below.
+    void readsUnitsAboveTheHeadings()
+    {
+        for (const char *const units : {"s,cm,rad\n", "# units: s, cm, rad\n", "\"(s)\",\"(cm)\",\"(rad)\"\n"}) {
+            const Outcome outcome = read(QByteArray(units) + "time,slider position,theta3\n0,8.5,0\n1,8.4,0\n2,8,0\n");
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->find(kX)->values == (std::vector{85.0, 84.0, 80.0}), units);
+            QCOMPARE(data->layout.columns[2].unit, std::string("rad"));
+        }
     }
 
     /// Beside the crank angle, x and y without a name are those of the crank pin or of the crank's centre of mass.

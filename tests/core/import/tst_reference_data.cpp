@@ -160,6 +160,7 @@ const std::vector<Refusal> kRefused{
     {"a long line", QByteArray(1'100'000, 'a'), "1:0 ", {Kind::LineTooLong}},
     {"numbers without headings", "\n0.0,74.5\n0.1,74.8\n", "2:0 ", {Kind::NamesMissing}},
     {"no time", "n,R4_x\n1,5\n2,6\n", "1:0 ", {Kind::NoTime}},
+    {"a remark with one known word", "# Created By Octave 8.4\n0 1 2 3\n1 2 3 4\n", "2:0 ", {Kind::NamesMissing}},
     {"prose", "Lorem ipsum\ndolor\n", "1:0 ", {Kind::NoTime}},
     {"a long text", QByteArray("Lorem ipsum, dolor 7\n").repeated(12), "0:0 ", {Kind::NotATable}},
     {"no channel", "time,pressure\n0,1\n", "1:0 ", {Kind::NoChannel}},
