@@ -335,23 +335,31 @@ std::string_view textBehindNumber(std::string_view line, std::size_t number)
                                                                                           : std::string_view();
 }
 
-/// Returns the headings of a table above which each line describes a column, as their numbers from 0 or 1 show, or,
-/// directly above the row, all their names. Its line is the last one.
+/// Returns the headings of a table above which each line describes a column: all lines directly above the row are
+/// names, one of them a time, or the lines are numbered from 0 or 1. Its line is the last one.
 std::optional<SplitLine> findListOfHeadings(Lines above, std::size_t size)
 {
+    if (size > above.size()) {
+        return std::nullopt;
+    }
+    Cells names;
+    std::ranges::transform(above.last(size), std::back_inserter(names),
+                           [](const Line &line) { return withoutMark(line.text); });
+    SplitLine list = countNames(names, ',');
+    list.line = above.size() - 1;
+    if (list.times == 1 && list.known() == size) {
+        return list;
+    }
     for (std::size_t end = above.size(); end >= size; --end) {
         for (const std::size_t first : {0, 1}) {
             Cells texts;
-            Cells names;
             for (const Line &line : above.subspan(end - size, size)) {
                 texts.push_back(textBehindNumber(line.text, first + texts.size()));
-                names.push_back(withoutMark(line.text));
             }
             const bool isNumbered = std::ranges::count(texts, std::string_view()) == 0;
-            SplitLine list = countNames(isNumbered ? texts : names, ',');
+            list = isNumbered ? countNames(texts, ',') : SplitLine();
             list.line = end - 1;
-            const bool areNames = end == above.size() && list.times == 1 && list.known() == size;
-            if (isNumbered ? list.known() > 0 : areNames) {
+            if (list.known() > 0) {
                 return list;
             }
         }

@@ -406,8 +406,8 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
     removeColumns(candidates, ColumnReason::UnknownBody, [](const RawColumn &column) {
         const Coordinate coordinate = column.use.channel.coordinate;
         const bool isOfCrank = coordinate == R2x || coordinate == R2y; // of its pin or its centre of mass
-        return (column.meaning.doubt == Doubt::IsOfCrank && coordinate != Theta2) ||
-               (isOfCrank && isOfUnnamedBody(&column) && column.meaning.owner.empty());
+        return (isOfCrank && isOfUnnamedBody(&column)) ||
+               (column.meaning.doubt == Doubt::IsOfCrank && coordinate != Theta2);
     });
 }
 
