@@ -32,11 +32,13 @@ bool suits(const NameMeaning &meaning, const std::string &unit)
     return meaning.kind != Kind::Nothing && parseColumnUnit(unit, role, meaning.channel);
 }
 
-/// Returns the text without the "in" of "t in s" or "t (en s)".
-std::string_view withoutPreposition(std::string_view text)
+/// Returns the unit of a name without the "in" of "t in s" or "t (en s)", unless it is that of inches: "a [in s^-2]".
+std::string_view withoutPreposition(std::string_view unit, std::string_view name)
 {
-    const bool hasPreposition = text.starts_with("in ") || text.starts_with("en ");
-    return trimmed(text.substr(hasPreposition ? 3 : 0));
+    const std::string whole(unit);
+    const bool hasPreposition = unit.starts_with("in ") || unit.starts_with("en ");
+    const bool isInches = hasPreposition && parseUnit(unit) && suits(meaningOf(name, whole), whole);
+    return trimmed(unit.substr(hasPreposition && !isInches ? 3 : 0));
 }
 
 /// Returns the unit before a remark: "deg" of "deg CCW from +x". Returns the text if it is a unit or has none.
@@ -58,13 +60,14 @@ std::string_view unitBeforeRemark(std::string_view text)
 std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_t begin, std::size_t end)
 {
     constexpr std::size_t kShortestRemark = 6; // bytes: "(filtered)", but "(bar)" is a unit
-    const std::string_view content = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)));
+    const std::string_view name = trimmed(text.substr(0, begin));
+    const std::string_view content = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)), name);
     const bool isUnitOfNone = wordsOf(content).empty() || content.starts_with("×") || content == "px";
     if (parseUnit(content) || isUnitOfNone) {
         return content;
     }
     const std::string unit(unitBeforeRemark(content));
-    const NameMeaning before = meaningOf(trimmed(text.substr(0, begin)), unit);
+    const NameMeaning before = meaningOf(name, unit);
     if (unit.size() < content.size() && !before.hasUnknownWords && suits(before, unit)) {
         return content.substr(0, unit.size());
     }
@@ -118,8 +121,8 @@ void splitAtEnd(std::string_view text, Heading &heading)
             continue;
         }
         const std::string_view end = trimmed(text.substr(at + (isSeparator ? 1 : 0)));
-        const std::string_view unit = withoutPreposition(end);
         const std::string_view name = trimmed(text.substr(0, at));
+        const std::string_view unit = withoutPreposition(end, name);
         const bool isClear = text[at] == '/' || text[at] == ',' || unit.size() < end.size();
         if (unit.empty() || (!isClear && isAmong(lowered(unit), kAlsoWords)) || !parseUnit(unit)) {
             continue;

@@ -397,7 +397,8 @@ NameMeaning meaningOfWords(std::string_view name, const NamePath &path, int deri
 /// Returns the meaning of a name that may be a path, such as "slider.s". It is differentiated `derivatives` times.
 NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::string &unit)
 {
-    static const Spellings kPathSpellings("/dt=dt|/ dt=dt|/d t=dt|₊=."); // the first are no paths, the last is Julia's
+    static const Spellings kPathSpellings(
+        "/dt=dt|/Dt=dt|/DT=dt|/ dt=dt|/d t=dt|₊=."); // the first are no paths, the last is Julia's
     const std::string plain = kPathSpellings.replacedIn(name);
     const NamePath path = splitPath(plain);
     if (path.parts.empty()) {
