@@ -110,30 +110,52 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
     return hasUnit;
 }
 
+/// Returns a unit with a stroke before the seconds at its end, which names often lack: "m/s2" for "ms2".
+std::string withStroke(std::string_view unit)
+{
+    const std::size_t second = std::min(unit.find_last_of("sS"), unit.size());
+    const std::string_view length = unit.substr(0, second);
+    const std::string_view rate = unit.substr(second);
+    const bool isRate =
+        !length.empty() && !isAmong(lowered(length), kAlsoWords) && (rate.size() == 1 || rate.ends_with('2'));
+    return std::string(length) + (isRate ? "/" : "") + std::string(rate);
+}
+
+/// Returns whether a capital letter begins a word or a unit, as in "timeMs" and "sliderXMm".
+bool beginsWord(std::string_view text, std::size_t at)
+{
+    const auto isCapital = [text](std::size_t i) { return lowerCase(text[i]) != text[i]; };
+    const bool isBeforeSmall = at + 1 < text.size() && text[at + 1] >= 'a' && text[at + 1] <= 'z';
+    return isCapital(at) && (!isCapital(at - 1) || isBeforeSmall);
+}
+
 /// Sets name and unit of "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" if the unit suits the name. The
 /// longest one that does is the unit.
 void splitAtEnd(std::string_view text, Heading &heading)
 {
     for (std::size_t at = 1; at < text.size(); ++at) {
-        const bool isCapital = lowerCase(text[at]) != text[at] && lowerCase(text[at - 1]) == text[at - 1];
         const bool isSeparator = std::string_view("/, _-.:").find(text[at]) != std::string_view::npos;
-        if (!isSeparator && !isCapital) {
+        if (!isSeparator && !beginsWord(text, at)) {
             continue;
         }
         const std::string_view end = trimmed(text.substr(at + (isSeparator ? 1 : 0)));
         const std::string_view name = trimmed(text.substr(0, at));
-        const std::string_view unit = withoutPreposition(end, name);
-        const bool isClear = text[at] == '/' || text[at] == ',' || unit.size() < end.size();
-        if (unit.empty() || (!isClear && isAmong(lowered(unit), kAlsoWords)) || !parseUnit(unit)) {
+        const std::string_view printed = withoutPreposition(end, name);
+        const bool isClear = text[at] == '/' || text[at] == ',' || printed.size() < end.size();
+        if (printed.empty() || (!isClear && isAmong(lowered(printed), kAlsoWords))) {
             continue;
         }
-        const std::string unitText(unit);
-        const NameMeaning meaning = meaningOf(name, unitText);
-        const bool isTimeOfUnknown = meaning.kind == Kind::Nothing && unit.size() > 1 && !unit.ends_with(')') &&
-                                     parseColumnUnit(unitText, ColumnRole::Time, {});
-        if (isTimeOfUnknown || suits(meaning, unitText)) { // "ticks_ms"
+        const std::array units{std::string(printed), withStroke(printed)};
+        const auto found = std::ranges::find_if(units, [&](const std::string &unit) {
+            const NameMeaning meaning = parseUnit(unit) ? meaningOf(name, unit) : NameMeaning();
+            return suits(meaning, unit) && (unit == units[0] || !meaning.hasUnknownWords);
+        });
+        const bool isTimeOfUnknown = // "ticks_ms"
+            printed.size() > 1 && !printed.ends_with(')') && parseColumnUnit(units[0], ColumnRole::Time, {}) &&
+            meaningOf(name, units[0]).kind == Kind::Nothing;
+        if (found != units.end() || isTimeOfUnknown) {
             heading.name = name;
-            heading.use.unit = unit;
+            heading.use.unit = found != units.end() ? *found : units[0];
             return;
         }
     }

@@ -29,7 +29,7 @@ struct NamedUnit {
 const Spellings kUnitSpellings(
     "×π rad=pirad|π rad=pirad|pi rad=pirad|2π=rev|2pi=rev|2 pi=rev|2*pi=rev|1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| "
     "per "
-    "=/|_per_=/|.per.=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| "
+    "=/|_per_=/|_PER_=/|.per.=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| "
     "par =/|"
     "cycle/=rev/|cycles/=rev/|ciclos/=rev/| al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
     "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
