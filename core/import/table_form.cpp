@@ -537,7 +537,7 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, st
     for (; count < lines.size(); ++count) {
         const auto &[number, text] = lines[count];
         const Cells cells =
-            row && row->delimiter != ' ' ? splitCells(text, row->delimiter) : readNames(text, row).cells;
+            row && row->delimiter != ' ' ? splitCells(withoutMark(text), row->delimiter) : readNames(text, row).cells;
         if (isData(text) || std::ranges::any_of(cells, isNumber)) {
             break;
         }
