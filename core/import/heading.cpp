@@ -389,7 +389,8 @@ std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
     }
     const auto isPosition = [&](const Heading &other) {
         return other.meaning.kind >= Kind::Quantity &&
-               other.meaning.channel == Channel{meaning.channel.coordinate, Order::Position};
+               other.meaning.channel == Channel{meaning.channel.coordinate, Order::Position} &&
+               (meaning.hasUnknownWords || !other.meaning.hasUnknownWords);
     };
     const Heading *const position = findElement(row, isPosition);
     const std::optional<Unit> unit = position ? parseUnit(position->use.unit) : std::nullopt;

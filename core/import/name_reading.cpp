@@ -284,17 +284,19 @@ bool isOfOtherQuantity(std::string_view word)
 }
 
 /// Includes a word that is unknown after the words before it. Returns false if it contradicts them, or makes the name
-/// that of another quantity.
+/// that of another quantity. A normal or tangential component, as in "a_BAn", has an index and no word.
 bool includeUnknown(NameReading &reading, std::string_view word)
 {
     constexpr std::size_t kShortestWord = 3; // bytes: shorter ones are indices
+    const bool isComponent = word.size() == kShortestWord && findWord(word.substr(0, 2), WordUse::Index) &&
+                             (word.ends_with('n') || word.ends_with('t'));
     NameReading alone;
     const bool isKnown = word.size() >= kShortestWord && includeWord(alone, word, Entries::All);
     if (isKnown || isOfOtherQuantity(word)) {
         return false;
     }
     reading.unknown.text += word;
-    reading.unknown.hasWord = reading.unknown.hasWord || word.size() >= kShortestWord;
+    reading.unknown.hasWord = reading.unknown.hasWord || (word.size() >= kShortestWord && !isComponent);
     return true;
 }
 
