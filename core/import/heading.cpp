@@ -110,8 +110,8 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
     return hasUnit;
 }
 
-/// Returns a unit with a stroke before the seconds at its end, which names often lack: "m/s2" for "ms2".
-std::string withStroke(std::string_view unit)
+/// Returns a unit with a slash before the seconds at its end, which names often lack: "m/s2" for "ms2".
+std::string withSlash(std::string_view unit)
 {
     const std::size_t second = std::min(unit.find_last_of("sS"), unit.size());
     const std::string_view length = unit.substr(0, second);
@@ -145,7 +145,7 @@ void splitAtEnd(std::string_view text, Heading &heading)
         if (printed.empty() || (!isClear && isAmong(lowered(printed), kAlsoWords))) {
             continue;
         }
-        const std::array units{std::string(printed), withStroke(printed)};
+        const std::array units{std::string(printed), withSlash(printed)};
         const auto found = std::ranges::find_if(units, [&](const std::string &unit) {
             const NameMeaning meaning = parseUnit(unit) ? meaningOf(name, unit) : NameMeaning();
             return suits(meaning, unit) && (unit == units[0] || !meaning.hasUnknownWords);

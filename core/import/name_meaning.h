@@ -34,7 +34,7 @@ struct NameMeaning {
         IsAngle,        ///< "α" is an angle or an angular acceleration
         IsOfPoint,      ///< "x_A", "X(3)" or "P1X" is the slider's only if the y of that point does not change
         IsOfPart,       ///< likewise "PART_4.X", but also if it is the only part, and no other column is the slider's
-        IsOfCrank       ///< an angle of an unknown body, which is a channel only if it is that of the crank
+        IsOfCrank       ///< an angle of an unknown body, which is a channel only if it is that of the crank, or a point
     };
 
     Kind kind = Kind::Nothing;

@@ -398,7 +398,11 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
     if (otherwiseSplit) {
         return otherwiseSplit;
     }
-    if (std::optional<SplitLine> list = row ? findListOfHeadings(lines.first(row->line), row->cells.size()) : row) {
+    std::optional<SplitLine> list;
+    if (row) {
+        list = findListOfHeadings(lines.first(row->line), row->cells.size());
+    }
+    if (list) {
         return list;
     }
     if (SplitLine *const named = findMostNames(above, row)) {

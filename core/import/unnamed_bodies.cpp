@@ -137,7 +137,8 @@ RawColumn *findUnnamed(const std::vector<RawColumn *> &candidates, Channel chann
 }
 
 /// Finds the body of the columns x, y and an angle, which programs write for each body: the slider does not turn. If
-/// both x and y change, it is not the slider, but the crank if it makes turns, and else the coupler.
+/// both x and y change, it is not the slider, but the coupler, or the crank if it makes turns: then nothing tells its
+/// pin from its centre of mass.
 void findBodyOfPosition(std::vector<RawColumn *> &candidates)
 {
     constexpr double kUnturned = 1e-6; // degrees
@@ -162,13 +163,20 @@ void findBodyOfPosition(std::vector<RawColumn *> &candidates)
             Coordinate &coordinate = column->use.channel.coordinate;
             if (isAngle(coordinate)) {
                 coordinate = turns ? coordinate : Theta4;
+            } else if (turns && isCrank) {
+                column->meaning.doubt = Doubt::IsOfCrank; // the pin or the centre of mass
             } else if (turns) {
-                const Coordinate ofX = isCrank ? R2x : R3x;
-                const Coordinate ofY = isCrank ? R2y : R3y;
-                coordinate = coordinate == R4y ? ofY : ofX;
+                coordinate = coordinate == R4y ? R3y : R3x;
             }
         }
     }
+}
+
+/// Returns whether an angle or a rate that the coupler would have does not change, as those of the slider.
+bool isRestingAngle(const RawColumn &column)
+{
+    return isOfUnnamedBody(&column) && column.use.channel.coordinate == Theta3 && isConstant(column) &&
+           column.values.size() >= kFewestRows;
 }
 
 /// Returns whether the column is a length of a point that only has a letter, a number or an unknown name.
@@ -398,16 +406,9 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
     removeMagnitudes(candidates);
     findCrank(table, candidates);
     findBodyOfPosition(candidates);
-    removeColumns(candidates, ColumnReason::Constant,
-                  [](const RawColumn &column) { // such as the rotation of the slider
-                      return isOfUnnamedBody(&column) && column.use.channel.coordinate == Theta3 &&
-                             isConstant(column) && column.values.size() >= kFewestRows;
-                  });
+    removeColumns(candidates, ColumnReason::Constant, isRestingAngle);
     removeColumns(candidates, ColumnReason::UnknownBody, [](const RawColumn &column) {
-        const Coordinate coordinate = column.use.channel.coordinate;
-        const bool isOfCrank = coordinate == R2x || coordinate == R2y; // of its pin or its centre of mass
-        return (isOfCrank && isOfUnnamedBody(&column)) ||
-               (column.meaning.doubt == Doubt::IsOfCrank && coordinate != Theta2);
+        return column.meaning.doubt == Doubt::IsOfCrank && column.use.channel.coordinate != Theta2;
     });
 }
 
