@@ -68,16 +68,28 @@ std::string_view withoutRowNumber(std::string_view text)
     return isNumbered ? text.substr(bar + 2) : text;
 }
 
-/// Returns a line of a table in Markdown, LaTeX, MediaWiki or Stata without its borders; empty for a line between rows.
+/// Returns whether the lines with bars near the beginning of a text begin and end with one, as in Markdown. Otherwise a
+/// line that does has empty cells there.
+bool isBordered(std::string_view text)
+{
+    const std::string_view beginning = text.substr(0, kFileBeginning);
+    for (std::string_view rest = beginning.substr(0, beginning.rfind('\n')); !rest.empty();) {
+        const std::string_view line = withoutRowNumber(trimmed(takeUntil('\n', rest)));
+        const bool hasBorders = line.starts_with('|') && line.ends_with('|');
+        if (line.find('|') != line.npos && !hasBorders && !isRule(line)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Returns a line of a table in LaTeX, MediaWiki or Stata without its borders; empty for a line between rows.
 std::string_view withoutBorders(std::string_view line)
 {
     std::string_view text = withoutRowNumber(trimmed(line));
     const auto begins = [text](std::string_view border) { return text.starts_with(border); };
     if (isRule(text) || begins("\\begin{") || begins("\\end{") || begins("{|") || begins("|}")) {
         return {};
-    }
-    if (text.starts_with('|') && text.ends_with('|') && text.size() > 1) {
-        return trimmed(text.substr(1, text.size() - 2));
     }
     for (const std::string_view rule : {"\\toprule", "\\midrule", "\\bottomrule", "\\hline"}) {
         text.remove_prefix(text.starts_with(rule) ? rule.size() : 0);
@@ -91,6 +103,14 @@ bool isCommonFactor(std::string_view line)
 {
     const std::string_view text = trimmed(line);
     return text.ends_with('*') && text.find('e') != text.npos && looksNumeric(trimmed(text.substr(0, text.size() - 1)));
+}
+
+/// Returns a line of a bordered table without the bars at both ends.
+std::string_view withoutBars(std::string_view line)
+{
+    const std::string_view text = trimmed(line);
+    const bool hasBars = text.size() > 1 && text.starts_with('|') && text.ends_with('|');
+    return hasBars ? trimmed(text.substr(1, text.size() - 2)) : line;
 }
 
 /// Returns a line of Arduino's serial monitor without the time of its receipt: "12:03:04.013 -> 0.01, 85".
@@ -122,6 +142,7 @@ std::size_t findLineEnd(std::string_view text)
 
 std::vector<Line> splitLines(std::string_view text)
 {
+    const bool areBordered = isBordered(text);
     std::vector<Line> lines;
     std::size_t number = 0;
     while (!text.empty()) {
@@ -132,8 +153,9 @@ std::vector<Line> splitLines(std::string_view text)
         const auto lineEnds = mayBeHeadings ? std::ranges::count(rest, '\n') : 0;
         do {
             ++number;
-            const std::string_view line =
-                withoutBorders(withoutTimeOfReceipt(lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest)));
+            const std::string_view printed = lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest);
+            const std::string_view inner = withoutBorders(withoutTimeOfReceipt(printed));
+            const std::string_view line = areBordered ? withoutBars(inner) : inner;
             if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
             }

@@ -54,23 +54,31 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
     return cells;
 }
 
-/// Returns the number of rows before those at the end that begin with a word, such as "Mean", below numbers.
-std::size_t findFooter(const RawColumn &first)
+/// Returns whether a row begins with the name of a statistic, such as "Mean".
+bool isStatistic(const TableFile &file, const Line &row)
+{
+    std::string_view rest = row.text;
+    return namesStatistic(wordsOf(takeCell(rest, file.layout.delimiter)));
+}
+
+/// Returns the number of rows before those at the end that begin with a word, such as "Mean", below numbers, or with
+/// the name of a statistic below words.
+std::size_t findFooter(const TableFile &file, const RawColumn &first)
 {
     const auto isWord = [](double value) { return std::isinf(value); };
-    const auto last = std::find_if_not(first.values.rbegin(), first.values.rend(), isWord);
-    return last == first.values.rend() ? first.values.size() : static_cast<std::size_t>(first.values.rend() - last);
+    const bool areWords = std::ranges::all_of(first.values, isWord);
+    std::size_t end = first.values.size();
+    while (end > 0 && (areWords ? isStatistic(file, file.rows[end - 1]) : isWord(first.values[end - 1]))) {
+        --end;
+    }
+    return end > 0 ? end : first.values.size();
 }
 
 /// Returns the number of rows at the beginning that begin with the name of a statistic. With any other word, the first
 /// row may be data: in merged cells, it has the name of all rows.
 std::size_t countStatisticsAbove(const TableFile &file)
 {
-    const auto isStatistic = [&file](const Line &row) {
-        std::string_view rest = row.text;
-        return namesStatistic(wordsOf(takeCell(rest, file.layout.delimiter)));
-    };
-    const auto first = std::ranges::find_if_not(file.rows, isStatistic);
+    const auto first = std::ranges::find_if_not(file.rows, [&file](const Line &row) { return isStatistic(file, row); });
     return static_cast<std::size_t>(first - file.rows.begin());
 }
 
@@ -158,7 +166,7 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
     }
     requireCells(table.columnsOf(file), file, cells);
     const std::size_t begin = countStatisticsAbove(file);
-    const std::size_t end = file.width > 0 ? findFooter(table.columnsOf(file).front()) : file.rows.size();
+    const std::size_t end = file.width > 0 ? findFooter(file, table.columnsOf(file).front()) : file.rows.size();
     if (begin > 0 || end < file.rows.size()) {
         keepRows(table, file, begin, end);
     }

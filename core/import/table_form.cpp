@@ -466,7 +466,9 @@ void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view uni
 }
 
 /// Sets the units that stand directly above the headings, if all cells of the line are units: "s,cm", "# units: s, cm".
-void readUnitsAbove(const Line &line, const std::optional<SplitLine> &row, std::vector<Heading> &headings)
+/// Otherwise the line has the names of headings that are only units: "Crank angle,Slider" above "[deg],Position [mm]".
+void readLineAbove(const Line &line, const std::optional<SplitLine> &row, char delimiter,
+                   std::vector<Heading> &headings)
 {
     std::string_view text = withoutMark(line.text);
     const std::size_t colon = text.find(':');
@@ -480,6 +482,13 @@ void readUnitsAbove(const Line &line, const std::optional<SplitLine> &row, std::
                 setUnit(headings, i, unitIn(way.cells[i]), line.number);
             }
             return;
+        }
+    }
+    const Cells names = delimiter != ' ' ? splitCells(text, delimiter) : Cells();
+    for (std::size_t i = 0; i < std::min(names.size(), headings.size()); ++i) {
+        const std::string &heading = headings[i].use.heading;
+        if (!names[i].empty() && !unitIn(inBrackets(heading)).empty()) {
+            headings[i] = parseHeading(std::string(names[i]) + ' ' + heading);
         }
     }
 }
@@ -535,13 +544,13 @@ bool areSymbols(const Cells &cells)
 
 /// Interprets the lines between the headings and the first number, which may contain units or continue the headings.
 /// Returns how many there are.
-std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, std::vector<Heading> &headings)
+std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, char delimiter,
+                            std::vector<Heading> &headings)
 {
     std::size_t count = 0;
     for (; count < lines.size(); ++count) {
         const auto &[number, text] = lines[count];
-        const Cells cells =
-            row && row->delimiter != ' ' ? splitCells(withoutMark(text), row->delimiter) : readNames(text, row).cells;
+        const Cells cells = delimiter != ' ' ? splitCells(withoutMark(text), delimiter) : readNames(text, row).cells;
         if (isData(text) || std::ranges::any_of(cells, isNumber)) {
             break;
         }
@@ -571,7 +580,7 @@ std::size_t completeHeadings(Lines lines, const std::optional<SplitLine> &row, c
                              std::vector<Heading> &headings)
 {
     std::size_t count = takeNameOfIndex(lines, row, headings);
-    count += readAnnotations(firstLines(lines.subspan(count)), row, headings);
+    count += readAnnotations(firstLines(lines.subspan(count)), row, delimiter, headings);
     if (haveRowNames(lines.subspan(count), delimiter, headings.size())) {
         headings.insert(headings.begin(), Heading());
     }
@@ -708,7 +717,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         rows = rows.subspan(header->line + 1);
         std::ranges::transform(withoutRemark(header->cells), std::back_inserter(headings), parseHeading);
         if (header->line > 0) {
-            readUnitsAbove(lines[header->line - 1], row, headings);
+            readLineAbove(lines[header->line - 1], row, layout.delimiter, headings);
         }
         rows = rows.subspan(completeHeadings(rows, row, layout.delimiter, headings));
     } else {

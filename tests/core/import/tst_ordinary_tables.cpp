@@ -135,6 +135,9 @@ const std::vector<Layout> kLayouts{
     {"Time,Slider,Slider\n,position,velocity\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     {"Time,x,v\nTime (s),x (mm),v (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     {"t;coupler;slider\ns;x [mm];x [mm]\n0;70;85\n1;60;84\n2;50;80\n", "time - R4_x"},
+    {"Crank angle;Slider;\n[deg];Position [mm];Velocity [mm/s]\n0;85;1\n90;84;2\n180;80;3\n",
+     "angle R4_x R4_x_diff"}, // merged cells
+    {"No.|Crank angle|Slider|Notes\n|[deg]|Position [mm]|\n1|0|85|\n2|90|84|\n3|180|80|\n", "- angle R4_x -"},
     // Remarks in brackets that are no units.
     {"t (s);x (exp)\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"Zeit t;Weg x;v (theor.);v (num.)\ns;mm;mm/s;mm/s\n0;85;1;1\n1;84;2;1\n2;80;3;1\n", "time R4_x - -"},
@@ -239,6 +242,13 @@ private slots:
         const ReferenceData &data = std::get<ReferenceData>(outcome);
         QCOMPARE(data.layout.columns[2].unit, std::string("m"));
         QCOMPARE(data.find(kX)->rounding.stepAt(100.0), 100.0);
+    }
+
+    /// Below words, a row that begins with the name of a statistic is a footer.
+    void readsNoDataInAFooterBelowWords()
+    {
+        const Outcome outcome = read("Case,t,x\nopen,0,85\nopen,1,84\nopen,2,80\nMean,3,83\n");
+        QCOMPARE(std::get<ReferenceData>(outcome).time, (std::vector{0.0, 1.0, 2.0}));
     }
 
     /// Means above the numbers are no data either. Without a heading, only their names tell them from the first row.
