@@ -527,7 +527,7 @@ bool isSecondLineOfHeadings(const Cells &cells, const std::vector<Heading> &head
         const auto isSame = [&heading](const Heading &other) { return other.use.heading == heading.use.heading; };
         return !heading.use.heading.empty() && std::ranges::count_if(headings, isSame) > 1;
     });
-    return namesQuantity && (statesUnit || areEqual) && cells.size() <= headings.size();
+    return namesQuantity && (statesUnit || (areEqual && cells.size() <= headings.size()));
 }
 
 /// Returns whether a line below the headings states their symbols: "t", "φ", "s" below "Time", "Angle", "Distance". At
@@ -559,6 +559,7 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, ch
         if (!areNames && areSymbols(cells)) {
             continue;
         }
+        headings.resize(areNames ? std::max(headings.size(), cells.size()) : headings.size()); // merged cells above
         for (std::size_t i = 0; i < cells.size(); ++i) {
             const std::string_view unit = unitIn(cells[i]);
             if (areNames && unit.empty() && !cells[i].empty()) {

@@ -137,6 +137,7 @@ const std::vector<Layout> kLayouts{
     {"t;coupler;slider\ns;x [mm];x [mm]\n0;70;85\n1;60;84\n2;50;80\n", "time - R4_x"},
     {"Crank angle;Slider;\n[deg];Position [mm];Velocity [mm/s]\n0;85;1\n90;84;2\n180;80;3\n",
      "angle R4_x R4_x_diff"}, // merged cells
+    {"Case;Time;Slider;\n;[s];x [mm];v [mm/s]\nopen;0;85;1\nopen;1;84;2\nopen;2;80;3\n", "- time R4_x R4_x_diff"},
     {"No.|Crank angle|Slider|Notes\n|[deg]|Position [mm]|\n1|0|85|\n2|90|84|\n3|180|80|\n", "- angle R4_x -"},
     // Remarks in brackets that are no units.
     {"t (s);x (exp)\n0;85\n1;84\n2;80\n", "time R4_x"},
