@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/table_form.h"
 
+#include "core/import/crank_angles.h"
 #include "core/import/reference_data.h"
 #include "core/import/vocabulary.h"
 
@@ -335,29 +336,18 @@ std::string_view textBehindNumber(std::string_view line, std::size_t number)
                                                                                           : std::string_view();
 }
 
-/// Returns the headings of a table above which each line describes a column: all lines directly above the row are
-/// names, one of them a time, or the lines are numbered from 0 or 1. Its line is the last one.
-std::optional<SplitLine> findListOfHeadings(Lines above, std::size_t size)
+/// Returns the headings of a table above which each line describes a column, by their numbers from 0 or 1. Its line is
+/// the last of them.
+std::optional<SplitLine> findNumberedHeadings(Lines above, std::size_t size)
 {
-    if (size > above.size()) {
-        return std::nullopt;
-    }
-    Cells names;
-    std::ranges::transform(above.last(size), std::back_inserter(names),
-                           [](const Line &line) { return withoutMark(line.text); });
-    SplitLine list = countNames(names, ',');
-    list.line = above.size() - 1;
-    if (list.times == 1 && list.known() == size) {
-        return list;
-    }
     for (std::size_t end = above.size(); end >= size; --end) {
         for (const std::size_t first : {0, 1}) {
             Cells texts;
             for (const Line &line : above.subspan(end - size, size)) {
                 texts.push_back(textBehindNumber(line.text, first + texts.size()));
             }
-            const bool isNumbered = std::ranges::count(texts, std::string_view()) == 0;
-            list = isNumbered ? countNames(texts, ',') : SplitLine();
+            const bool areNumbered = std::ranges::count(texts, std::string_view()) == 0;
+            SplitLine list = areNumbered ? countNames(texts, ',') : SplitLine();
             list.line = end - 1;
             if (list.known() > 0) {
                 return list;
@@ -367,18 +357,45 @@ std::optional<SplitLine> findListOfHeadings(Lines above, std::size_t size)
     return std::nullopt;
 }
 
+/// Returns the headings of a table above which each line is the name of a column: as many lines as the row has numbers,
+/// the first of them the time or the crank angle. Its line is the last of them.
+std::optional<SplitLine> findListedHeadings(Lines above, std::size_t size)
+{
+    const auto nameIn = [](const Line &line) {
+        const std::string_view name = withoutMark(line.text);
+        return name.substr(std::min(name.find_first_not_of("- "), name.size()));
+    };
+    for (std::size_t end = above.size(); end >= size; --end) {
+        Cells names;
+        std::ranges::transform(above.subspan(end - size, size), std::back_inserter(names), nameIn);
+        const NameMeaning first = parseHeading(names[0]).meaning;
+        const bool isAbscissa = first.kind == Kind::Time || (first.kind >= Kind::Words && first.channel == kCrankAngle);
+        SplitLine list = isAbscissa ? countNames(names, ',') : SplitLine();
+        list.line = end - 1;
+        if (list.known() == size) {
+            return list;
+        }
+    }
+    return std::nullopt;
+}
+
 /// Finds the line of headings:
 ///
-/// 1. the first line of all that names a time and a quantity and has as many cells as the row, with its delimiter or
-///    else another one,
-/// 2. else the lines above the row that describe one column each,
-/// 3. else, of the lines above the row, the one with most names,
-/// 4. else, if there is no row of numbers, the first line,
-/// 5. else the one directly above the numbers and their units, if it has as many cells as the row.
+/// 1. the lines above the row that describe one column each, with its number,
+/// 2. else the first line of all that names a time and a quantity and has as many cells as the row, with its delimiter,
+/// 3. else the lines above the row that name one column each,
+/// 4. else as the second, with another delimiter,
+/// 5. else, of the lines above the row, the one with most names,
+/// 6. else, if there is no row of numbers, the first line,
+/// 7. else the one directly above the numbers and their units, if it has as many cells as the row.
 ///
 /// Returns nullopt if the file begins with the first row of numbers.
 std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> &row)
 {
+    const Lines linesAbove = row ? lines.first(row->line) : Lines();
+    if (const auto list = row ? findNumberedHeadings(linesAbove, row->cells.size()) : std::nullopt) {
+        return list;
+    }
     std::vector<SplitLine> above;
     std::optional<SplitLine> otherwiseSplit; // the first line with another delimiter
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -395,15 +412,11 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
             above.push_back(std::move(names));
         }
     }
+    if (const auto list = row ? findListedHeadings(linesAbove, row->cells.size()) : std::nullopt) {
+        return list;
+    }
     if (otherwiseSplit) {
         return otherwiseSplit;
-    }
-    std::optional<SplitLine> list;
-    if (row) {
-        list = findListOfHeadings(lines.first(row->line), row->cells.size());
-    }
-    if (list) {
-        return list;
     }
     if (SplitLine *const named = findMostNames(above, row)) {
         return std::move(*named);

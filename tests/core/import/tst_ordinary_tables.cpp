@@ -129,6 +129,11 @@ const std::vector<Layout> kLayouts{
     {"# name 0 = time [s]\n# name 1 = load [V]\n# name 2 = slider position [mm]\n0 5 85\n1 6 84\n2 7 80\n",
      "time - R4_x"},
     {"# time [s]\n# slider position [mm]\n# slider velocity [mm/s]\n0 85 1\n1 84 2\n2 80 3\n", "time R4_x R4_x_diff"},
+    {"% 0. time in s\n% 1. x in mm\n% 2. v in mm/s\n% 3. a in mm/s^2\n0 85 1 1\n1 84 2 2\n2 80 3 3\n",
+     "time R4_x R4_x_diff R4_x_diff2"},
+    {"* crank angle, deg\n* slider position, mm\n* coupler angle, deg\n# data:\n0  85  1\n90  84  2\n180  80  3\n",
+     "angle R4_x theta3"},
+    {"# - t (s)\n# - x (mm)\n#\n0;85\n1;84\n2;80\n", "time R4_x"},
     // Headings in two lines.
     {"Time;Piston;Piston\ns;Position [mm];Velocity [mm/s]\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"},
     {"Time,Slider,Slider\n(s),X (mm),VX (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
