@@ -383,6 +383,7 @@ std::optional<SplitLine> findListedHeadings(Lines above, std::size_t size)
 ///
 /// 1. the lines above the row that describe one column each, with its number,
 /// 2. else the first line of all that names a time and a quantity and has as many cells as the row, with its delimiter,
+///    but not above the next,
 /// 3. else the lines above the row that name one column each,
 /// 4. else as the second, with another delimiter,
 /// 5. else, of the lines above the row, the one with most names,
@@ -393,16 +394,18 @@ std::optional<SplitLine> findListedHeadings(Lines above, std::size_t size)
 std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> &row)
 {
     const Lines linesAbove = row ? lines.first(row->line) : Lines();
-    if (const auto list = row ? findNumberedHeadings(linesAbove, row->cells.size()) : std::nullopt) {
-        return list;
+    if (const auto numbered = row ? findNumberedHeadings(linesAbove, row->cells.size()) : std::nullopt) {
+        return numbered;
     }
+    const auto list = row ? findListedHeadings(linesAbove, row->cells.size()) : std::nullopt;
     std::vector<SplitLine> above;
     std::optional<SplitLine> otherwiseSplit; // the first line with another delimiter
     for (std::size_t i = 0; i < lines.size(); ++i) {
         SplitLine names = readNames(lines[i].text, row);
         names.line = i;
         const bool isComplete = names.isComplete() && (!row || names.fit(row));
-        if (isComplete && (!row || names.delimiter == row->delimiter)) {
+        const bool isInList = list && i <= list->line;
+        if (isComplete && !isInList && (!row || names.delimiter == row->delimiter)) {
             return names;
         }
         if (isComplete && !otherwiseSplit) {
@@ -412,7 +415,7 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
             above.push_back(std::move(names));
         }
     }
-    if (const auto list = row ? findListedHeadings(linesAbove, row->cells.size()) : std::nullopt) {
+    if (list) {
         return list;
     }
     if (otherwiseSplit) {
@@ -478,6 +481,18 @@ void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view uni
     column.unit = unit;
 }
 
+/// Splits a line into units, one for each heading, whatever separates them. Returns no cells if that is impossible.
+Cells splitUnits(std::string_view line, const std::optional<SplitLine> &row, std::size_t headings)
+{
+    const auto isUnit = [](std::string_view cell) { return !unitIn(cell).empty(); };
+    for (const SplitLine &way : waysToSplit(line, row)) {
+        if (way.cells.size() == headings && std::ranges::all_of(way.cells, isUnit)) {
+            return way.cells;
+        }
+    }
+    return {};
+}
+
 /// Sets the units that stand directly above the headings, if all cells of the line are units: "s,cm", "# units: s, cm".
 /// Otherwise the line has the names of headings that are only units: "Crank angle,Slider" above "[deg],Position [mm]".
 void readLineAbove(const Line &line, const std::optional<SplitLine> &row, char delimiter,
@@ -488,14 +503,12 @@ void readLineAbove(const Line &line, const std::optional<SplitLine> &row, char d
     if (isAmong(lowered(text.substr(0, colon)), "unit units einheit einheiten unidad unidades")) {
         text = text.substr(colon + 1);
     }
-    const auto isUnit = [](std::string_view cell) { return !unitIn(cell).empty(); };
-    for (const SplitLine &way : waysToSplit(text, row)) {
-        if (way.cells.size() == headings.size() && std::ranges::all_of(way.cells, isUnit)) {
-            for (std::size_t i = 0; i < headings.size(); ++i) {
-                setUnit(headings, i, unitIn(way.cells[i]), line.number);
-            }
-            return;
-        }
+    const Cells units = splitUnits(text, row, headings.size());
+    for (std::size_t i = 0; i < units.size(); ++i) {
+        setUnit(headings, i, unitIn(units[i]), line.number);
+    }
+    if (!units.empty()) {
+        return;
     }
     const Cells names = delimiter != ' ' ? splitCells(text, delimiter) : Cells();
     for (std::size_t i = 0; i < std::min(names.size(), headings.size()); ++i) {
@@ -563,7 +576,11 @@ std::size_t readAnnotations(Lines lines, const std::optional<SplitLine> &row, ch
     std::size_t count = 0;
     for (; count < lines.size(); ++count) {
         const auto &[number, text] = lines[count];
-        const Cells cells = delimiter != ' ' ? splitCells(withoutMark(text), delimiter) : readNames(text, row).cells;
+        const std::string_view unmarked = withoutMark(text);
+        Cells cells = splitUnits(unmarked, row, headings.size());
+        if (cells.empty()) {
+            cells = delimiter != ' ' ? splitCells(unmarked, delimiter) : readNames(text, row).cells;
+        }
         if (isData(text) || std::ranges::any_of(cells, isNumber)) {
             break;
         }

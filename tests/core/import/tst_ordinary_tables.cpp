@@ -360,9 +360,12 @@ private slots:
     /// The line of units may begin with a comment mark as that of the headings does.
     void readsUnitsBehindACommentMark()
     {
-        for (const char *const head : {"# t,x,theta3\n# s,cm,rad\n", "% t,x,theta3\n% [s],[cm],[rad]\n",
-                                       "#t,x,theta3\n#[s],[cm],[rad]\n", "t,x,theta3\n// s,cm,rad\n"}) {
-            const Outcome outcome = read(QByteArray(head) + "0,8.5,0\n1,8.4,0\n2,8,0\n");
+        for (const char *const head :
+             {"# t,x,theta3\n# s,cm,rad\n", "% t,x,theta3\n% [s],[cm],[rad]\n", "#t,x,theta3\n#[s],[cm],[rad]\n",
+              "t,x,theta3\n// s,cm,rad\n", "t x theta3\n# s, cm, rad\n"}) {
+            const QByteArray delimiter = QByteArray(head).contains("t x") ? " " : ",";
+            const Outcome outcome =
+                read(QByteArray(head) + QByteArray("0,8.5,0\n1,8.4,0\n2,8,0\n").replace(",", delimiter));
             const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
             QVERIFY2(data && data->find(kX)->values == (std::vector{85.0, 84.0, 80.0}), head);
             QCOMPARE(data->layout.columns[2].unit, std::string("rad"));
