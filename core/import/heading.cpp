@@ -238,7 +238,7 @@ bool isOfPointA(const Heading &heading, std::span<const Heading> row)
 /// beside the name of a channel, or of another quantity that only `solve` calls so.
 bool isCrankPinOfSolve(const Heading &heading, std::span<const Heading> row)
 {
-    constexpr std::string_view kOtherNames =
+    static constexpr std::string_view kOtherNames =
         "transmission_angle displacement displacement_diff displacement_diff2 A_x_diff A_y_diff A_x_diff2 A_y_diff2";
     const auto isOfSolve = [](const Heading &other) {
         return other.meaning.kind == Kind::ChannelName || isAmong(other.name, kOtherNames);
