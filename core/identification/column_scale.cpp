@@ -91,9 +91,6 @@ double usualFactor(const Observations &observations, const Fit &fit, Index k)
         return sign; // zeros have neither sign nor scale
     }
     const double factor = sign * bestScale(observations, fit, fit.model, k);
-    if (isSpeedOfCrank) {
-        return std::copysign(1.0, factor); // another value is another speed, and not another unit
-    }
     const auto mismatch = [&](double unit) { return std::abs(std::log(std::abs(factor) / unit)); };
     return std::copysign(std::ranges::min(unitFactors(column.channel), {}, mismatch), factor);
 }

@@ -22,13 +22,24 @@ struct Vote {
     double speed = 0.0; ///< rad/s; with a sign only if isVelocity
     bool isVelocity = false;
     bool isNearRounding = false;  ///< at this speed, the residuals of the column are as small as rounding
-    bool contradictsUnit = false; ///< the file states a different unit
+    bool contradictsUnit = false; ///< see contradictsUnit()
 };
 
 bool haveSameMagnitude(double value, double other)
 {
     constexpr double kTolerance = 2e-3; // the errors of regressions are smaller, those of a wrong unit far larger
     return std::abs(std::abs(value / other) - 1.0) < kTolerance;
+}
+
+/// Whether a derivative is probably not in a unit: the file states a different one, or states none although θ2 is in
+/// radians; then rates of angles are in radians, too. `unit`: one of unitFactors().
+bool contradictsUnit(const ObservedColumn &column, const Model &model, double unit)
+{
+    const double unitOfAngles = 1.0 / std::abs(model.angleFactor);
+    if (column.statesUnit) {
+        return unit != 1.0;
+    }
+    return column.containsAngles() && unitOfAngles != 1.0 && unit != unitOfAngles;
 }
 
 /// The votes of the derivatives that the fit does not use and the mechanism explains. If the residuals of some of them
@@ -56,7 +67,7 @@ std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
                                  .speed = speed,
                                  .isVelocity = isVelocity,
                                  .isNearRounding = scale.isNearRounding,
-                                 .contradictsUnit = unit != 1.0 && column.statesUnit});
+                                 .contradictsUnit = contradictsUnit(column, fit.model, unit)});
             }
         }
     }
@@ -71,7 +82,7 @@ struct Support {
     /// rad/s. It is that of a velocity if there is one among the columns, because only a velocity shows the sign.
     double speed = 0.0;
     int columns = 0;           ///< how many columns vote for the speed
-    int contradictedUnits = 0; ///< how many of these columns state a unit other than that of their vote
+    int contradictedUnits = 0; ///< how many of these columns contradict the unit of their vote
 
     /// The speed with the highest rank is preferred: that with the most columns, then with the fewest contradictions.
     auto rank() const { return std::pair(columns, -contradictedUnits); }

@@ -14,9 +14,10 @@ namespace slidercrank
 /// Every derivative that the fit does not use, and the mechanism explains up to a constant factor, votes for the speed
 /// that follows from this factor; only those with residuals as small as rounding if there are such. Derivatives of
 /// angles also vote for the speeds that follow in other units of angles. Returns the speeds (rad/s) with the most
-/// votes; among these, those that contradict the fewest stated units. These are several if the units do not determine
-/// the speed, and none if no derivative votes. If one of them has the magnitude of the given speed, returns only this
-/// one, with the sign of the given speed.
+/// votes; among these, those that contradict the fewest units. (A unit is contradicted if the file states another one,
+/// or if it states none, θ2 is in radians, and the rate of an angle is not.) These are several if the units do not
+/// determine the speed, and none if no derivative votes. If one of them has the magnitude of the given speed, returns
+/// only this one, with the sign of the given speed.
 std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed);
 
 /// In a file over the time with few rows per turn, different speeds give the same positions. Returns the fit with the

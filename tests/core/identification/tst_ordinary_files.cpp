@@ -294,6 +294,33 @@ private slots:
         }
     }
 
+    /// A program computes in radians, and its headings have no units: the rates of angles are in rad/s then.
+    void findsTheSpeedOfTablesInRadiansWithoutUnits()
+    {
+        constexpr double kSpeed = 6.0; // rad/s
+        for (const bool isOverTime : {false, true}) {
+            for (const std::string names : {"theta2,theta2_dot,theta3,x", "theta2,theta3,theta3_dot,x"}) {
+                std::string text = (isOverTime ? "time," : "") + names + '\n';
+                for (int i = 0; i <= 72; ++i) {
+                    const double angle = 5.0 * i * kDegree;
+                    const double sine = (20.0 - 40.0 * std::sin(angle)) / 120.0; // of θ3
+                    const double rate = -40.0 * kSpeed * std::cos(angle) / (120.0 * std::sqrt(1.0 - sine * sine));
+                    const bool hasSpeed = names.find("theta2_dot") != std::string::npos;
+                    std::array<char, 160> line{};
+                    std::snprintf(line.data(), line.size(), "%.8f,%.6f,%.6f,%.6f,%.4f\n", angle / kSpeed, angle,
+                                  hasSpeed ? kSpeed : std::asin(sine), hasSpeed ? std::asin(sine) : rate,
+                                  sliderPosition(40.0, 120.0, 20.0, angle));
+                    const std::string row = line.data();
+                    text += isOverTime ? row : row.substr(row.find(',') + 1);
+                }
+                const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
+                QCOMPARE(found.outcome, Outcome::Identified);
+                QVERIFY(found.leftOut.empty() && hasLengths(found, 40.0, 120.0, 20.0));
+                QVERIFY2(std::abs(found.parameters.omega2 - kSpeed) < 1e-3, names.c_str());
+            }
+        }
+    }
+
     /// The quotients of the velocity are those of a slower crank.
     void takesNoSpeedFromDifferencesOfTheVelocityOverTheAngle()
     {
