@@ -77,17 +77,22 @@ void chooseImage(Findings &findings, const Parameters &given)
     }
 }
 
-/// Replaces the lengths of the last fit by the given ones, with its drive and its origins fitted again, and chooses its
-/// image anew: findings.otherImages still have the lengths from before.
+/// Replaces the lengths of the last fit by the given ones, with its drive and its origins fitted again, if these
+/// explain all rows as well: many rows show a difference that some of them do not show. Then chooses its image anew,
+/// because findings.otherImages still have the lengths from before.
 void moveToGivenLengths(Findings &findings, const Parameters &given)
 {
+    const Observations &allRows = findings.lastFit.observations;
     Fit &last = findings.lastFit.fit;
-    last.replaceModel(fitWithGivenLengths(findings.lastFit.observations, last, given));
-    chooseImage(findings, given);
+    const Fit moved = fitWithGivenLengths(allRows, last, given);
+    if (explainsAsWell(allRows, moved, last)) {
+        last.replaceModel(moved);
+        chooseImage(findings, given);
+    }
 }
 
-/// Compares the lengths of the last fit with the given ones. If the given ones explain the file as well, a fit with
-/// free origins is moved to them: other lengths with other origins may be nearly the same curve. If they do not, a
+/// Compares the lengths of the last fit with the given ones. If the given ones explain the searched rows as well, a fit
+/// with free origins is moved to them: other lengths with other origins may be nearly the same curve. If they do not, a
 /// single wrong one is looked for, findings.change.
 void compareWithGivenLengths(Findings &findings, const Observations &searched, const Parameters &given)
 {

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <functional>
 #include <numbers>
+#include <random>
 #include <string>
 #include <variant>
 
@@ -200,6 +201,33 @@ private slots:
         QVERIFY(hasFinding(found, ZeroPoint, kSlider));
         QCOMPARE(found.residuals.size(), 1U);
         QVERIFY(found.residuals[0].percentOfRange < 0.6);
+    }
+
+    /// A few hundred noisy rows cannot tell the given b = 65 mm from 65.8 mm, all rows together can.
+    void keepsTheLengthsOfManyRowsBesideNearlyEqualGivenOnes()
+    {
+        std::mt19937 random(5);
+        const auto noise = [&random] { // a standard deviation of 0.5 mm, nearly normal
+            double sum = -6.0;
+            for (int i = 0; i < 12; ++i) {
+                sum += static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+            }
+            return 0.5 * sum;
+        };
+        constexpr int kRows = 20000;
+        std::string text = "theta2 (deg),x (mm)\n";
+        for (int i = 0; i < kRows; ++i) {
+            const double degrees = 720.0 * i / kRows;
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%.6f,%.4f\n", degrees,
+                          sliderPosition(20.0, 65.8, 25.0, degrees * kDegree) + 30.0 + noise());
+            text += line.data();
+        }
+        const Identification found =
+            identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(Parameters{20.0, 65.0, 25.0}));
+        const double error = found.standardError[indexOf(Parameter::B)];
+        QVERIFY(found.hasMechanism() && error < 0.3);
+        QVERIFY(std::abs(found.parameters.b - 65.8) < 4.0 * error);
     }
 
     void ignoresTheRotationOfTheSlider()
