@@ -52,9 +52,9 @@ ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
     return current;
 }
 
-/// Whether the abscissa of a model was changed when the file was observed, because its values are rounded ones of an
-/// even grid.
-bool hasPrintedAbscissa(const Observations &observations, const Model &model)
+/// Whether observe() has replaced the time stamps or angles that a model follows by those of an even grid, so that the
+/// printed ones are an alternative.
+bool wasAbscissaMadeEven(const Observations &observations, const Model &model)
 {
     return (model.followsAngle ? observations.printedAngle : observations.printedTime).size() > 0;
 }
@@ -77,7 +77,7 @@ Observations withPrintedAbscissa(Observations observations, const Model &model)
 ObservedFit withBestAbscissa(ObservedFit current)
 {
     const Fit &fit = current.fit;
-    if (!hasPrintedAbscissa(current.searched, fit.model)) {
+    if (!wasAbscissaMadeEven(current.searched, fit.model)) {
         return current;
     }
     Observations printed = withPrintedAbscissa(current.searched, fit.model);

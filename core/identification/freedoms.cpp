@@ -95,13 +95,14 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
         if (!observations.columns[k].containsAngles() || unit == 1.0) {
             continue;
         }
-        // θ3 ≈ (c - a sin θ2) / b. The coupler becomes `unit` times shorter. If θ3 changes around 0, c remains. If it
-        // changes around another angle, c becomes shorter by the same factor.
-        for (const double offsetScale : {1.0, 1.0 / unit}) {
+        // θ3 ≈ (c - a sin θ2) / b: if b is divided by `unit`, θ3 is multiplied by it. If the column has its usual
+        // origin, its mean c / b is multiplied, too, and c remains. If its origin is free, it takes up the mean; then c
+        // is divided as well, so that the mean remains.
+        for (const double scaleOfC : {1.0, 1.0 / unit}) {
             Model start = fit.model;
             start.readings[k].factor /= unit;
             start.mechanism.b /= unit;
-            start.mechanism.c *= offsetScale;
+            start.mechanism.c *= scaleOfC;
             Fit next = fitModel(observations, std::move(start), fit.columns, fit.unknowns);
             if (explainsAsWell(observations, next, fit)) {
                 fit = std::move(next);

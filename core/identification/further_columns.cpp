@@ -28,7 +28,9 @@ double bestOrigin(const Observations &observations, const Fit &fit, Index k, dou
     return column.isDerivative() ? 0.0 : median(differences);
 }
 
-/// Whether the last column of a fit, which was added to the others, is explained: its residuals are rounding, or small.
+/// Whether the last column of a fit, which was added to the others, is explained: its residuals are rounding, or they
+/// are below two limits, that of any explained column and the one beside exact columns. `isGeometryExact`: see
+/// tryToAddColumn().
 bool isLastColumnExplained(const Observations &observations, const Fit &together, bool isGeometryExact)
 {
     const Index place = std::ssize(together.columns) - 1;
@@ -172,10 +174,12 @@ std::optional<Reason> reasonWithoutPrediction(const ObservedColumn &column, cons
     if (drive == Drive::Kind::Uneven) {
         return Reason::UnevenSpeed;
     }
+    // In a table, ω2 is an unknown of the fit only if derivatives have shown it before (addSpeedOfTable()).
     const bool isSpeedKnown = drive != Drive::Kind::OverAngle || fit.isFree({Unknown::Kind::Omega2});
     if (isSpeedKnown) {
         return std::nullopt;
     }
+    // That a column contains differences is more certain than that another speed would explain it.
     return column.isDifference ? Reason::FiniteDifferences : Reason::OpenSpeed;
 }
 

@@ -39,7 +39,8 @@ void leaveOutUnusedAngle(std::vector<LeftOutColumn> &leftOut, const ReferenceDat
     }
 }
 
-/// Runs the steps from the observations to the last fit and its description. `wholeFile`: the observations of `data`.
+/// Runs the steps from the geometry to the last fit, and then chooses the description of it that a person expects. The
+/// last fit is not finite if no mechanism can be assembled. `wholeFile`: the observations of `data`.
 Findings findMechanism(const ReferenceData &data, Observations wholeFile, const Parameters &given)
 {
     Findings findings;

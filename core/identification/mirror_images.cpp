@@ -108,8 +108,9 @@ bool isSliderLineShifted(const Observations &observations, const Model &model)
     return std::ranges::any_of(observations.columns, isOtherLine);
 }
 
-/// The number of columns that have to be read differently than their headings say, for a model with the columns and
-/// unknowns of a fit.
+/// The number of unusual readings that a model with the columns and unknowns of a fit needs: θ2 clockwise or half a
+/// turn off, R4_y that is not c, each negated column (all columns of lengths, or all of angles, count once), and each
+/// angle that is half a turn off. The sign of a displacement does not count.
 int countUnusualReadings(const Observations &observations, const Fit &fit, const Model &model)
 {
     const bool isLineShifted = isSliderLineShifted(observations, model);
@@ -123,8 +124,8 @@ int countUnusualReadings(const Observations &observations, const Fit &fit, const
         if (column.channel == kSliderLine) {
             continue; // counted above
         }
-        // R4_x with an origin of its own is a displacement, unless the whole frame of the file is shifted, R4_y as
-        // well.
+        // A position with an origin of its own is a displacement. If R4_y is not c, however, the file measures all
+        // lengths from a point other than O2.
         if (hasOrigin && !column.containsAngles() && !isLineShifted) {
             lengths.isDisplacementNegated = lengths.isDisplacementNegated || isNegated;
             continue;

@@ -192,7 +192,8 @@ Parameters roundToErrors(const LastFit &lastFit, const Parameters &unrounded, do
         }
     }
     fixChosenNumbers(estimate, lengthUnit);
-    for (const Index k : notFixedUnknowns(estimate)) { // they are not round numbers, but need not have more digits
+    // Nobody has chosen the other numbers. Their digits below the standard errors mean nothing.
+    for (const Index k : notFixedUnknowns(estimate)) {
         fixUnknown(estimate, k, roundUnknown(estimate, k, lengthUnit).value);
     }
     return replaceByEstimate(rounded, estimate);

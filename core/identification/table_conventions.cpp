@@ -49,9 +49,10 @@ std::vector<Channel> findDoubtfulHeadings(const Identification &result)
     return doubtful;
 }
 
-/// The other unit of the clock, if derivatives are left out from a file over the time: they do not suit the positions
-/// if the clock counts milliseconds although its heading says seconds, or seconds although it says milliseconds.
-std::optional<Convention> otherUnitOfClock(const ReferenceData &data, const Identification &result)
+/// A conversion of the time stamps that is worth a trial if derivatives are left out from a file over the time, because
+/// derivatives do not suit the positions if the unit of the clock is wrong: from seconds to milliseconds, or from
+/// another unit to seconds.
+std::optional<Convention> possibleUnitOfClock(const ReferenceData &data, const Identification &result)
 {
     const auto isDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };
     if (data.crank || std::ranges::none_of(result.leftOut, isDerivative)) {
@@ -99,7 +100,7 @@ std::optional<Convention> findAxisRotation(const ReferenceData &data, bool rotat
 std::vector<Convention> possibleTableConventions(const ReferenceData &data, const Identification &result)
 {
     std::vector<Convention> conventions = possibleExchanges(data, findDoubtfulHeadings(result));
-    if (std::optional<Convention> clock = otherUnitOfClock(data, result)) {
+    if (std::optional<Convention> clock = possibleUnitOfClock(data, result)) {
         conventions.insert(conventions.begin(), *std::move(clock)); // of equal results, the earlier one is kept
     }
     return conventions;

@@ -132,10 +132,11 @@ std::string withoutDigits(std::string heading)
 ///
 /// 1. the first one whose heading leaves its meaning open and which does not only rise, as the crank angle does,
 /// 2. else the first one whose heading leaves its meaning open,
-/// 3. else the first one with a suitable unit or none that does not turn like the crank,
+/// 3. else the first one that does not turn like the crank and has a suitable unit or none,
 /// 4. else the first one with a suitable unit or none.
 ///
-/// Of several points, it is the last one, as programs number them from the crank to the slider.
+/// `notColumn`: index of a column that is not chosen. Returns nothing if there is no such column. Of several points, it
+/// is the last one, as programs number them from the crank to the slider.
 std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t notColumn)
 {
     const auto isFree = [&](const RawColumn &column) {

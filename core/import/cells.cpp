@@ -43,9 +43,9 @@ CellNumber parsePlain(std::string_view text)
         number.fault = RowFault::NotANumber;
         return number;
     }
-    const auto counts = [](char c) { return c > '0'; }; // sign and point come before the digits
-    const auto first = std::ranges::find_if(digits, counts);
-    const auto last = std::find_if(digits.rbegin(), digits.rend(), counts);
+    const auto isNonZeroDigit = [](char c) { return c >= '1' && c <= '9'; };
+    const auto first = std::ranges::find_if(digits, isNonZeroDigit);
+    const auto last = std::find_if(digits.rbegin(), digits.rend(), isNonZeroDigit);
     const auto point = static_cast<std::ptrdiff_t>(std::min(digits.find('.'), digits.size()));
     const int top =
         static_cast<int>(std::clamp(exponent, -kLargestExponent, kLargestExponent) + static_cast<double>(point));

@@ -34,7 +34,8 @@ void convert(RawColumn &column, const Unit &unit)
 
 // ---- Time and crank angle ----
 
-/// Returns whether two columns contain the same time stamps, apart from the rounding errors of a unit conversion.
+/// Returns whether two columns contain the same time stamps, apart from the rounding errors of a unit conversion and
+/// from rows without a value in one of them.
 bool areSameTimes(const Values &x, const Values &y)
 {
     constexpr double kRoundingError = 1e-15; // of a unit conversion

@@ -126,7 +126,8 @@ bool hasDoubledBars(std::string_view text)
     return isFound;
 }
 
-/// Returns the text of such a table with one bar between two cells: "|0.1|85" for "|0.1||85", "|t|x" for "!t!!x".
+/// Returns the text of a table in MediaWiki or Jira with one bar between two cells: "|0.1|85" for "|0.1||85", "|t|x"
+/// for "!t!!x".
 std::string withSingleBars(std::string_view text)
 {
     std::string plain;

@@ -234,8 +234,8 @@ bool isOfPointA(const Heading &heading, std::span<const Heading> row)
            });
 }
 
-/// Returns whether the name is that of the crank pin in a table of `solve`, which states no unit of lengths in mm: A_x
-/// beside the name of a channel, or of another quantity that only `solve` calls so.
+/// Returns whether the heading is that of the crank pin, A_x or A_y, in a table that the command `solve` has written.
+/// Such a table states no unit of lengths in mm, and has a channel or one of kOtherNames beside it.
 bool isCrankPinOfSolve(const Heading &heading, std::span<const Heading> row)
 {
     static constexpr std::string_view kOtherNames =

@@ -74,8 +74,8 @@ std::size_t findFooter(const TableFile &file, const RawColumn &first)
     return end > 0 ? end : first.values.size();
 }
 
-/// Returns the number of rows at the beginning that begin with the name of a statistic. With any other word, the first
-/// row may be data: in merged cells, it has the name of all rows.
+/// Returns the number of rows at the beginning that begin with the name of a statistic. Rows that
+/// begin with another word are kept: the first one may have the name of all rows, in merged cells.
 std::size_t countStatisticsAbove(const TableFile &file)
 {
     const auto first = std::ranges::find_if_not(file.rows, [&file](const Line &row) { return isStatistic(file, row); });

@@ -145,10 +145,10 @@ std::optional<ReadError> findForeignFormat(std::string_view beginning);
 /// Reads a file, or several files of one motion, as written by programs that export one plot at a time. Contradictions
 /// are errors: the same channel or time twice, an unknown unit of a channel, a time that decreases. A row that cannot
 /// be read is skipped and listed. Several files are joined side by side: they must have the same time stamps (or crank
-/// angles) within their rounding, and a row that is skipped in one file is skipped in all. Each channel must be in one
-/// file only. In `options`, the columns of all files are numbered consecutively; a column that is chosen as the
-/// abscissa of the first file is that of the other files, too, where they have the same heading. An error contains the
-/// columns up to those of the file with the error.
+/// angles), apart from the rounding errors of a unit conversion, and a row that is skipped in one file is skipped in
+/// all. Each channel must be in one file only. In `options`, the columns of all files are numbered consecutively; a
+/// column that is chosen as the abscissa of the first file is that of the other files, too, where they have the same
+/// heading. An error contains the columns up to those of the file with the error.
 std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const ReadOptions &options = {});
 
 } // namespace slidercrank

@@ -336,8 +336,8 @@ std::string_view textBehindNumber(std::string_view line, std::size_t number)
                                                                                           : std::string_view();
 }
 
-/// Returns the headings of a table above which each line describes a column, by their numbers from 0 or 1. Its line is
-/// the last of them.
+/// Finds headings in consecutive lines above the numbers, each of which describes one column and has its number,
+/// counted from 0 or 1: "# Column 1: time [s]". SplitLine::line is the last of these lines.
 std::optional<SplitLine> findNumberedHeadings(Lines above, std::size_t size)
 {
     for (std::size_t end = above.size(); end >= size; --end) {

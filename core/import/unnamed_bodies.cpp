@@ -260,10 +260,10 @@ Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner
     return path;
 }
 
-/// Returns whether the lengths of one order without any name are not the slider's, because x and y are derivatives of a
-/// curved path. Without an x, this holds for all orders. With both x and y, the identification decides, as the slider
-/// may also move along an inclined line.
-bool isUnnamedCurved(const std::vector<RawColumn *> &candidates, Order order)
+/// Returns whether the columns x and y of one order that name no point belong to a point on a curved path, and so not
+/// to the slider. If there is no position x, a curved path of any order decides for all. If there are both positions,
+/// returns false: the slider may also move along an inclined line, which the identification finds out.
+bool isPathOfUnnamedPointCurved(const std::vector<RawColumn *> &candidates, Order order)
 {
     const auto find = [&](Coordinate coordinate, Order ofOrder) {
         return findUnnamed(candidates, {coordinate, ofOrder}, {});
@@ -287,7 +287,7 @@ void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
     const std::string part = onlyPart(candidates);
     std::set<Order> curvedOrders; // of the lengths without any name
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
-        if (isUnnamedCurved(candidates, order)) {
+        if (isPathOfUnnamedPointCurved(candidates, order)) {
             curvedOrders.insert(order);
         }
     }
