@@ -209,7 +209,7 @@ void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, Wh
     }
     // While the motion is played, values keep their places, so that a single direction is sufficient.
     const bool isPlayed =
-        std::ranges::any_of(cursor.labels, &std::optional<QRectF>::has_value, &PlotCursor::Label::before);
+        std::ranges::any_of(cursor.labels, [](const PlotCursor::Label &label) { return label.before.has_value(); });
     PlotCursor upwards = cursor;
     std::ptrdiff_t covered = placeValues(cursor, Direction::Downwards, axes, font, whereCrowded);
     if (covered > 0 && !isPlayed) {
