@@ -33,7 +33,8 @@ Lines firstLines(Lines lines)
 struct SplitLine {
     Cells cells{}; ///< without empty ones at the end
     char delimiter = ',';
-    std::size_t size = 0;       ///< number of cells of a row of numbers, with empty ones at the end
+    std::size_t size = 0;       ///< number of cells of a row of numbers or of the next row, if this is longer, with
+                                ///< empty ones at the end
     std::size_t line = 0;       ///< index among the first lines
     std::size_t times = 0;      ///< number of cells that name a time
     std::size_t quantities = 0; ///< number of cells that name a quantity
@@ -67,6 +68,18 @@ bool isRow(const Cells &cells)
     return std::ranges::all_of(cells, isNumberOrGap) && std::ranges::count_if(cells, isNumber) >= 2;
 }
 
+/// Returns the number of cells of a line, with empty ones at the end.
+std::size_t countCells(std::string_view line, char delimiter)
+{
+    return static_cast<std::size_t>(std::ranges::count(line, delimiter)) + 1;
+}
+
+/// Returns the number of cells of a row of numbers; 0 for another line.
+std::size_t sizeOfRow(const Line &line, char delimiter)
+{
+    return isRow(splitCells(line.text, delimiter)) ? countCells(line.text, delimiter) : 0;
+}
+
 /// Returns the first line that is a row of numbers. Spaces only count as the delimiter if with no other one any line is
 /// a row.
 std::optional<SplitLine> findFirstRow(Lines lines)
@@ -75,7 +88,8 @@ std::optional<SplitLine> findFirstRow(Lines lines)
         for (std::size_t i = 0; i < lines.size(); ++i) {
             for (const char delimiter : delimiters) {
                 if (Cells cells = splitCells(lines[i].text, delimiter); isRow(cells)) {
-                    const auto size = static_cast<std::size_t>(std::ranges::count(lines[i].text, delimiter)) + 1;
+                    const std::size_t size = std::max(countCells(lines[i].text, delimiter),
+                                                      i + 1 < lines.size() ? sizeOfRow(lines[i + 1], delimiter) : 0);
                     return SplitLine{std::move(cells), delimiter, delimiter == ' ' ? 0 : size, i};
                 }
             }
@@ -231,10 +245,14 @@ std::vector<SplitLine> waysToSplit(std::string_view line, const std::optional<Sp
 {
     std::vector<SplitLine> ways;
     for (const char delimiter : kDelimiters) {
-        const Cells cells = splitCells(line, delimiter);
-        const bool hasMore = row && cells.size() > row->cells.size();
-        const Cells joined = hasMore ? withHeadingsJoined(cells) : cells;
-        ways.push_back(countNames(row && joined.size() == row->cells.size() ? joined : cells, delimiter));
+        SplitLine names = countNames(splitCells(line, delimiter), delimiter);
+        if (row && names.cells.size() > row->cells.size() && !names.fit(row)) {
+            SplitLine joined = countNames(withHeadingsJoined(names.cells), delimiter);
+            if (joined.fit(row)) {
+                names = std::move(joined);
+            }
+        }
+        ways.push_back(std::move(names));
     }
     for (const Cells &cells : {splitCells(line, ' '), splitAtBlanks(line, 2), splitAtBlanks(line, 1)}) {
         ways.push_back(countNames(cells, ' '));
@@ -278,7 +296,7 @@ SplitLine readNames(std::string_view line, const std::optional<SplitLine> &row)
     };
     const bool isSpaced = row && row->delimiter == ' ';
     const bool isNumberSign = row && !isSpaced && trimmed(line).starts_with(std::string("#") + row->delimiter) &&
-                              static_cast<std::size_t>(std::ranges::count(line, row->delimiter)) + 1 == row->size;
+                              countCells(line, row->delimiter) == row->size;
     const std::string_view unmarked = isNumberSign ? line : withoutMark(line); // "#,t,x" numbers the rows
     if (isData(unmarked)) {
         return isSpaced ? SplitLine{splitCells(unmarked, ' '), ' '} : SplitLine();

@@ -77,6 +77,10 @@ const std::vector<Layout> kLayouts{
     {"#,tout,x\n1,0.5,85\n2,1.5,84\n3,2.5,80\n", "- time R4_x"},
     {"No.,%time,x\n1,0,85\n2,1,84\n3,2,80\n", "- time R4_x"}, // ROS
     {"foo [s],bar [mm],notes\n0,85,\n1,84,\n2,80,last\n", "time R4_x -"},
+    // Differences: the first row has none, so that its last cell is empty or missing.
+    {"crank angle,theta3 [°],x (mm),v (mm/s)\n0,85,22,\n1,84,21,-3\n2,80,20,\n", "angle theta3 R4_x R4_x_diff"},
+    {"theta2,theta_3 (deg),x (mm),v (mm/s)\n0,85,22,\n1,84,21,-3\n2,80,20,\n", "angle theta3 R4_x R4_x_diff"},
+    {"crank angle,theta3 [°],x (mm),v (mm/s)\n0,85,22\n1,84,21,-3\n2,80,20,-4\n", "angle theta3 R4_x R4_x_diff"},
     // Tables as terminals and notebooks print them.
     {"┌───────┬──────┐\n│ t (s) ┆ x    │\n╞═══════╪══════╡\n│ 0.0   ┆ 85   │\n├╌╌╌╌╌╌╌┼╌╌╌╌╌╌┤\n│ 1.0   ┆ 84   │\n"
      "│ 2.0   ┆ 80   │\n└───────┴──────┘\n",
