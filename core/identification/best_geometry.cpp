@@ -31,7 +31,7 @@ Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
             return fit;
         }
     }
-    return alone; // of the last column: R4_x, which shapeColumns() lists after θ3, shows more lengths
+    return alone; // that of R4_x, which shapeColumns() lists last: it shows the lengths, θ3 only their ratios
 }
 
 /// The geometry of some columns, without the freedoms that they do not need. `searched`: selected rows of `wholeFile`.

@@ -55,8 +55,8 @@ bool containsQuotients(const Stencil &stencil, const Values &abscissa, const Obs
 {
     constexpr double kMinFraction = 0.8;       // of the rows: the others may lie beside gaps or jumps
     constexpr double kMinMovingFraction = 0.4; // of the rows: values that are zero within rounding prove nothing
-    constexpr double kMaxBound =
-        0.05; // fraction of the range: agreement within a larger bound of rounding proves nothing
+    // Fraction of the range of the column. Agreement within a larger bound of rounding would prove nothing.
+    constexpr double kMaxBound = 0.05;
     const Quotients quotients = computeQuotients(stencil, abscissa, lower);
     const Values values = column.values.segment(kReach, quotients.values.size());
     const Values products = gapsAsZeros(quotients.values * values);

@@ -117,8 +117,7 @@ Fit fitModel(const Observations &observations, Model start, Indices columns, Unk
              int iterationLimit = MinimizerOptions{}.iterationLimit);
 
 /// Whether the crank makes less than a turn (0.9 turns), so that nothing returns to where it was: the motions of many
-/// mechanisms, with suitable origins, are
-/// nearly equal on an arc.
+/// mechanisms, with suitable origins, are nearly equal on an arc.
 bool isShortArc(const Observations &observations, const Model &model);
 
 /// The largest value of dependence() (noise.h) among the columns of the fit; at least 1.

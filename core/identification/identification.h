@@ -97,8 +97,8 @@ struct Identification {
 
     /// The mechanism found, with θ20 in (-π, π]. What the file does not determine is that of the given mechanism. If it
     /// determines only ratios of lengths, the lengths have these ratios and the given a or ω2 (see `lengthScale`). With
-    /// an uneven drive, ω2 is UnevenDrive::omega2. Without a mechanism: what an insufficient file determines, the rest
-    /// and all others as given.
+    /// an uneven drive, ω2 is UnevenDrive::omega2. Without a mechanism, the given one, apart from the parameters that
+    /// an insufficient file determines.
     Parameters parameters;
 
     /// The parameters in as few decimals as explain the file equally well; otherwise equal to `parameters`. Lengths are

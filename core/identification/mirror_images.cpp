@@ -64,8 +64,8 @@ bool isOddHalfTurn(double angle)
     return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
 }
 
-/// How many columns of one kind (lengths or angles) are negated. A displacement, which is R4_x with a free origin, is
-/// not counted, because its direction may be chosen freely.
+/// How many columns of one kind (lengths or angles) are negated. A displacement, which is a position with a free
+/// origin, is not counted, because its direction may be chosen freely.
 struct SignCount {
     int columns = 0;
     int negated = 0;

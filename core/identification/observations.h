@@ -49,13 +49,12 @@ struct ObservedColumn {
 };
 
 struct Observations {
-    Values time;             ///< s, zero in the middle of the file; empty in a table over the crank angle
-    Values printedTime;      ///< the rounded time stamps if `time` is evenly spaced before rounding; otherwise empty
-    Values angle;            ///< θ2 as in the file, rad, without jumps; empty if the file does not contain it
-    Values printedAngle;     ///< the rounded `angle` of a table if `angle` is evenly spaced before rounding
-    double timeOrigin = 0.0; ///< time of the file at which `time` is zero, s
-    double timeHalfStep =
-        0.0; ///< half of the rounding step of the time stamps, s; 0 if those in the file are evenly spaced
+    Values time;                ///< s, zero in the middle of the file; empty in a table over the crank angle
+    Values printedTime;         ///< the rounded time stamps if `time` is evenly spaced before rounding; otherwise empty
+    Values angle;               ///< θ2 as in the file, rad, without jumps; empty if the file does not contain it
+    Values printedAngle;        ///< the rounded `angle` of a table if `angle` is evenly spaced before rounding
+    double timeOrigin = 0.0;    ///< time of the file at which `time` is zero, s
+    double timeHalfStep = 0.0;  ///< half of the rounding step of the time stamps, s; 0 if the file's are evenly spaced
     double timeMargin = 0.0;    ///< how far the evenly spaced time stamps can be moved within their rounding, s
     double angleHalfStep = 0.0; ///< half of the rounding step of `angle`, rad; 0 in a table with evenly spaced angles
     Indices rows;               ///< index in the file of each row

@@ -39,9 +39,8 @@ bool isExplained(const Observations &observations, const Fit &fit, Index place);
 bool isExact(const Observations &observations, const Fit &fit);
 
 /// Whether a fit with no more unknowns explains its columns as well as `best`, a fit of the same columns, does: its
-/// residuals are rounding, or its misfit is higher by less than kSameMisfit. Of systematic residuals, only one of
-/// dependence(best) is independent, so that the misfit counts each of them several times. Then the limit is
-/// higher by this factor.
+/// residuals are rounding, or its misfit is higher by less than kSameMisfit. The misfit counts each independent error
+/// of systematic residuals dependence(best) times, so that the limit is higher by this factor.
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best);
 
 /// Whether the file proves that the residuals of the fit are systematic, not rounding or noise: they keep their sign
