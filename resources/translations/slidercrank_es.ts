@@ -2065,8 +2065,8 @@ difiere: lo demás</translation>
         <translation>Contiene muy pocos valores: exporte más instantes o más columnas.</translation>
     </message>
     <message>
-        <source>Nothing moves in it: export the motion of a turning crank.</source>
-        <translation>En él no se mueve nada: exporte el movimiento de una manivela que gira.</translation>
+        <source>Neither the slider nor the coupler moves in it: export the slider&apos;s position or the coupler&apos;s angle while the crank turns.</source>
+        <translation>En él no se mueven ni la corredera ni la biela: exporte la posición de la corredera o el ángulo de la biela mientras gira la manivela.</translation>
     </message>
     <message>
         <source>It has fewer than four rows per revolution, so that several crank speeds give the same values: more rows per revolution, derivatives or θ₂ would help.</source>
