@@ -108,36 +108,56 @@ bool isSliderLineShifted(const Observations &observations, const Model &model)
     return std::ranges::any_of(observations.columns, isOtherLine);
 }
 
+/// The signs of lengths and of angles in the columns of a fit.
+struct SignCounts {
+    SignCount lengths;
+    SignCount angles;
+};
+
+/// Counts the negated columns of a fit, apart from R4_y. `isFrameShifted`: the file measures lengths from a point other
+/// than O2. Then a position with an origin of its own is no displacement, and its sign counts.
+SignCounts countSigns(const Observations &observations, const Fit &fit, const Model &model, bool isFrameShifted)
+{
+    SignCounts signs;
+    for (const Index k : fit.columns) {
+        const ObservedColumn &column = observations.columns[k];
+        if (column.channel == kSliderLine) {
+            continue;
+        }
+        const bool isNegated = model.readings[k].factor < 0.0;
+        const bool hasOrigin = fit.isFree({Unknown::Kind::Origin, k});
+        const bool isDisplacement = hasOrigin && !column.containsAngles() && !isFrameShifted;
+        if (isDisplacement) {
+            signs.lengths.isDisplacementNegated = signs.lengths.isDisplacementNegated || isNegated;
+            continue;
+        }
+        SignCount &count = column.containsAngles() ? signs.angles : signs.lengths;
+        ++count.columns;
+        count.negated += isNegated ? 1 : 0;
+    }
+    return signs;
+}
+
+/// The number of angles in the columns of a fit that are half a turn off.
+int countHalfTurns(const Observations &observations, const Fit &fit, const Model &model)
+{
+    const auto isHalfTurnOff = [&](Index k) {
+        const ColumnReading &reading = model.readings[k];
+        const bool hasOrigin = fit.isFree({Unknown::Kind::Origin, k});
+        return observations.columns[k].containsAngles() && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor);
+    };
+    return static_cast<int>(std::ranges::count_if(fit.columns, isHalfTurnOff));
+}
+
 /// The number of unusual readings that a model with the columns and unknowns of a fit needs: θ2 clockwise or half a
 /// turn off, R4_y that is not c, each negated column (all columns of lengths, or all of angles, count once), and each
 /// angle that is half a turn off. The sign of a displacement does not count.
 int countUnusualReadings(const Observations &observations, const Fit &fit, const Model &model)
 {
-    const bool isLineShifted = isSliderLineShifted(observations, model);
-    int count = countUnusualCrankReadings(fit, model) + (isLineShifted ? 1 : 0);
-    SignCount lengths, angles;
-    for (const Index k : fit.columns) {
-        const ObservedColumn &column = observations.columns[k];
-        const ColumnReading &reading = model.readings[k];
-        const bool hasOrigin = fit.isFree({Unknown::Kind::Origin, k});
-        const bool isNegated = reading.factor < 0.0;
-        if (column.channel == kSliderLine) {
-            continue; // counted above
-        }
-        // A position with an origin of its own is a displacement. If R4_y is not c, however, the file measures all
-        // lengths from a point other than O2.
-        if (hasOrigin && !column.containsAngles() && !isLineShifted) {
-            lengths.isDisplacementNegated = lengths.isDisplacementNegated || isNegated;
-            continue;
-        }
-        SignCount &signs = column.containsAngles() ? angles : lengths;
-        ++signs.columns;
-        signs.negated += isNegated ? 1 : 0;
-        const bool isHalfTurnOff =
-            column.containsAngles() && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor);
-        count += isHalfTurnOff ? 1 : 0;
-    }
-    return count + lengths.countUnusualReadings() + angles.countUnusualReadings();
+    const bool isFrameShifted = isSliderLineShifted(observations, model);
+    const SignCounts signs = countSigns(observations, fit, model, isFrameShifted);
+    return countUnusualCrankReadings(fit, model) + (isFrameShifted ? 1 : 0) + countHalfTurns(observations, fit, model) +
+           signs.lengths.countUnusualReadings() + signs.angles.countUnusualReadings();
 }
 
 /// Orders the images: that with the lowest rank, compared member by member, is preferred.
