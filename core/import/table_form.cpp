@@ -354,20 +354,42 @@ std::string_view textBehindNumber(std::string_view line, std::size_t number)
                                                                                           : std::string_view();
 }
 
-/// Finds headings in consecutive lines above the numbers, each of which describes one column and has its number,
-/// counted from 0 or 1: "# Column 1: time [s]". SplitLine::line is the last of these lines.
-std::optional<SplitLine> findNumberedHeadings(Lines above, std::size_t size)
+/// Returns the headings in lines that name one column each. `firstNumber` is the number of the first column, as in
+/// "# Column 1: time [s]"; then at least one name is known. Without numbers, as in "# - time [s]", all names are known,
+/// and the first one is the time or the crank angle. Returns nullopt for other lines.
+std::optional<SplitLine> readList(Lines lines, std::optional<std::size_t> firstNumber)
 {
+    Cells names;
+    for (const Line &line : lines) {
+        const std::string_view unmarked = withoutMark(line.text);
+        names.push_back(firstNumber ? textBehindNumber(line.text, *firstNumber + names.size())
+                                    : unmarked.substr(std::min(unmarked.find_first_not_of("- "), unmarked.size())));
+    }
+    const auto isAbscissa = [](const NameMeaning &meaning) {
+        return meaning.kind == Kind::Time || (meaning.kind >= Kind::Words && meaning.channel == kCrankAngle);
+    };
+    const bool mayBeList = firstNumber ? std::ranges::count(names, std::string_view()) == 0
+                                       : isAbscissa(parseHeading(names.front()).meaning);
+    SplitLine list = mayBeList ? countNames(names, ',') : SplitLine();
+    return list.known() >= (firstNumber ? 1 : lines.size()) ? std::optional(std::move(list)) : std::nullopt;
+}
+
+/// Finds headings in consecutive lines above the row of numbers that name one column each. Returns nullopt if there are
+/// none, or if a line of headings is below them: then they may describe anything, such as sensors or parameters.
+/// SplitLine::line is the last of these lines.
+std::optional<SplitLine> findListedHeadings(Lines above, const SplitLine &row)
+{
+    const std::size_t size = row.cells.size();
     for (std::size_t end = above.size(); end >= size; --end) {
-        for (const std::size_t first : {0, 1}) {
-            Cells texts;
-            for (const Line &line : above.subspan(end - size, size)) {
-                texts.push_back(textBehindNumber(line.text, first + texts.size()));
+        if (end < above.size()) {
+            const SplitLine below = readNames(above[end].text, row);
+            if (below.fit(row) && 2 * below.known() > below.cells.size()) {
+                return std::nullopt;
             }
-            const bool areNumbered = std::ranges::count(texts, std::string_view()) == 0;
-            SplitLine list = areNumbered ? countNames(texts, ',') : SplitLine();
-            list.line = end - 1;
-            if (list.known() > 0) {
+        }
+        for (const auto firstNumber : {std::optional<std::size_t>(0), std::optional<std::size_t>(1), {}}) {
+            if (std::optional<SplitLine> list = readList(above.subspan(end - size, size), firstNumber)) {
+                list->line = end - 1;
                 return list;
             }
         }
@@ -375,55 +397,28 @@ std::optional<SplitLine> findNumberedHeadings(Lines above, std::size_t size)
     return std::nullopt;
 }
 
-/// Returns the headings of a table above which each line is the name of a column: as many lines as the row has numbers,
-/// the first of them the time or the crank angle. Its line is the last of them.
-std::optional<SplitLine> findListedHeadings(Lines above, std::size_t size)
-{
-    const auto nameIn = [](const Line &line) {
-        const std::string_view name = withoutMark(line.text);
-        return name.substr(std::min(name.find_first_not_of("- "), name.size()));
-    };
-    for (std::size_t end = above.size(); end >= size; --end) {
-        Cells names;
-        std::ranges::transform(above.subspan(end - size, size), std::back_inserter(names), nameIn);
-        const NameMeaning first = parseHeading(names[0]).meaning;
-        const bool isAbscissa = first.kind == Kind::Time || (first.kind >= Kind::Words && first.channel == kCrankAngle);
-        SplitLine list = isAbscissa ? countNames(names, ',') : SplitLine();
-        list.line = end - 1;
-        if (list.known() == size) {
-            return list;
-        }
-    }
-    return std::nullopt;
-}
-
 /// Finds the line of headings:
 ///
-/// 1. the lines above the row that describe one column each, with its number,
-/// 2. else the first line of all that names a time and a quantity and has as many cells as the row, with its delimiter,
-///    but not above the next,
-/// 3. else the lines above the row that name one column each,
-/// 4. else as the second, with another delimiter,
-/// 5. else, of the lines above the row, the one with most names,
-/// 6. else, if there is no row of numbers, the first line,
-/// 7. else the one directly above the numbers and their units, if it has as many cells as the row.
+/// 1. the lines above the row that name one column each,
+/// 2. else the first line of all that names a time and a quantity and has as many cells as the row, with its delimiter
+///    or else with another one,
+/// 3. else, of the lines above the row, the one with most names,
+/// 4. else, if there is no row of numbers, the first line,
+/// 5. else the one directly above the numbers and their units, if it has as many cells as the row.
 ///
 /// Returns nullopt if the file begins with the first row of numbers.
 std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> &row)
 {
-    const Lines linesAbove = row ? lines.first(row->line) : Lines();
-    if (const auto numbered = row ? findNumberedHeadings(linesAbove, row->cells.size()) : std::nullopt) {
-        return numbered;
+    if (auto list = row ? findListedHeadings(lines.first(row->line), *row) : std::nullopt) {
+        return list;
     }
-    const auto list = row ? findListedHeadings(linesAbove, row->cells.size()) : std::nullopt;
     std::vector<SplitLine> above;
     std::optional<SplitLine> otherwiseSplit; // the first line with another delimiter
     for (std::size_t i = 0; i < lines.size(); ++i) {
         SplitLine names = readNames(lines[i].text, row);
         names.line = i;
         const bool isComplete = names.isComplete() && (!row || names.fit(row));
-        const bool isInList = list && i <= list->line;
-        if (isComplete && !isInList && (!row || names.delimiter == row->delimiter)) {
+        if (isComplete && (!row || names.delimiter == row->delimiter)) {
             return names;
         }
         if (isComplete && !otherwiseSplit) {
@@ -432,9 +427,6 @@ std::optional<SplitLine> findHeader(Lines lines, const std::optional<SplitLine> 
         if (!row || i < row->line) {
             above.push_back(std::move(names));
         }
-    }
-    if (list) {
-        return list;
     }
     if (otherwiseSplit) {
         return otherwiseSplit;

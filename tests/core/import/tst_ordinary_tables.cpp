@@ -138,6 +138,17 @@ const std::vector<Layout> kLayouts{
     {"* crank angle, deg\n* slider position, mm\n* coupler angle, deg\n# data:\n0  85  1\n90  84  2\n180  80  3\n",
      "angle R4_x theta3"},
     {"# - t (s)\n# - x (mm)\n#\n0;85\n1;84\n2;80\n", "time R4_x"},
+    // Lists that describe something else than the columns below the headings.
+    {"# 1. crank length a = 20 mm\n# 2. coupler length b = 65 mm\n# 3. crank speed 6.28 rad/s\n"
+     "theta2 (deg),x (mm),v (mm/s)\n0,85,1\n90,84,2\n180,80,3\n",
+     "angle R4_x R4_x_diff"},
+    {"Sensor 1: slider velocity\nSensor 2: slider position\nSensor 3: crank angle\ntime,x,v\n0,85,1\n1,84,2\n2,80,3\n",
+     "time R4_x R4_x_diff"},
+    {"Plots:\n1 = speed\n2 = position\n3 = time\n\nt,x,v\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
+    {"# Crank angle\n# Slider velocity\n# Slider position\ntheta2,x,v\n0,85,1\n90,84,2\n180,80,3\n",
+     "angle R4_x R4_x_diff"},
+    {"Crank angle\nSlider velocity\nSlider position\n\nKW;Weg;Geschwindigkeit\n0;85;1\n90;84;2\n180;80;3\n",
+     "angle R4_x R4_x_diff"},
     // Headings in two lines.
     {"Time;Piston;Piston\ns;Position [mm];Velocity [mm/s]\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"},
     {"Time,Slider,Slider\n(s),X (mm),VX (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
