@@ -354,7 +354,7 @@ std::optional<NameMeaning> meaningOfCount(const Words &words, std::string_view l
 /// Returns whether a name or its unit is that of a derivative with respect to the crank angle: "dx/dθ", "x' (mm/rad)".
 bool isOverAngle(std::string_view name, const std::string &unit)
 {
-    constexpr std::array<std::string_view, 8> kDivisors{"/dθ", "/dφ", "/dϕ", "/dα", "/Δθ", "/Δφ", "/dth", "/dphi"};
+    constexpr std::array<std::string_view, 6> kDivisors{"/dθ", "/dφ", "/dϕ", "/dα", "/dth", "/dphi"};
     const std::string plain = lowered(name);
     if (std::ranges::any_of(kDivisors, [&](std::string_view divisor) { return plain.find(divisor) != plain.npos; })) {
         return true;
@@ -366,6 +366,17 @@ bool isOverAngle(std::string_view name, const std::string &unit)
     }
     const std::optional<Unit> angle = parseUnit(unit.substr(slash + 1, end - slash - 1));
     return angle && angle->dimension == Dimension::Angle && angle->order == 0 && parseUnit(unit.substr(0, slash));
+}
+
+/// Returns the name of the derivative that finite differences approximate: "dx/dt" for "Δx/Δt", "diff(x, t)" for
+/// "np.gradient(x, t)". Returns nullopt for other names.
+std::optional<std::string> derivativeOfDifferences(std::string_view name)
+{
+    static const Spellings kDerivatives("\\Delta =d|\\Delta=d|Δ=d|∆=d|np.gradient(=diff(|gradient(=diff(");
+    std::string derivative = kDerivatives.replacedIn(name);
+    const bool isCall = derivative.starts_with("diff(");
+    const bool isQuotient = derivative.starts_with('d') && derivative.find("/d") != derivative.npos;
+    return derivative != name && (isCall || isQuotient) ? std::optional(std::move(derivative)) : std::nullopt;
 }
 
 /// Returns whether a name is that of the magnitude of a vector: "|v|", "abs(v)".
@@ -434,6 +445,15 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
 {
     if (name.size() > kLongestName || isMagnitude(name) || isRelative(name)) {
         return {};
+    }
+    if (const std::optional<std::string> derivative = derivativeOfDifferences(name)) {
+        NameMeaning meaning = meaningOf(*derivative, unit);
+        if (meaning.kind >= Kind::Quantity) { // which a column of the derivative itself replaces
+            meaning.kind = Kind::Quantity;
+            meaning.reason = ColumnReason::UnknownWords;
+            meaning.hasUnknownWords = true;
+        }
+        return meaning;
     }
     if (isOverAngle(name, unit)) {
         return {.reason = ColumnReason::OverAngle};
