@@ -4,6 +4,7 @@
 #include "core/import/cells.h"
 #include "core/import/unit_text.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/locale/encoding_utf.hpp>
 
 #include <algorithm>
@@ -113,30 +114,33 @@ std::string withAsciiBoxes(std::string_view text)
     return boost::locale::conv::utf_to_utf<char>(characters);
 }
 
-/// Returns whether the lines of a table in MediaWiki or Jira are near the beginning of a text: "{|" before all of them,
-/// or "||t||x||" around the headings.
-bool hasDoubledBars(std::string_view text)
+/// Returns whether one of the lines near the beginning of a text begins and ends with these characters.
+bool hasLine(std::string_view text, std::string_view beginning, std::string_view end)
 {
     bool isFound = false;
     for (std::string_view rest = text.substr(0, kFileBeginning); !rest.empty();) {
         const std::string_view line = trimmed(takeUntil('\n', rest));
-        const bool isAround = line.starts_with("||") && line.ends_with("||");
-        isFound = isFound || line.starts_with("{|") || (isAround && line.find_first_not_of('|') != line.npos);
+        const bool hasContent = line.find_first_not_of('|') != line.npos;
+        isFound = isFound || (line.starts_with(beginning) && line.ends_with(end) && hasContent);
     }
     return isFound;
 }
 
 /// Returns the text of a table in MediaWiki or Jira with one bar between two cells: "|0.1|85" for "|0.1||85", "|t|x"
-/// for "!t!!x".
-std::string withSingleBars(std::string_view text)
+/// for "!t!!x". Changes only the lines that begin and end with `border`.
+std::string withSingleBars(std::string_view text, std::string_view border)
 {
     std::string plain;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const std::string_view two = text.substr(i, 2);
-        const bool isDoubled = two == "||" || two == "!!";
-        const bool isFirstMark = text[i] == '!' && (i == 0 || text[i - 1] == '\n');
-        plain += isDoubled || isFirstMark ? '|' : text[i];
-        i += isDoubled ? 1 : 0;
+    while (!text.empty()) {
+        std::string line(takeUntil('\n', text));
+        if (trimmed(line).starts_with(border) && trimmed(line).ends_with(border)) {
+            boost::replace_all(line, "||", "|");
+            boost::replace_all(line, "!!", "|");
+            if (line.starts_with('!')) {
+                line.front() = '|';
+            }
+        }
+        plain += line + '\n';
     }
     return plain;
 }
@@ -192,8 +196,10 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
     if (hasBoxes(text)) {
         text = converted = withAsciiBoxes(text);
     }
-    if (hasDoubledBars(text)) {
-        text = converted = withSingleBars(text);
+    if (hasLine(text, "{|", "")) {
+        text = converted = withSingleBars(text, "");
+    } else if (hasLine(text, "||", "||")) {
+        text = converted = withSingleBars(text, "||"); // headings: in a row of numbers, "||" is an empty cell
     }
     text = withoutPadding(text);
     if (const std::size_t binary = findBinary(text); binary != text.npos) {

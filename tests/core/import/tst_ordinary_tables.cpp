@@ -284,6 +284,19 @@ private slots:
         QCOMPARE(std::get<ReferenceData>(merged).time.size(), std::size_t{3});
     }
 
+    /// Two bars in a row of Jira are the borders of an empty cell, and in one of MediaWiki a delimiter.
+    void keepsEmptyCellsBetweenBars()
+    {
+        for (const char *const table : {"||t||x||v||\n|0|85|1|\n|1||2|\n|2|80|3|\n||75|4|\n",
+                                        "|t|x|v|\n|---|---|---|\n|0|85|1|\n|1||2|\n|2|80|3|\n",
+                                        "{|\n! t !! x !! v\n|-\n|0||85||1\n|-\n|1||||2\n|-\n|2||80||3\n|}\n"}) {
+            const Outcome outcome = read(table);
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->time.size() == 3 && std::isnan(data->find(kX)->values[1]), table);
+            QCOMPARE(data->find({R4x, Order::Velocity})->values, (std::vector{1.0, 2.0, 3.0}));
+        }
+    }
+
     void cutsNoPartOfACell()
     {
         const Outcome outcome = read("t,load,x\n0,12 % ,85\n1,50%,84\n2,#N/A,80\n");
