@@ -235,13 +235,13 @@ bool isOfPointA(const Heading &heading, std::span<const Heading> row)
 }
 
 /// Returns whether the heading is that of the crank pin, A_x or A_y, in a table that the command `solve` has written.
-/// Such a table states no unit of lengths in mm, and has a channel or one of kOtherNames beside it.
+/// Such a table states no unit of lengths in mm. Only a column with a name that other programs do not use tells it.
 bool isCrankPinOfSolve(const Heading &heading, std::span<const Heading> row)
 {
-    static constexpr std::string_view kOtherNames =
-        "transmission_angle displacement displacement_diff displacement_diff2 A_x_diff A_y_diff A_x_diff2 A_y_diff2";
+    static constexpr std::string_view kOwnNames =
+        "transmission_angle displacement_diff displacement_diff2 A_x_diff A_y_diff A_x_diff2 A_y_diff2";
     const auto isOfSolve = [](const Heading &other) {
-        return other.meaning.kind == Kind::ChannelName || isAmong(other.name, kOtherNames);
+        return other.meaning.kind == Kind::ChannelName || isAmong(other.name, kOwnNames);
     };
     return isAmong(heading.name, "A_x A_y") && heading.use.unit.empty() && std::ranges::any_of(row, isOfSolve);
 }

@@ -372,6 +372,8 @@ private slots:
         };
         QCOMPARE(reasonsBeside("R4_x"), 3);
         QCOMPARE(reasonsBeside("displacement"), 3);
+        const Outcome foreign = read("time,displacement,A_x\n0,85,1\n1,70,2\n2,75,0\n"); // A for acceleration
+        QCOMPARE(rolesOf(std::get<ReferenceData>(foreign).layout), std::string("time R4_x? R4_x_diff2?"));
     }
 
     /// Units above the headings count as those below.
