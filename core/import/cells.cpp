@@ -81,7 +81,7 @@ std::string withoutSeparators(std::string_view text)
         grouped.insert(end - 3, 1, separator);
     }
     const bool isClear = separators > 1 || separator == kApostrophe || digits.size() < plain.size();
-    const bool isGrouped = grouped == whole && isClear;
+    const bool isGrouped = grouped == whole && isClear && !digits.starts_with('0');
     if (separators > 0 && !isGrouped) {
         return {};
     }

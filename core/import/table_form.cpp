@@ -648,8 +648,8 @@ void findClocks(const Cells &cells, std::vector<Heading> &headings)
 }
 
 /// Finds the decimal sign with which most numbers in the first lines can be read: 0,005 and 1.234,5 only with a comma.
-/// Between commas, "1,234" could have a thousands separator and does not count. If each decimal sign has three digits
-/// behind it and a number from 1 to 999 before, it could separate thousands everywhere.
+/// Between commas, "1,234" could have a thousands separator and does not count, but "0,234" does. If each decimal sign
+/// has three digits behind it and a number from 1 to 999 before, it could separate thousands everywhere.
 void findDecimalSign(Lines lines, FileLayout &layout)
 {
     int commas = 0; // numbers that need a comma, minus those that need a point
@@ -659,8 +659,9 @@ void findDecimalSign(Lines lines, FileLayout &layout)
         for (const std::string_view cell : splitCells(line.text, layout.delimiter)) {
             const std::string text(splitUnit(cell).number);
             const bool isPoint = !parseNumber(text, DecimalSign::Point).fault;
-            const bool isComma = !parseNumber(text, DecimalSign::Comma).fault &&
-                                 (layout.delimiter != ',' || parseNumber(text + ".0", DecimalSign::Point).fault);
+            const bool mayHaveThousands = layout.delimiter == ',' && text.find(',') != text.npos &&
+                                          !parseNumber(text + ".0", DecimalSign::Point).fault;
+            const bool isComma = !mayHaveThousands && !parseNumber(text, DecimalSign::Comma).fault;
             commas += (isComma ? 1 : 0) - (isPoint ? 1 : 0);
             const std::size_t first = text.find_first_of("0123456789");
             const std::size_t sign = text.find_first_of(".,");
