@@ -119,6 +119,14 @@ bool isPlace(const Words &words, std::size_t at)
     return isAmong(words[at], "at en bei in an") && at + 1 < words.size() && isAmong(words[at + 1], "a b");
 }
 
+/// Returns whether the name of a joint stands at that word: "of point B", "del punto B". Directly behind a symbol, as
+/// in "x punto B", such a word is a derivative.
+bool isNameOfJoint(const Words &words, std::size_t at)
+{
+    return isAmong(words[at], "of de del von du di do") && at + 2 < words.size() &&
+           findWord(words[at + 1], WordUse::Label) && words[at + 2].size() == 1;
+}
+
 /// Returns what a word means as an index of the symbol or quantity before it: "x_s", "velocity B", "ω_BC". Null if it
 /// is no index, as the Bp of "xBp".
 const WordMeaning *indexNamed(const NameReading &before, std::string_view word)
@@ -389,6 +397,9 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
             isIncluded = includeJoint(reading, words[0]);
         } else if (isPlace(words, i)) {
             isIncluded = includePlace(reading, words[++i]);
+        } else if (isNameOfJoint(words, i)) {
+            i += 2;
+            isIncluded = includeJoint(reading, words[i]);
         } else if (isNumberOfPoint(reading, words, i)) {
             reading.unknown.point = reading.unknown.point.empty() ? words[i - 1] + words[i] : reading.unknown.point;
         } else if (includeWord(reading, isPair ? two : words[i], entries)) {
