@@ -274,6 +274,7 @@ void MotionTablePanel::makeTables()
     constexpr int kMyValuesRow = 1; // below the present position
     constexpr int kMinRows = 2;     // where the panel itself scrolls
     m_present->setEditable(kMyValuesRow, kFirstChannelColumn);
+    m_present->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed); // alignColumns() chooses the widths
     m_present->setSelectionMode(QAbstractItemView::NoSelection);          // it would hide the colours of the verdicts
     m_table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // the panel may be as low as its other parts
     m_table->setMinimumHeight(kMinRows * m_table->verticalHeader()->defaultSectionSize());
@@ -285,12 +286,6 @@ void MotionTablePanel::makeTables()
         QMetaObject::invokeMethod(this, &MotionTablePanel::showPresent,
                                   Qt::QueuedConnection); // after the cell is closed
     });
-    for (const auto &[source, target] : {std::pair(m_present, m_table), {m_table, m_present}}) {
-        connect(source->horizontalHeader(), &QHeaderView::sectionResized, target,
-                [target = target](int column, int, int width) {
-                    target->setColumnWidth(column, std::max(width, target->columnWidth(column)));
-                });
-    }
     connect(m_table->horizontalScrollBar(), &QScrollBar::valueChanged, m_present->horizontalScrollBar(),
             &QScrollBar::setValue);
     connect(m_table, &NumberTable::timeRequested, this, &MotionTablePanel::timeRequested);
@@ -333,7 +328,7 @@ void MotionTablePanel::showRows()
     }
     m_table->setRows(m_rows);
     showPresent();
-    fitColumns();
+    alignColumns();
 }
 
 void MotionTablePanel::showAlpha2()
@@ -350,6 +345,7 @@ void MotionTablePanel::showPresent()
         row.cells.front().tone = Tone::Normal;
         row.time.reset();
         m_present->setRows({row, myValues()});
+        alignColumns();
     }
 }
 
@@ -452,7 +448,7 @@ TableRow MotionTablePanel::myValues()
 }
 
 /// Gives the columns of both tables the same widths.
-void MotionTablePanel::fitColumns()
+void MotionTablePanel::alignColumns()
 {
     for (int column = 0; column < m_table->horizontalHeader()->count(); ++column) {
         const int width = std::max(m_present->columnWidth(column), m_table->columnWidth(column));
@@ -574,6 +570,14 @@ void MotionTablePanel::copy()
 {
     QApplication::clipboard()->setText(QString::fromUtf8(csv()));
     emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings."));
+}
+
+void MotionTablePanel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) { // each table has fitted its columns to its own texts
+        alignColumns();
+    }
 }
 
 void MotionTablePanel::showEvent(QShowEvent *event)

@@ -55,6 +55,7 @@ signals:
     void placeHovered(std::optional<double> theta2);  ///< rad, of the row under the pointer
 
 protected:
+    void changeEvent(QEvent *event) override;
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
 
@@ -80,7 +81,7 @@ private:
     const TypedTexts *textsAtPresent() const; ///< null if no values were typed at this position
     QString otherPositions() const;           ///< says at which other crank angles values were typed
     TableRow myValues();
-    void fitColumns();
+    void alignColumns();
     TablePlace presentPlace() const;
 
     std::optional<OutputChannel> wantedChannel() const;

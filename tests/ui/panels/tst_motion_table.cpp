@@ -62,6 +62,15 @@ struct ShownTable {
     }
 };
 
+std::vector<int> widthsOf(const NumberTable &table)
+{
+    std::vector<int> widths;
+    for (int column = 0; column < table.model()->columnCount(); ++column) {
+        widths.push_back(table.columnWidth(column));
+    }
+    return widths;
+}
+
 /// Restores the notation at the end of a test.
 struct NotationForTest {
     explicit NotationForTest(const Notation &chosen) { setNotation(chosen); }
@@ -228,10 +237,23 @@ private slots:
         for (const double time : {0.0, 0.00036, 0.0015, 0.0023, 0.0041}) {
             shown.session.setTime(time);
             settle(shown.panel);
-            for (int column = 0; column < present->model()->columnCount(); ++column) {
-                QCOMPARE(table->columnWidth(column), present->columnWidth(column));
-            }
+            QCOMPARE(widthsOf(*table), widthsOf(*present));
         }
+        shown.session.setTime(0.0);
+        shown.session.setParameters({});
+        shown.panel.setFont(QFont("DejaVu Sans", 20)); // as in presentation mode
+        settle(shown.panel);
+        QCOMPARE(widthsOf(*table), widthsOf(*present));
+        shown.panel.setFont({});
+        settle(shown.panel);
+        QCOMPARE(widthsOf(*table), widthsOf(*present));
+        QWidget *header = present->horizontalHeader()->viewport();
+        const QPoint border(present->columnViewportPosition(3) - 1, header->height() / 2);
+        QTest::mouseMove(header, border);
+        QTest::mousePress(header, Qt::LeftButton, {}, border);
+        QTest::mouseMove(header, border - QPoint(20, 0));
+        QTest::mouseRelease(header, Qt::LeftButton, {}, border - QPoint(20, 0));
+        QCOMPARE(widthsOf(*table), widthsOf(*present));
     }
 
     /// By a pocket calculator: x = 139.1 mm, v = -233.1 mm/s and ω3 = -60.45 °/s at 60°.
