@@ -572,6 +572,11 @@ void MotionTablePanel::copy()
     emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings."));
 }
 
+int MotionTablePanel::heightForWidth(int width) const
+{
+    return m_layout->minimumHeightForWidth(width);
+}
+
 void MotionTablePanel::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);

@@ -49,6 +49,10 @@ public:
     /// Writes the rows to a CSV file. Returns an error message if it cannot be written.
     std::optional<QString> exportTo(const QString &path) const;
 
+    /// Returns the height at which no part is cut off. That of the layout leaves out the smallest height of the rows,
+    /// whose size policy is Ignored.
+    int heightForWidth(int width) const override;
+
 signals:
     void timeRequested(double seconds);
     void symbolsChosen(slidercrank::Symbols symbols); ///< the answer to the offer

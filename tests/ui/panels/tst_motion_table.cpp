@@ -9,6 +9,7 @@
 #include "ui/panels/motion_table_panel.h"
 #include "ui/text/notation.h"
 #include "ui/widgets/number_box.h"
+#include "ui/widgets/scrollable.h"
 
 #include <QAbstractItemModel>
 #include <QApplication>
@@ -254,6 +255,26 @@ private slots:
         QTest::mouseMove(header, border - QPoint(20, 0));
         QTest::mouseRelease(header, Qt::LeftButton, {}, border - QPoint(20, 0));
         QCOMPARE(widthsOf(*table), widthsOf(*present));
+    }
+
+    /// A former defect: in a low window, the first line of the judgement was hidden.
+    void aLowPanelShowsTheWholeJudgement()
+    {
+        ShownTable shown;
+        const auto *judgement = child<QLabel>(shown.panel, "judgement");
+        QAbstractItemModel *values = child<NumberTable>(shown.panel, "presentPosition")->model();
+        shown.type("findValue", "100");
+        shown.click("findNext");
+        values->setData(values->index(1, 2), "22 1/2");
+        values->setData(values->index(1, 5), "3.15");
+        values->setData(values->index(1, 6), "-4.9");
+        QScrollArea *area = scrollable(&shown.panel);
+        area->resize(430, 190);
+        area->show();
+        settle(*area);
+        QVERIFY(judgement->height() >= judgement->heightForWidth(judgement->width()));
+        area->takeWidget();
+        delete area;
     }
 
     /// By a pocket calculator: x = 139.1 mm, v = -233.1 mm/s and ω3 = -60.45 °/s at 60°.
