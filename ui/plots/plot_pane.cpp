@@ -21,8 +21,10 @@ PlotPane::PlotPane(const QPixmap &picture, QWidget *figure)
 void PlotPane::setCursors(std::vector<PlotCursor> cursors, const QRect &axes)
 {
     const QRect before = m_painted;
+    if (axes == m_axes) { // otherwise the line moves with the axes, at the same time
+        keepPlaces(cursors, m_cursors);
+    }
     m_axes = axes;
-    keepPlaces(cursors, m_cursors);
     m_cursors = std::move(cursors);
     placeLabels(m_cursors, m_axes, font(), WhereCrowded::CoverLeast);
     QRectF painted;

@@ -196,6 +196,27 @@ private slots:
         QVERIFY(shown.pane(kSlider).cursors().empty());
     }
 
+    /// A former defect: where the numbers of an axis became narrower, the line moved by some pixels as if the motion
+    /// was played, and the value of the lower dot stayed above that of the upper one.
+    void valuesChangeTheirPlacesWithTheAxes()
+    {
+        const QPixmap none;
+        PlotPane pane(none, nullptr);
+        const auto isRedAboveBlue = [&pane](const QRect &axes, double redDot, double blueDot) {
+            PlotCursor cursor{axes.left() + 1.0};
+            cursor.labels.push_back({QStaticText("22.62"), Qt::red, QPointF(cursor.x, redDot)});
+            cursor.labels.push_back({QStaticText("24.62"), Qt::blue, QPointF(cursor.x, blueDot)});
+            pane.setCursors({cursor}, axes);
+            const std::vector<PlotCursor::Label> &labels = pane.cursors().front().labels;
+            const auto topOf = [&labels](const QColor &colour) {
+                return std::ranges::find(labels, colour, &PlotCursor::Label::colour)->place.top();
+            };
+            return topOf(Qt::red) < topOf(Qt::blue);
+        };
+        QVERIFY(isRedAboveBlue({56, 20, 200, 160}, 100.0, 106.0));
+        QVERIFY(!isRedAboveBlue({50, 20, 206, 160}, 106.0, 100.0));
+    }
+
     void hoveringShowsALighterCursorInAllNinePlots()
     {
         for (const QSize size : {QSize(960, 570), QSize(585, 595), QSize(420, 230)}) {
