@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace slidercrank
 {
@@ -113,9 +114,9 @@ bool isInWrongOrder(const PlotCursor &cursor, const PlotCursor::Label &label, co
     });
 }
 
-/// Places a value where it covers the fewest points of the curves, if possible none, and no other label. The wrong
-/// order counts as a point, unless the value stood elsewhere before: while the motion is played, it would jump where
-/// curves cross. Returns the number of points, or nullopt if there is no place.
+/// Places a value where it covers no other label and the fewest points of the curves. A place in the wrong order costs
+/// one point more, except while the motion is played, when values would jump where curves cross. Returns the number of
+/// points, or nullopt if every place covers a label.
 std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::Label &label, const QRectF &axes,
                                          const QFont &font)
 {
@@ -164,13 +165,15 @@ void stackLabels(PlotCursor &cursor, const QRectF &axes, const QFont &font)
     }
 }
 
-/// What a value without a place counts: more than any number of points that are covered.
+/// The penalty, in covered points, for a value without a place. It is larger than the number of points that values
+/// cover.
 constexpr std::ptrdiff_t kPointsWithoutPlace = 10000;
 
-/// Where the values are placed one after the other: from the highest dot on, or from the lowest.
+/// The order in which the values are placed: from the highest dot to the lowest, or from the lowest to the highest.
 enum class Direction { Downwards, Upwards };
 
-/// Places all values, of which the first ones have the best places. Returns how many points they cover.
+/// Places the values one after the other. Returns how many points of the curves they cover, with the penalty for those
+/// that have no place or are left out.
 std::ptrdiff_t placeValues(PlotCursor &cursor, Direction direction, const QRectF &axes, const QFont &font,
                            WhereCrowded whereCrowded)
 {
@@ -182,43 +185,59 @@ std::ptrdiff_t placeValues(PlotCursor &cursor, Direction direction, const QRectF
         if (!label.dot) {
             continue;
         }
-        const std::ptrdiff_t covered = placeValue(cursor, label, axes, font).value_or(kPointsWithoutPlace);
+        std::ptrdiff_t covered = placeValue(cursor, label, axes, font).value_or(kPointsWithoutPlace);
         if (covered > kMaxCovered && whereCrowded == WhereCrowded::LeaveOut) {
             leaveOut(label);
-            total += kPointsWithoutPlace;
-        } else {
-            total += covered;
+            covered = kPointsWithoutPlace;
         }
+        total += covered;
     }
     return total;
 }
 
-/// Places the headings at the top, one below the other, and each value where it covers the curves least.
+/// Places the values in the direction in which they cover fewer points, because the values that are placed first take
+/// the best places. While the motion is played, downwards is sufficient: most values keep their places. Returns what
+/// placeValues() does.
+std::ptrdiff_t placeValuesInBestDirection(PlotCursor &cursor, const QRectF &axes, const QFont &font,
+                                          WhereCrowded whereCrowded)
+{
+    const bool isPlayed =
+        std::ranges::any_of(cursor.labels, [](const PlotCursor::Label &label) { return label.before.has_value(); });
+    PlotCursor upwards = cursor;
+    const std::ptrdiff_t covered = placeValues(cursor, Direction::Downwards, axes, font, whereCrowded);
+    if (covered == 0 || isPlayed) {
+        return covered;
+    }
+    const std::ptrdiff_t coveredUpwards = placeValues(upwards, Direction::Upwards, axes, font, whereCrowded);
+    if (coveredUpwards < covered) {
+        cursor = std::move(upwards);
+    }
+    return std::min(covered, coveredUpwards);
+}
+
+/// Places the labels without a dot at the top of the axes, one below the other.
+void placeHeadings(PlotCursor &cursor, const QRectF &axes, const QFont &font)
+{
+    double top = axes.top();
+    for (PlotCursor::Label &label : cursor.labels) {
+        if (!label.dot) {
+            const QSizeF size(label.text.size().width(), QFontMetricsF(font).height());
+            label.place = QRectF(QPointF(columnLeft(cursor, size.width(), axes, font), top), size);
+            top = label.place.bottom();
+        }
+    }
+}
+
+/// Places the labels of one cursor. If there is no place for one of its values near the dot, all are in a column.
 void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, WhereCrowded whereCrowded)
 {
     std::ranges::stable_sort(cursor.labels, {},
                              [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
-    double topOfHeading = axes.top();
     for (PlotCursor::Label &label : cursor.labels) {
         label.text.prepare({}, font);
-        if (!label.dot) {
-            const QSizeF size(label.text.size().width(), QFontMetricsF(font).height());
-            label.place = QRectF(QPointF(columnLeft(cursor, size.width(), axes, font), topOfHeading), size);
-            topOfHeading = label.place.bottom();
-        }
     }
-    // While the motion is played, values keep their places, so that a single direction is sufficient.
-    const bool isPlayed =
-        std::ranges::any_of(cursor.labels, [](const PlotCursor::Label &label) { return label.before.has_value(); });
-    PlotCursor upwards = cursor;
-    std::ptrdiff_t covered = placeValues(cursor, Direction::Downwards, axes, font, whereCrowded);
-    if (covered > 0 && !isPlayed) {
-        const std::ptrdiff_t coveredUpwards = placeValues(upwards, Direction::Upwards, axes, font, whereCrowded);
-        if (coveredUpwards < covered) {
-            cursor = upwards;
-            covered = coveredUpwards;
-        }
-    }
+    placeHeadings(cursor, axes, font);
+    const std::ptrdiff_t covered = placeValuesInBestDirection(cursor, axes, font, whereCrowded);
     if (covered >= kPointsWithoutPlace && whereCrowded == WhereCrowded::CoverLeast) {
         stackLabels(cursor, axes, font);
     }
