@@ -72,19 +72,20 @@ QString multipleOfPiText(long degrees)
     return degrees < 0 ? QStringLiteral("−") + text : text;
 }
 
-/// Returns the exponent of the power of ten that all labels of an axis have, or nullopt if each label may have its own:
-/// if numberText() wrote some labels with a power and some without, as in "500000" and "10⁶", one of them would be hard
-/// to compare with the others. `largest`: the largest magnitude on the axis.
+/// Returns the exponent of the power of ten that all labels of an axis shall have, or nullopt if numberText() writes
+/// either all of them with a power or none. Labels such as "500000" and "10⁶" would be hard to compare.
+/// `largest`: the largest magnitude on the axis. `digits`: the significant digits of the labels.
 std::optional<int> commonPower(double step, double largest, int digits)
 {
     constexpr int kSmallestPlain = -4; // exponent down to which numberText() writes no power
-    const auto exponentOf = [](double magnitude) { return static_cast<int>(std::floor(std::log10(magnitude))); };
-    const auto hasPower = [digits](int exponent) { return exponent < kSmallestPlain || exponent >= digits; };
     if (!(step > 0.0) || !std::isfinite(largest) || largest < step) {
         return std::nullopt;
     }
-    const int exponent = exponentOf(std::floor(largest / step * (1.0 + kEpsilon)) * step);
-    return hasPower(exponentOf(step)) != hasPower(exponent) ? std::optional(exponent) : std::nullopt;
+    const auto exponentOf = [](double magnitude) { return static_cast<int>(std::floor(std::log10(magnitude))); };
+    const auto isWrittenWithPower = [digits](int exponent) { return exponent < kSmallestPlain || exponent >= digits; };
+    const double largestLabel = std::floor(largest / step * (1.0 + kEpsilon)) * step;
+    const bool isMixed = isWrittenWithPower(exponentOf(step)) != isWrittenWithPower(exponentOf(largestLabel));
+    return isMixed ? std::optional(exponentOf(largestLabel)) : std::nullopt;
 }
 
 } // namespace
