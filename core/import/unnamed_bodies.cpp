@@ -172,7 +172,8 @@ void findBodyOfPosition(std::vector<RawColumn *> &candidates)
     }
 }
 
-/// Returns whether an angle or a rate that the coupler would have does not change, as those of the slider.
+/// Returns whether an angle or a rate without a body does not change. It would be taken for that of the coupler, which
+/// does change, but may be that of the slider.
 bool isRestingAngle(const RawColumn &column)
 {
     return isOfUnnamedBody(&column) && column.use.channel.coordinate == Theta3 && isConstant(column) &&
@@ -260,18 +261,30 @@ Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner
     return path;
 }
 
-/// Returns whether the columns x and y of one order that name no point belong to a point on a curved path, and so not
-/// to the slider. If there is no position x, a curved path of any order decides for all. If there are both positions,
-/// returns false: the slider may also move along an inclined line, which the identification finds out.
-bool isPathOfUnnamedPointCurved(const std::vector<RawColumn *> &candidates, Order order)
+/// Removes x, y and their derivatives without the name of a point that describe a curved path: they are not those of the
+/// slider. If there is a position x, only the orders whose own path is curved are removed; else a curved path of one
+/// order decides for all. Two positions are kept: the slider may also move along an inclined line, which the
+/// identification finds out.
+void removeUnnamedCurvedPath(std::vector<RawColumn *> &candidates)
 {
-    const auto find = [&](Coordinate coordinate, Order ofOrder) {
-        return findUnnamed(candidates, {coordinate, ofOrder}, {});
+    const auto find = [&](Coordinate coordinate, Order order) {
+        return findUnnamed(candidates, {coordinate, order}, {});
     };
-    if (!find(R4x, Order::Position)) {
-        return pathOf(candidates, {}) == Path::Curved;
+    const bool hasX = find(R4x, Order::Position);
+    if (hasX && find(R4y, Order::Position)) {
+        return;
     }
-    return !find(R4y, Order::Position) && pathOf(find(R4x, order), find(R4y, order)) == Path::Curved;
+    std::set<Order> curvedOrders;
+    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+        const Path path = hasX ? pathOf(find(R4x, order), find(R4y, order)) : pathOf(candidates, {});
+        if (path == Path::Curved) {
+            curvedOrders.insert(order);
+        }
+    }
+    removeColumns(candidates, ColumnReason::UnknownBody, [&](const RawColumn &column) {
+        return isOfUnnamedBody(&column) && column.meaning.owner.empty() && !isAngle(column.use.channel.coordinate) &&
+               curvedOrders.contains(column.use.channel.order);
+    });
 }
 
 /// Returns whether the owner of a column is A, the crank pin.
@@ -285,12 +298,6 @@ bool isOfCrankPin(const RawColumn &column)
 void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
 {
     const std::string part = onlyPart(candidates);
-    std::set<Order> curvedOrders; // of the lengths without any name
-    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
-        if (isPathOfUnnamedPointCurved(candidates, order)) {
-            curvedOrders.insert(order);
-        }
-    }
     std::set<std::string> straight;
     std::set<std::string> curved;
     for (const RawColumn *const column : candidates) {
@@ -303,9 +310,7 @@ void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
     const auto isOfOther = [&](RawColumn &column) {
         NameMeaning &meaning = column.meaning;
         if (!isOfPoint(&column)) {
-            const bool isLength = !isAngle(column.use.channel.coordinate);
-            return isLength && isOfUnnamedBody(&column) && meaning.owner.empty() &&
-                   curvedOrders.contains(column.use.channel.order);
+            return false;
         }
         if (straight.size() == 1 && straight.contains(meaning.owner)) {
             meaning.reason = ColumnReason::StraightPath;
@@ -401,6 +406,7 @@ void correctMeanings(RawTable &table)
 
 void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
 {
+    removeUnnamedCurvedPath(candidates);
     findSliderAmongPoints(candidates);
     removeConstants(candidates);
     removeMagnitudes(candidates);
