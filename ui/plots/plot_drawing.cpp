@@ -72,8 +72,8 @@ QString multipleOfPiText(long degrees)
     return degrees < 0 ? QStringLiteral("−") + text : text;
 }
 
-/// Returns the exponent of the power of ten that all labels of an axis shall have, or nullopt if numberText() writes
-/// either all of them with a power or none. Labels such as "500000" and "10⁶" would be hard to compare.
+/// Returns the exponent of the power of ten that all labels of an axis shall have, or nullopt if numberText() writes none
+/// of them with a power. Labels such as "500000" and "10⁶", or "5·10⁹" and "10¹⁰", would be hard to compare.
 /// `largest`: the largest magnitude on the axis. `digits`: the significant digits of the labels.
 std::optional<int> commonPower(double step, double largest, int digits)
 {
@@ -84,8 +84,8 @@ std::optional<int> commonPower(double step, double largest, int digits)
     const auto exponentOf = [](double magnitude) { return static_cast<int>(std::floor(std::log10(magnitude))); };
     const auto isWrittenWithPower = [digits](int exponent) { return exponent < kSmallestPlain || exponent >= digits; };
     const double largestLabel = std::floor(largest / step * (1.0 + kEpsilon)) * step;
-    const bool isMixed = isWrittenWithPower(exponentOf(step)) != isWrittenWithPower(exponentOf(largestLabel));
-    return isMixed ? std::optional(exponentOf(largestLabel)) : std::nullopt;
+    const bool hasPower = isWrittenWithPower(exponentOf(step)) || isWrittenWithPower(exponentOf(largestLabel));
+    return hasPower ? std::optional(exponentOf(largestLabel)) : std::nullopt;
 }
 
 } // namespace
