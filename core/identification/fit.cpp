@@ -103,7 +103,7 @@ double columnMisfit(const ObservedColumn &column, double meanSquare, double coun
     return column.isConstant() ? meanSquare / column.variance : count * std::log(meanSquare + column.variance);
 }
 
-/// The derivative of columnMisfit() by the mean square.
+/// The derivative of columnMisfit() with respect to the mean square.
 double columnMisfitSlope(const ObservedColumn &column, double meanSquare, double count)
 {
     return column.isConstant() ? 1.0 / column.variance : count / (meanSquare + column.variance);

@@ -42,6 +42,7 @@ struct Unknown {
 };
 using Unknowns = std::vector<Unknown>;
 
+/// The value of an unknown in a model: a length in mm, an angle in rad, a speed in rad/s, the origin of a column.
 double &valueOf(Model &model, Unknown unknown);
 double valueOf(const Model &model, Unknown unknown);
 

@@ -8,11 +8,12 @@
 namespace slidercrank
 {
 
-/// A fit from which freedoms were taken back. Some of these may exist nevertheless, so that its parameters are
-/// uncertain.
+/// A fit from which freedoms were taken back. Where the file does not exclude them, its parameters are uncertain.
 struct ConstrainedFit {
     Fit fit;
-    ParameterErrors possibleErrors{}; ///< how far each parameter moved when freedoms that may exist were taken back
+    /// Possible error of each parameter: the changes, added in quadrature, when origins were set to their usual values
+    /// although the file does not exclude the others.
+    ParameterErrors possibleErrors{};
 };
 
 /// If the coupler is very long, a different length of it looks like another unit of θ3, and a reversed crank like the

@@ -71,10 +71,13 @@ bool mayHaveOrigin(const ObservedColumn &column)
     return !column.isDerivative() && (!column.isConstant() || column.channel == kSliderLine);
 }
 
-/// The readings of a column without a free origin, the simplest first. `factor`: its usual factor. In a file over the
-/// time, the unit of the heading is tried before the unit of the factor. (Over the angle of the crank, the derivatives
-/// have been compared in both units, to find the speed.) Positions may have the other sign; angles may be off by half
-/// turns.
+/// The readings of a column that are tried before one with a free origin, the simplest first. `factor`: the result of
+/// usualFactor(), ±1 or ± a conversion of units.
+///   1. If |factor| is not 1 and the model follows the time: ±1, the unit that the heading states. (If it follows the
+///      angle, findTableSpeeds() has chosen between the units.)
+///   2. `factor`.
+///   3. For positions: -factor.
+/// In 2 and 3, an angle gets the multiple of half a turn that is nearest to its best origin; other origins are 0.
 std::vector<ColumnReading> simpleReadings(const Observations &observations, const Fit &fit, Index k, double factor)
 {
     const ObservedColumn &column = observations.columns[k];
@@ -144,14 +147,15 @@ bool isMotionOfOtherProportions(const Observations &observations, const Fit &fit
            changeOfProportions > kMinChange * (found.b + std::abs(found.c)) / found.a;
 }
 
-/// The largest deviation of a column from the prediction times a factor, in percent of its peak, at most 100 %.
-double percentOfPeak(const Observations &observations, const Fit &fit, Index k, double factor)
+/// The largest deviation of a column from the prediction times a factor, in percent of the largest magnitude in the
+/// column, at most 100 %. NaN if the column and the prediction are zero.
+double deviationInPercentOfPeak(const Observations &observations, const Fit &fit, Index k, double factor)
 {
     Model model = fit.model;
     model.readings[k] = {factor, 0.0};
     const Fit alone = evaluateModel(observations, model, {k});
     const double deviation = gapsAsZeros(alone.residuals.col(0)).abs().maxCoeff();
-    // A larger deviation counts as 100 %, such as that of a column of zeros, which is the peak of the prediction.
+    // The deviation may exceed each value, as in a column of zeros. Then it is 100 %.
     const double peak = std::max(gapsAsZeros(observations.columns[k].values).abs().maxCoeff(), deviation);
     return peak > 0.0 ? 100.0 * deviation / peak : kNone;
 }
@@ -194,13 +198,13 @@ Reason reasonOfMismatch(const Observations &observations, const Fit &fit, Index 
     return isOtherMotion ? Reason::OtherMotion : Reason::Unknown;
 }
 
-/// The same as percentOfPeak(), with the factor that suits the column best: a derivative is multiplied by it if the
-/// speed of the crank or the unit is another one.
+/// The same as deviationInPercentOfPeak(), with the factor that suits the column best: a derivative is multiplied by it
+/// if the speed of the crank or the unit is another one.
 double percentOfPeakAtBestScale(const Observations &observations, const Fit &fit, Index k)
 {
-    // The scale is relative to this sign, the factor of percentOfPeak() is not.
+    // The scale is relative to this sign, the factor of deviationInPercentOfPeak() is not.
     const double sign = signOfCoordinate(observations, fit, observations.columns[k].channel.coordinate);
-    return percentOfPeak(observations, fit, k, sign * bestScale(observations, fit, fit.model, k));
+    return deviationInPercentOfPeak(observations, fit, k, sign * bestScale(observations, fit, fit.model, k));
 }
 
 /// Adds column k to result.fit, or to result.leftOut with a reason. `isGeometryExact`: see tryToAddColumn().
@@ -219,7 +223,7 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
         result.fit = *std::move(together);
         return;
     }
-    const double percent = percentOfPeak(observations, fit, k, usualFactor(observations, fit, k));
+    const double percent = deviationInPercentOfPeak(observations, fit, k, usualFactor(observations, fit, k));
     result.leftOut.push_back({column.channel, reasonOfMismatch(observations, fit, k), percent});
 }
 

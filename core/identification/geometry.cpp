@@ -139,11 +139,14 @@ Scale scaleOfColumns(const Observations &observations, const Indices &columns,
     return scale;
 }
 
-/// The reading of a column by a mechanism of the right size and speed, after fitColumn().
-ColumnReading scaledReading(const ObservedColumn &column, const ColumnReading &fitted, const Model &model, double speed)
+/// The reading of a column after the mechanism has got its true size and speed. These contain the factor of a length
+/// and that of a derivative over the angle, of which only the sign remains. θ3 keeps its factor, which is a unit.
+/// `fitted`: the reading before, from fitColumn(). `speed`: ω2, rad/s.
+ColumnReading readingAfterScaling(const ObservedColumn &column, const ColumnReading &fitted, const Model &model,
+                                  double speed)
 {
     if (dependsOnUnknownSpeed(column, model)) {
-        // Negative for a velocity at a negative speed.
+        // At a negative speed, a velocity with a negative factor has the usual sign.
         const double factorOfSpeed = std::pow(speed, static_cast<double>(column.channel.order));
         return {std::copysign(1.0, fitted.factor * factorOfSpeed), fitted.origin};
     }
@@ -183,7 +186,7 @@ Candidate scaleToColumns(Model model, const Observations &observations, const In
     const Scale scale = scaleOfColumns(observations, columns, regressions, model, given);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Index k = columns[i];
-        model.readings[k] = scaledReading(observations.columns[k], regressions[i].reading, model, scale.speed);
+        model.readings[k] = readingAfterScaling(observations.columns[k], regressions[i].reading, model, scale.speed);
     }
     if (model.followsAngle) {
         model.mechanism.omega2 = scale.speed;
@@ -344,7 +347,7 @@ Indices changingColumns(const Observations &observations, Coordinate coordinate)
     return columns;
 }
 
-/// The model of a geometry, in which each of `columns` that it does not use is read in the unit that suits it best.
+/// The model of a geometry, in which each of `columns` that it does not use has usualFactor() (a sign and a unit).
 Model withUsualFactors(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
     Model model = geometry.model;

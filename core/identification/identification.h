@@ -59,7 +59,7 @@ struct ColumnResidual {
     double rms = 0.0;
     double max = 0.0;
     double percentOfRange = 0.0; ///< max, in percent of the range of the column (largest minus smallest value); 0 for
-                                 ///< R4_y, which is constant
+                                 ///< constant columns, such as R4_y
 };
 
 /// The speed of the crank in a file that contains both θ2 and the time, if it is not constant.

@@ -63,13 +63,15 @@ template <class Number>
 bool computeUnitSpeedMotion(TextbookMotion<Number> &motion, Branch branch, const std::array<Number, 3> &lengths,
                             const Number &crankAngle)
 {
-    // At a speed of one radian per second, the derivatives by the time are those by the angle.
+    // At a speed of one radian per second, the derivatives with respect to the time are those with respect to the
+    // angle.
     return motion.compute({lengths[0], lengths[1], lengths[2], Number(1.0), Number(0.0)}, crankAngle,
                           branch == Branch::Open ? 1.0 : -1.0);
 }
 
 /// The motion of a channel at a speed ω (rad/s) and an angular acceleration α (rad/s²) of the crank. With the
-/// derivatives f' and f'' by the angle of the crank, a position is f, a velocity f'ω, and an acceleration f''ω² + f'α.
+/// derivatives f' and f'' with respect to the angle of the crank, a position is f, a velocity f'ω, and an acceleration
+/// f''ω² + f'α.
 template <class Number>
 Number motionAtSpeed(const TextbookMotion<Number> &motion, Channel channel, double speed, double acceleration)
 {

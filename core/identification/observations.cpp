@@ -39,20 +39,21 @@ bool statesUnit(const FileLayout &layout, Channel channel)
     });
 }
 
-/// Half of the rounding step of each value, in mm or rad. `unit`: how many mm or rad the unit of `valuesInFile` is (mm
-/// or °); `size`: the largest magnitude of the values, in mm or rad.
-Values computeHalfSteps(const std::vector<double> &valuesInFile, const Rounding &rounding, const Indices &rows,
-                        double unit, double size)
+/// Half of the rounding step of the value in each of `rows`, in mm or rad. `values`: all values, in mm or °; `unit`:
+/// the size of this unit in mm or rad; `size`: the largest magnitude of the values, in mm or rad, or 0 if all are zero.
+/// Zeros do not show their rounding.
+Values computeHalfSteps(const std::vector<double> &values, const Rounding &rounding, const Indices &rows, double unit,
+                        double size)
 {
-    constexpr double kStepOfZeros = 1e-3; // mm or rad: zeros do not show their rounding
+    constexpr double kStepOfZeros = 1e-3; // mm or rad
     if (!(size > 0.0)) {
         return Values::Constant(std::ssize(rows), 0.5 * kStepOfZeros);
     }
     Values halfSteps(std::ssize(rows));
     for (Index i = 0; i < halfSteps.size(); ++i) {
-        halfSteps[i] = 0.5 * rounding.stepAt(valuesInFile[rows[i]]) * unit;
+        halfSteps[i] = 0.5 * rounding.stepAt(values[rows[i]]) * unit;
     }
-    // Digits below these limits have no meaning.
+    // Finer digits mean nothing beside the coarsest ones of the column, or are errors of the arithmetic of a program.
     return halfSteps.max(std::max(kSmallestFractionOfLargestStep * halfSteps.maxCoeff(), 0.5 * kArithmeticStep * size));
 }
 

@@ -251,7 +251,7 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
     addAlternatives(result, findings, isFromFit, given);
 }
 
-/// Sets what is known about the mechanism of an identified or approximate file, and what of the file it does not
+/// Sets what is known about the mechanism of an identified or approximate file, and which rows and columns it does not
 /// explain. `data`: the file.
 void setFindings(Identification &result, const ReferenceData &data, const Findings &findings)
 {

@@ -113,7 +113,8 @@ struct CrossingCount {
         constexpr double kMinRowsPerPair = 8.0;
         return rows < kMinRowsPerPair * pairs;
     }
-    /// Whether the number of pairs excludes other numbers of turns than those that agree with it.
+    /// Whether the number of pairs is so certain that only the numbers of turns with which agreesWithCrossings() is
+    /// true need be tried.
     bool isReliable() const
     {
         constexpr double kMinReliablePairs = 25.0; // fewer pairs exclude hardly any speed

@@ -55,24 +55,15 @@ void appendForColumns(std::vector<ConventionFinding> &conventions, const Referen
     }
 }
 
-/// The factors by which values may have to be multiplied because their unit is wrong. `statedUnit`: how many default
-/// units the unit is that is stated by the heading, or that conventions have made of it; 1 if none is stated. Values
-/// without a unit, or in the default one, may really be in any of `units`; values in another unit may really be in the
-/// default one.
-std::vector<double> possibleFactors(std::span<const double> units, double statedUnit)
+/// The factors by which values may have to be multiplied because their unit is wrong. `unitInFile`: the size of this
+/// unit in mm, ° or s, as the heading states it and conventions change it; 1 if none is stated. Values in mm, ° or s,
+/// or without a unit, may really be in any of `units`; values in another unit may really be in mm, ° or s.
+std::vector<double> possibleFactors(std::span<const double> units, double unitInFile)
 {
-    if (statedUnit == 1.0) {
+    if (unitInFile == 1.0) {
         return {units.begin(), units.end()};
     }
-    std::vector<double> factors{1.0};
-    for (const double unit : units) {
-        for (const double factor : {unit, 1.0 / unit}) {
-            if (std::abs(factor * statedUnit - 1.0) < kSameUnit) {
-                factors.push_back(factor);
-            }
-        }
-    }
-    return factors;
+    return {1.0, 1.0 / unitInFile};
 }
 
 /// The one of some factors that is nearest to |wanted|, by their ratio.
