@@ -2,16 +2,7 @@
 // <program> <suite> [arguments of Qt Test]: runs one of the suites of the program.
 #include "tests/support/suite.h"
 
-#ifdef QT_WIDGETS_LIB
 #include <QApplication>
-using Application = QApplication;
-#elif defined(QT_GUI_LIB)
-#include <QGuiApplication>
-using Application = QGuiApplication;
-#else
-#include <QCoreApplication>
-using Application = QCoreApplication;
-#endif
 
 #include <cstdio>
 
@@ -26,7 +17,7 @@ int main(int argc, char **argv)
         }
         return 2;
     }
-    const Application application(argc, argv);
+    const QApplication application(argc, argv);
     argv[1] = argv[0];
     return suite->second(argc - 1, argv + 1);
 }
