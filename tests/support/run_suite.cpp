@@ -17,6 +17,9 @@ int main(int argc, char **argv)
         }
         return 2;
     }
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
+        qputenv("QT_QPA_PLATFORM", "offscreen"); // no suite needs a display
+    }
     const QApplication application(argc, argv);
     argv[1] = argv[0];
     return suite->second(argc - 1, argv + 1);
