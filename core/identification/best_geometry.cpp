@@ -79,4 +79,11 @@ ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observation
     return explainsBetter(searched, higher.fit, lowest.fit, columns) ? higher : lowest;
 }
 
+ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, const Observations &searched,
+                                               const Parameters &given)
+{
+    const Indices columns = shapeColumns(searched, 1);
+    return columns.empty() ? ConstrainedFit{} : findConstrainedGeometry(wholeFile, searched, columns, given);
+}
+
 } // namespace slidercrank

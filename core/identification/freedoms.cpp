@@ -144,8 +144,8 @@ bool isUnneeded(const Observations &observations, const Fit &freeFit, const Fit 
     if (explainsAsWell(observations, fixedFit, freeFit)) {
         return true;
     }
-    const bool mayComeFromFilter =
-        isSystematic(observations, freeFit) || isSmallOrigin(observations, freeFit.model, origin, usual);
+    const bool isFiltered = !isExact(observations, freeFit) && isSystematic(observations, freeFit);
+    const bool mayComeFromFilter = isFiltered || isSmallOrigin(observations, freeFit.model, origin, usual);
     return mayComeFromFilter && hasSmallResiduals(observations, fixedFit);
 }
 
@@ -169,6 +169,31 @@ void addPossibleErrors(ParameterErrors &errors, const Fit &freeFit, const Fit &f
     }
 }
 
+/// The origins that are unknowns of a fit, with that of the angle of the crank in the file.
+Unknowns originsAmong(const Fit &fit)
+{
+    Unknowns origins;
+    std::ranges::copy_if(fit.unknowns, std::back_inserter(origins), [&](Unknown unknown) {
+        const bool isOriginOfAngle = fit.model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
+        return isOriginOfAngle || unknown.kind == Unknown::Kind::Origin;
+    });
+    return origins;
+}
+
+/// Fits again with more free origins. Does nothing if they cannot be determined.
+void freeOriginsAgain(const Observations &observations, Fit &fit, const Unknowns &origins)
+{
+    Unknowns unknowns = fit.unknowns;
+    std::ranges::copy_if(origins, std::back_inserter(unknowns), [&](Unknown origin) { return !fit.isFree(origin); });
+    if (unknowns.size() == fit.unknowns.size()) {
+        return;
+    }
+    Fit next = fitModel(observations, fit.model, fit.columns, unknowns);
+    if (next.isFinite()) {
+        fit = std::move(next);
+    }
+}
+
 } // namespace
 
 Fit withUsualReadings(const Observations &observations, Fit fit)
@@ -180,25 +205,24 @@ Fit withUsualReadings(const Observations &observations, Fit fit)
     return fit;
 }
 
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &earlierErrors)
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const Unknowns &earlierOrigins)
 {
-    ConstrainedFit result{.fit = std::move(fit), .possibleErrors = earlierErrors};
+    ConstrainedFit result{.fit = std::move(fit)};
     if (!result.fit.isFinite()) {
         return result;
     }
-    Unknowns origins;
-    std::ranges::copy_if(result.fit.unknowns, std::back_inserter(origins), [&](Unknown unknown) {
-        const bool isOriginOfAngle = result.fit.model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
-        return isOriginOfAngle || unknown.kind == Unknown::Kind::Origin;
-    });
-    for (const Unknown origin : origins) {
+    const Unknowns freeOrigins = originsAmong(result.fit);
+    freeOriginsAgain(observations, result.fit, earlierOrigins);
+    for (const Unknown origin : originsAmong(result.fit)) {
+        const bool wasTakenBack = std::ranges::find(freeOrigins, origin) == freeOrigins.end();
         const double usual = nearestUsualValue(observations, result.fit.model, origin);
         Fit fixedFit = fitWithFixed(observations, result.fit, origin, usual);
-        if (!isUnneeded(observations, result.fit, fixedFit, origin, usual)) {
+        if (!wasTakenBack && !isUnneeded(observations, result.fit, fixedFit, origin, usual)) {
             continue;
         }
-        if (originMayExist(observations, result.fit, fixedFit, origin, usual)) {
+        if (wasTakenBack || originMayExist(observations, result.fit, fixedFit, origin, usual)) {
             addPossibleErrors(result.possibleErrors, result.fit, fixedFit);
+            result.possibleOrigins.push_back(origin);
         }
         result.fit = std::move(fixedFit);
     }

@@ -11,8 +11,10 @@ namespace slidercrank
 /// A fit from which freedoms were taken back. Where the file does not exclude them, its parameters are uncertain.
 struct ConstrainedFit {
     Fit fit;
-    /// Possible error of each parameter: the changes, added in quadrature, when origins were set to their usual values
-    /// although the file does not exclude the others.
+    Unknowns possibleOrigins{}; ///< origins at their usual values, although the file does not exclude other ones
+
+    /// Possible error of each parameter: its changes, added in quadrature, when these origins were set to their usual
+    /// values.
     ParameterErrors possibleErrors{};
 };
 
@@ -30,9 +32,10 @@ Fit withUsualReadings(const Observations &observations, Fit fit);
 ///      1 % of its range, and the origin is small (2 % of the range of its column, 1° of the crank) or the
 ///      residuals of the fit with the free origin are systematic.
 /// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
-/// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are added to
-/// `earlierErrors`, the possible errors of a ConstrainedFit from which `fit` was made. A fit that is not finite remains
-/// as it is.
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ParameterErrors &earlierErrors = {});
+/// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are possible
+/// errors. `earlierOrigins`: the possible origins of a ConstrainedFit from which `fit` was made by adding columns. They
+/// remain at their usual values, and their possible errors are those that the columns of `fit` leave. A fit that is not
+/// finite remains as it is.
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const Unknowns &earlierOrigins = {});
 
 } // namespace slidercrank

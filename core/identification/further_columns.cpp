@@ -3,6 +3,7 @@
 
 #include "core/identification/column_scale.h"
 #include "core/identification/geometry.h"
+#include "core/identification/joint_fit.h"
 #include "core/identification/residual_test.h"
 #include "core/identification/table_speed.h"
 
@@ -26,43 +27,6 @@ double bestOrigin(const Observations &observations, const Fit &fit, Index k, dou
     const ObservedColumn &column = observations.columns[k];
     const Values differences = column.values - factor * computeMotion(fit.model, observations, {k}).col(0);
     return column.isDerivative() ? 0.0 : median(differences);
-}
-
-/// Whether the last column of a fit, which was added to the others, is explained: its residuals are rounding, or they
-/// are below two limits, that of any explained column and the one beside exact columns. `isGeometryExact`: see
-/// tryToAddColumn().
-bool isLastColumnExplained(const Observations &observations, const Fit &together, bool isGeometryExact)
-{
-    const Index place = std::ssize(together.columns) - 1;
-    const double largestRms = largestFurtherResidual(isGeometryExact) * columnSize(observations, together, place);
-    return isWithinRounding(observations, together, place) ||
-           (isExplained(observations, together, place) && together.rms.back() < largestRms);
-}
-
-/// Whether the columns of `fit` are explained as well by the model of `together`, which was fitted to them and to a
-/// further column. Unlike explainsAsWell(), does not raise the limit for systematic residuals, because the further
-/// column must not bend the curve of the others.
-bool areOthersStillExplained(const Observations &observations, const Fit &together, const Fit &fit,
-                             bool isGeometryExact)
-{
-    const Fit others = evaluateModel(observations, together.model, fit.columns);
-    return others.misfit - fit.misfit <= kSameMisfit || (isGeometryExact && isExact(observations, others));
-}
-
-/// Fits column k together with the columns of a fit, starting from `model`, which reads the column. Returns nullopt if
-/// no mechanism explains them all. `isGeometryExact`: rounding explains the columns from which
-/// the geometry was found.
-std::optional<Fit> tryToAddColumn(const Observations &observations, const Fit &fit, const Model &model, Index k,
-                                  bool isGeometryExact)
-{
-    Indices columns = fit.columns;
-    columns.push_back(k);
-    Fit together = fitModel(observations, model, columns, fit.unknowns);
-    if (!together.isFinite() || !isLastColumnExplained(observations, together, isGeometryExact) ||
-        !areOthersStillExplained(observations, together, fit, isGeometryExact)) {
-        return std::nullopt;
-    }
-    return together;
 }
 
 /// Whether an origin of the column can be told from the motion: that of a position that changes, or of R4_y.
@@ -227,41 +191,68 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
     result.leftOut.push_back({column.channel, reasonOfMismatch(observations, fit, k), percent});
 }
 
-/// The model of a fit of velocities or accelerations of lengths over the angle of the crank, at another speed: the
-/// lengths and the signs of the readings change so that these columns remain the same. `order`: that of the columns.
-Model atOtherSpeed(const Fit &fit, Order order, double ratioOfSpeeds)
+/// Whether the lengths in some columns over the angle of the crank are all velocities, which show only the product a
+/// ω2, or all accelerations, which show only a ω2², and no rate of an angle shows ω2.
+bool showOnlyProductWithSpeed(const Observations &observations, const Indices &columns)
+{
+    return !determineLengths(observations, columns) && !observations.containOnlyAngles(columns);
+}
+
+/// Multiplies the lengths of a mechanism by a factor.
+void scaleLengths(Parameters &mechanism, double factor)
+{
+    for (const Parameter length : kLengths) {
+        valueOf(mechanism, length) *= factor;
+    }
+}
+
+/// The model of a fit that contains velocities or accelerations of lengths over the angle of the crank, at another
+/// speed: the lengths and the signs of the readings change so that these columns remain the same. `order`: that of the
+/// columns. Other columns of the fit are angles, which do not depend on the speed.
+Model atOtherSpeed(const Observations &observations, const Fit &fit, Order order, double ratioOfSpeeds)
 {
     const double factorOfColumns = std::pow(ratioOfSpeeds, static_cast<double>(order));
     Model model = fit.model;
     model.mechanism.omega2 *= ratioOfSpeeds;
-    for (const Parameter length : kLengths) {
-        valueOf(model.mechanism, length) /= std::abs(factorOfColumns);
-    }
+    scaleLengths(model.mechanism, 1.0 / std::abs(factorOfColumns));
     for (const Index k : fit.columns) {
-        model.readings[k].factor *= std::copysign(1.0, factorOfColumns);
+        if (observations.columns[k].channel.order == order) {
+            model.readings[k].factor *= std::copysign(1.0, factorOfColumns);
+        }
     }
     return model;
 }
 
+/// By which factor the speed of a fit over the angle of the crank has to change so that the prediction of a column
+/// changes by `factorOfColumn` while the columns of the fit remain the same. `order`: that of the column;
+/// `fittedOrder`: that of the lengths in the fit. An even power of the speed does not show its sign.
+double ratioOfSpeeds(double factorOfColumn, Order order, Order fittedOrder)
+{
+    const int power = static_cast<int>(order) - static_cast<int>(fittedOrder);
+    const double base = power % 2 == 0 ? std::abs(factorOfColumn) : factorOfColumn;
+    return std::copysign(std::pow(std::abs(base), 1.0 / power), base);
+}
+
 /// Over the angle of the crank, velocities of lengths show the product a ω2, and accelerations a ω2². If a fit of
-/// columns of one of these orders has assumed ω instead of the true speed ω', it predicts columns of the other order
-/// that are off by a factor: accelerations from velocities by ω'/ω, velocities from accelerations by ω/ω'. Returns the
-/// fit together with such a column, in which the speed is free; nullopt if no mechanism explains both, or if the column
-/// only contains difference quotients of the other one.
+/// columns of one of these orders (and of angles) has assumed another speed than the true one, it predicts lengths of
+/// other orders that are off by a factor, which shows the true speed. Returns the fit together with such a column, in
+/// which the speed is free; nullopt if no mechanism explains both, or if the column only contains difference quotients
+/// of the other one.
 std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool isGeometryExact)
 {
-    const Order fittedOrder = observations.columns[fit.columns.front()].channel.order;
+    const auto isLength = [&](Index k) { return !observations.columns[k].containsAngles(); };
+    const Order fittedOrder = observations.columns[*std::ranges::find_if(fit.columns, isLength)].channel.order;
     Fit start = fit;
     start.unknowns.push_back({Unknown::Kind::Omega2});
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
-        if (column.containsAngles() || !column.isDerivative() || column.channel.order == fittedOrder) {
+        if (column.containsAngles() || column.isConstant() || column.channel.order == fittedOrder) {
             continue;
         }
         const double factor = bestScale(observations, fit, fit.model, k);
-        start.model = atOtherSpeed(fit, fittedOrder, fittedOrder == Order::Velocity ? factor : 1.0 / factor);
-        start.model.readings[k] = {signOfCoordinate(observations, start, column.channel.coordinate), 0.0};
-        std::optional<Fit> together = tryToAddColumn(observations, start, start.model, k, isGeometryExact);
+        start.model =
+            atOtherSpeed(observations, fit, fittedOrder, ratioOfSpeeds(factor, column.channel.order, fittedOrder));
+        std::optional<Fit> together = withSimplestReading(observations, start, k, isGeometryExact);
         if (together && isLastColumnGenuine(observations, *together)) {
             return together;
         }
@@ -269,25 +260,60 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
     return std::nullopt;
 }
 
-/// Determines ω2 of a table over the crank angle from its derivatives. If these show a single speed, it becomes an
-/// unknown of result.fit. If they allow several, result.speeds are these.
-void addSpeedOfTable(FurtherColumns &result, const Observations &observations, double givenSpeed, bool isGeometryExact)
+/// Angles show only ratios of lengths. Returns a fit of angles together with the first column of lengths that the same
+/// mechanism explains in another size; the same fit if there is none. Where a table over the crank angle leaves ω2
+/// open, a derivative only shows the size at the assumed speed. `drive`: the kind of the drive; if it is Uneven,
+/// nothing predicts derivatives.
+Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::Kind drive, bool isGeometryExact)
+{
+    Fit start = fit;
+    start.unknowns.push_back({Unknown::Kind::A});
+    for (Index k = 0; k < std::ssize(observations.columns); ++k) {
+        const ObservedColumn &column = observations.columns[k];
+        const bool isPredicted = drive != Drive::Kind::Uneven || !column.isDerivative();
+        if (column.containsAngles() || column.isConstant() || !isPredicted) {
+            continue;
+        }
+        start.model = fit.model;
+        scaleLengths(start.model.mechanism, std::abs(bestScale(observations, fit, fit.model, k)));
+        std::optional<Fit> together = withSimplestReading(observations, start, k, isGeometryExact);
+        if (together && isLastColumnGenuine(observations, *together)) {
+            return *std::move(together);
+        }
+    }
+    return fit;
+}
+
+/// Determines ω2 of a table over the crank angle from derivatives whose size the fit predicts at a known speed. If
+/// these show a single speed, it becomes an unknown of result.fit. If they allow several, result.speeds are these.
+void addSpeedOfTable(FurtherColumns &result, const Observations &observations, double givenSpeed)
 {
     Fit &fit = result.fit;
-    if (fit.isFree({Unknown::Kind::Omega2})) { // rates of θ3, from which the geometry was found, have shown it
-        return;
-    }
-    // The fit contains lengths, all of them velocities or all accelerations, which show only a ω2 or a ω2².
-    const bool isSpeedHidden =
-        !determineLengths(observations, fit.columns) && !observations.containOnlyAngles(fit.columns);
-    if (isSpeedHidden) {
-        fit = withSpeedOfTwoOrders(observations, fit, isGeometryExact).value_or(fit);
+    if (fit.isFree({Unknown::Kind::Omega2}) || showOnlyProductWithSpeed(observations, fit.columns)) {
         return;
     }
     result.speeds = findTableSpeeds(observations, fit, givenSpeed);
     if (result.speeds.size() == 1) { // the derivatives can be used, and improve it
         fit.unknowns.push_back({Unknown::Kind::Omega2});
         fit.model.mechanism.omega2 = result.speeds[0];
+    }
+}
+
+/// Adds the columns that show what the fit of the geometry leaves open: in a table over the crank angle the speed, and
+/// beside angles the size of the mechanism.
+void addColumnsOfSpeedAndSize(FurtherColumns &result, const Observations &observations, Drive::Kind drive,
+                              double givenSpeed, bool isGeometryExact)
+{
+    Fit &fit = result.fit;
+    if (drive == Drive::Kind::OverAngle) {
+        addSpeedOfTable(result, observations, givenSpeed);
+    }
+    if (observations.containOnlyAngles(fit.columns) && result.speeds.size() < 2) {
+        fit = withSizeOfLengths(observations, fit, drive, isGeometryExact);
+    }
+    const bool isSpeedOpen = drive == Drive::Kind::OverAngle && !fit.isFree({Unknown::Kind::Omega2});
+    if (isSpeedOpen && showOnlyProductWithSpeed(observations, fit.columns)) {
+        fit = withSpeedOfTwoOrders(observations, fit, isGeometryExact).value_or(fit);
     }
 }
 
@@ -298,9 +324,7 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
 {
     FurtherColumns result{.fit = drive.kind == Drive::Kind::OverTime ? withSpeedOfVelocities(observations, fit) : fit};
     const bool isGeometryExact = isExact(observations, result.fit);
-    if (drive.kind == Drive::Kind::OverAngle) {
-        addSpeedOfTable(result, observations, given.omega2, isGeometryExact);
-    }
+    addColumnsOfSpeedAndSize(result, observations, drive.kind, given.omega2, isGeometryExact);
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
         for (Index k = 0; k < std::ssize(observations.columns); ++k) {
             if (observations.columns[k].channel.order == order && !result.fit.usesColumn(k)) {

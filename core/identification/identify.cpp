@@ -15,6 +15,7 @@
 
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace slidercrank
 {
@@ -39,15 +40,20 @@ void leaveOutUnusedAngle(std::vector<LeftOutColumn> &leftOut, const ReferenceDat
     }
 }
 
+/// The step that finds the geometry: findBestGeometry() or findGeometryOfHigherDerivatives().
+using FindGeometry = ConstrainedFit (&)(const Observations &wholeFile, const Observations &searched,
+                                        const Parameters &given);
+
 /// Runs the steps from the geometry to the last fit, and then chooses the description of it that a person expects. The
 /// last fit is not finite if no mechanism can be assembled. `wholeFile`: the observations of `data`.
-Findings findMechanism(const ReferenceData &data, Observations wholeFile, const Parameters &given)
+Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGeometry findGeometry,
+                       const Parameters &given)
 {
     Findings findings;
     findings.lengthUnit = findLengthUnit(data);
     const Observations withoutOutliers = withoutSpikes(wholeFile);
     Observations searched = selectRows(withoutOutliers, kSearchedRows);
-    ConstrainedFit geometry = findBestGeometry(withoutOutliers, searched, given);
+    ConstrainedFit geometry = findGeometry(withoutOutliers, searched, given);
     if (!geometry.fit.isFinite()) {
         return findings;
     }
@@ -60,7 +66,7 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, const 
     leaveOutUnusedAngle(findings.leftOut, data, current.wholeFile);
     findings.speeds = std::move(further.speeds);
     const ConstrainedFit ofAllColumns =
-        withoutFreedoms(current.searched, std::move(further.fit), geometry.possibleErrors);
+        withoutFreedoms(current.searched, std::move(further.fit), geometry.possibleOrigins);
     findings.lastFit =
         fitAllRows(std::move(current.wholeFile), ofAllColumns.fit, ofAllColumns.possibleErrors, findings.drive);
     if (findings.lastFit.fit.isFinite()) {
@@ -72,14 +78,14 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, const 
 /// Identifies the mechanism of a table. `tableConvention`: the one that is applied before the table is observed;
 /// nullopt if it is observed as it is in the file.
 Identification identifyTable(const ReferenceData &file, const std::optional<Convention> &tableConvention,
-                             const Parameters &given, const std::stop_token &stop)
+                             FindGeometry findGeometry, const Parameters &given, const std::stop_token &stop)
 {
     const ReferenceData data = tableConvention ? applied(*tableConvention, file) : file;
     Observations wholeFile = withComputedColumnsMarked(observe(data, stop));
     if (const Identification::Lack lack = findLack(wholeFile); lack != Identification::Lack::Nothing) {
         return {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack};
     }
-    const Findings findings = findMechanism(data, std::move(wholeFile), given);
+    const Findings findings = findMechanism(data, std::move(wholeFile), findGeometry, given);
     Identification result = judge(data, findings, given);
     if (result.hasMechanism()) {
         addConventionsAndComparisons(result, file, tableConvention, findings, given);
@@ -108,20 +114,27 @@ Identification identify(const ReferenceData &data, const Mechanism &given, std::
     std::optional<Identification> best;
     for (const bool rotatesAngles : {false, true}) {
         if (const std::optional<Convention> rotation = findAxisRotation(data, rotatesAngles)) {
-            Identification result = identifyTable(data, rotation, given.parameters(), stop);
+            Identification result = identifyTable(data, rotation, findBestGeometry, given.parameters(), stop);
             if (!best || isBetter(result, *best)) {
                 best = std::move(result);
             }
         }
     }
     if (!best) {
-        best = identifyTable(data, std::nullopt, given.parameters(), stop);
-        for (const Convention &convention : possibleTableConventions(data, *best)) {
-            Identification result = identifyTable(data, convention, given.parameters(), stop);
-            // Such conventions are unlikely. One is accepted only if everything is explained exactly with it.
+        best = identifyTable(data, std::nullopt, findBestGeometry, given.parameters(), stop);
+        const auto replaceIfAllIsExplained = [&](Identification result) {
             if (result.outcome == Outcome::Identified && result.leftOut.empty() && isBetter(result, *best)) {
                 best = std::move(result);
             }
+        };
+        const std::vector<Convention> conventions = possibleTableConventions(data, *best);
+        // A mechanism that contradicts the derivatives may explain positions that were rounded coarsely.
+        if (!best->leftOut.empty() || best->outcome == Outcome::Insufficient) {
+            replaceIfAllIsExplained(
+                identifyTable(data, std::nullopt, findGeometryOfHigherDerivatives, given.parameters(), stop));
+        }
+        for (const Convention &convention : conventions) { // these are unlikely
+            replaceIfAllIsExplained(identifyTable(data, convention, findBestGeometry, given.parameters(), stop));
         }
     }
     if (stop.stop_requested()) {

@@ -2,12 +2,14 @@
 #include "core/identification/table_speed.h"
 
 #include "core/identification/column_scale.h"
+#include "core/identification/joint_fit.h"
 #include "core/identification/residual_test.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 namespace slidercrank
@@ -27,7 +29,7 @@ struct Vote {
 
 bool haveSameMagnitude(double value, double other)
 {
-    constexpr double kTolerance = 2e-3; // the errors of regressions are smaller, those of a wrong unit far larger
+    constexpr double kTolerance = 0.03; // coarsely rounded tables have smaller errors, wrong units far larger ones
     return std::abs(std::abs(value / other) - 1.0) < kTolerance;
 }
 
@@ -42,20 +44,48 @@ bool contradictsUnit(const ObservedColumn &column, const Model &model, double un
     return column.containsAngles() && unitOfAngles != 1.0 && unit != unitOfAngles;
 }
 
-/// The votes of the derivatives that the fit does not use and the mechanism explains. If the residuals of some of them
-/// are as small as rounding, only these vote: the others may be difference quotients, whose speed is too low.
+/// The result of fitScale() at a speed of 1 rad/s. If the positions were rounded more coarsely than the derivative, they
+/// do not determine the mechanism well enough: then that of a mechanism fitted to both, if one explains both.
+ColumnScale scaleOfDerivative(const Observations &observations, const Fit &fit, Index k, bool areExact)
+{
+    Fit start = fit;
+    start.model.mechanism.omega2 = 1.0;
+    const ColumnScale scale = fitScale(observations, fit, start.model, k, areExact);
+    if (scale.isExplained) {
+        return scale;
+    }
+    const Channel channel = observations.columns[k].channel;
+    const bool isVelocity = channel.order == Order::Velocity;
+    const double sign = isVelocity ? 1.0 : std::copysign(1.0, scale.factor);
+    start.model.mechanism.omega2 = isVelocity ? scale.factor : std::sqrt(std::abs(scale.factor));
+    start.model.readings[k] = {sign * signOfCoordinate(observations, fit, channel.coordinate), 0.0};
+    start.unknowns.push_back({Unknown::Kind::Omega2});
+    const std::optional<Fit> together = tryToAddColumn(observations, start, start.model, k, areExact);
+    if (!together) {
+        return scale;
+    }
+    const double speed = together->model.mechanism.omega2;
+    return {.factor = isVelocity ? speed : sign * speed * speed,
+            .isExplained = true,
+            .isNearRounding = isNearRounding(observations, *together, std::ssize(together->columns) - 1)};
+}
+
+/// The votes of the derivatives that the fit does not use and the mechanism explains, without those of lengths if the
+/// fit contains only angles, which do not show the size of the mechanism. If the residuals of some of them are as small
+/// as rounding, only these vote: the others may be difference quotients, whose speed is too low.
 std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
 {
-    Model model = fit.model;
-    model.mechanism.omega2 = 1.0; // then the scale of a derivative of order n is ω2ⁿ times its unit
     const bool areExact = isExact(observations, fit);
+    const bool areLengthsOpen = observations.containOnlyAngles(fit.columns);
     std::vector<Vote> votes;
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
-        if (fit.usesColumn(k) || column.channel.order == Order::Position) {
+        const bool isSizeOpen = areLengthsOpen && !column.containsAngles();
+        if (fit.usesColumn(k) || column.channel.order == Order::Position || isSizeOpen) {
             continue;
         }
-        const ColumnScale scale = fitScale(observations, fit, model, k, areExact);
+        // The scale of a derivative of order n is ω2ⁿ times its unit.
+        const ColumnScale scale = scaleOfDerivative(observations, fit, k, areExact);
         if (!scale.isExplained) {
             continue;
         }

@@ -100,6 +100,28 @@ std::vector<ClaimKind> tablesByAngle()
                  .with(random.oneOf<Channels>(
                      {kSixColumns, kSliderColumns, {kSlider, kSliderSpeed}, {kTheta3, kSlider, kTheta3Speed}}));
          }},
+        {"by angle, theta3 with derivatives of lengths",
+         [](Random &random) {
+             return tableByAngle(random, random.mechanism())
+                 .with(random.oneOf<Channels>({{kTheta3, kSliderSpeed},
+                                               {kTheta3, kSliderSpeed, kSliderAcceleration},
+                                               {kTheta3, kTheta3Speed, kSliderSpeed},
+                                               {kTheta3, kTheta3Acceleration, kSliderAcceleration}}));
+         }},
+        {"by angle, R4_x in whole mm with derivatives of four digits",
+         [](Random &random) {
+             ClaimTable table = tableByAngle(random, random.mechanism()).with({kSlider}).decimals(0);
+             table.with(random.oneOf<Channels>({{kSliderSpeed}, {kTheta3Speed}, {kSliderSpeed, kSliderAcceleration}}));
+             return table.digits(4);
+         }},
+        {"R4_x in whole mm from another origin with derivatives of four digits",
+         [](Random &random) {
+             ClaimTable table = ClaimTable(random).overTime(random.between(0.9, 2.0), random.between(24, 60));
+             table.with({kSlider}).decimals(0).shifted({kSlider}, random.eitherSign(20.0, 200.0)).conventions(1, 2);
+             table.with(
+                 random.oneOf<Channels>({{kSliderSpeed}, {kSliderAcceleration}, {kSliderSpeed, kSliderAcceleration}}));
+             return table.digits(4);
+         }},
         {"by angle, given mechanism",
          [](Random &random) {
              const Parameters p = withStart(withSpeed(random.mechanism(), kTurn), 0.0);
