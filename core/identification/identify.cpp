@@ -10,9 +10,12 @@
 #include "core/identification/mirror_images.h"
 #include "core/identification/outcome.h"
 #include "core/identification/table_conventions.h"
+#include "core/identification/typing_errors.h"
 
 #include "core/import/crank_angles.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -96,6 +99,18 @@ Identification identifyTable(const ReferenceData &file, const std::optional<Conv
     return result;
 }
 
+/// Identifies the mechanism of a table in which a row contains a typing error, and adds it to the rows that are
+/// excluded.
+Identification identifyWithoutRow(const ReferenceData &data, std::size_t row, const Parameters &given,
+                                  const std::stop_token &stop)
+{
+    Identification result = identifyTable(withoutRow(data, row), std::nullopt, findBestGeometry, given, stop);
+    std::vector<std::size_t> &excluded = result.excludedRows;
+    const std::size_t line = data.lineOfRow(row);
+    excluded.insert(std::ranges::lower_bound(excluded, line), line);
+    return result;
+}
+
 /// Whether a result is preferred to another one: by the outcome, then by the number of columns that are left out, then
 /// by the number of conventions.
 bool isBetter(const Identification &result, const Identification &other)
@@ -135,6 +150,11 @@ Identification identify(const ReferenceData &data, const Mechanism &given, std::
         }
         for (const Convention &convention : conventions) { // these are unlikely
             replaceIfAllIsExplained(identifyTable(data, convention, findBestGeometry, given.parameters(), stop));
+        }
+        const bool isDoubtful =
+            best->outcome != Outcome::Identified || !best->leftOut.empty() || !best->conventions.empty();
+        for (const std::size_t row : isDoubtful ? findSuspiciousRows(data) : std::vector<std::size_t>{}) {
+            replaceIfAllIsExplained(identifyWithoutRow(data, row, given.parameters(), stop));
         }
     }
     if (stop.stop_requested()) {

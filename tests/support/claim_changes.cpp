@@ -181,6 +181,20 @@ ClaimTable &ClaimTable::misread(Channel channel, double factor, double offset)
     });
 }
 
+ClaimTable &ClaimTable::mistyped(Channel channel)
+{
+    return change({channel}, Content::Motion, [this](ClaimColumn &column) {
+        const Index row = m_random.index(times.size());
+        const double value = column.values[row];
+        const double deviation = m_random.eitherSign(0.01, 0.05) * swing(column.shown);
+        const double wrong = m_random.oneOf({-value, 10.0 * value, 0.1 * value, value + deviation});
+        if (std::abs(wrong - value) > 20.0 * column.stepAt(value)) { // a smaller error may look like rounding
+            column.values[row] = wrong;
+            badRows.insert(row);
+        }
+    });
+}
+
 ClaimTable &ClaimTable::failing(Channel channel, double rows, double fraction)
 {
     return change({channel}, Content::Systematic, [=, this](ClaimColumn &column) {

@@ -122,6 +122,16 @@ std::vector<ClaimKind> tablesByAngle()
                  random.oneOf<Channels>({{kSliderSpeed}, {kSliderAcceleration}, {kSliderSpeed, kSliderAcceleration}}));
              return table.digits(4);
          }},
+        {"by angle, a typing error",
+         [](Random &random) {
+             const Channels channels = random.oneOf<Channels>(
+                 {{kSlider}, {kTheta3}, {kSlider, kSliderSpeed}, {kTheta3, kSlider, kSliderSpeed}, kSliderColumns});
+             return ClaimTable(random)
+                 .overCrankAngle(random.oneOf({5.0, 10.0, 15.0}))
+                 .with(channels)
+                 .decimals(2)
+                 .mistyped(channels[static_cast<std::size_t>(random.index(std::ssize(channels)))]);
+         }},
         {"by angle, given mechanism",
          [](Random &random) {
              const Parameters p = withStart(withSpeed(random.mechanism(), kTurn), 0.0);

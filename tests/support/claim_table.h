@@ -153,6 +153,8 @@ public:
     ClaimTable &withTone(const Channels &channels, double fraction, double perTurn);
     ClaimTable &withBacklash(Channel channel, double fraction);
     ClaimTable &misread(Channel channel, double factor, double offset); ///< in at most 3 % of the rows
+    /// One value has another sign, its point is moved by one place, or it is off by up to a twentieth of the swing.
+    ClaimTable &mistyped(Channel channel);
     /// Each value is too small with the probability `rows`, by at most `fraction`.
     ClaimTable &failing(Channel channel, double rows, double fraction);
     ClaimTable &frozen(Channel channel); ///< one reading is repeated in at most 2.5 % of the rows

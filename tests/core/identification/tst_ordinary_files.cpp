@@ -107,6 +107,26 @@ private slots:
         QVERIFY(found.leftOut.empty());
     }
 
+    /// A former defect: no mechanism was said to explain a table of 13 rows in which a minus sign was typed, or a decimal
+    /// point was not.
+    void namesTheLineOfATypingError()
+    {
+        constexpr double kStep = 30.0; // °
+        for (const double row : {2.0, 6.0, 11.0}) {
+            for (const double factor : {-1.0, 100.0}) {
+                const auto position = [=](double degrees) {
+                    const double x = sliderPosition(60.0, 200.0, -20.0, degrees * kDegree);
+                    return degrees == row * kStep ? factor * x : x;
+                };
+                const Identification found = identifyTable("theta2 [deg],R4_x [mm]", kStep, 13, position);
+                QVERIFY(found.outcome == Outcome::Identified);
+                QVERIFY(hasLengths(found, 60.0, 200.0, -20.0));
+                QVERIFY(found.conventions.empty());
+                QCOMPARE(found.excludedRows, std::vector{static_cast<std::size_t>(row) + 2}); // line 1: the headings
+            }
+        }
+    }
+
     void leavesOutFiniteDifferences()
     {
         const Identification velocity = identifyFile("difference_velocity");
