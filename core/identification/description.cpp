@@ -17,9 +17,11 @@ namespace
 {
 
 /// Until here, the lengths are in the unit of the column from which the geometry was found. Converts them to the unit
-/// of most columns, so that only the others are said to be in a wrong unit.
-void convertToUnitOfMostColumns(LastFit &last)
+/// of most columns, so that only the others are said to be in a wrong unit. Of two units with equally many columns, the
+/// one is chosen in which the crank has the given length.
+void convertToUnitOfMostColumns(LastFit &last, const Parameters &given)
 {
+    constexpr double kSameLength = 0.01; // fraction of the given length
     Indices lengths;
     Indices sliderLine; // R4_y, which has been fitted in the same unit, but shows none
     for (const Index k : last.fit.columns) {
@@ -34,10 +36,14 @@ void convertToUnitOfMostColumns(LastFit &last)
         return std::ranges::count_if(lengths,
                                      [&](Index k) { return std::abs(last.fit.model.readings[k].factor) == unit; });
     };
+    const auto rank = [&](double unit) {
+        const bool isGivenLength = std::abs(last.fit.model.mechanism.a * unit - given.a) < kSameLength * given.a;
+        return std::pair(columnsWith(unit), isGivenLength);
+    };
     double mostFrequentUnit = 1.0;
     for (const Index k : lengths) {
         const double unit = std::abs(last.fit.model.readings[k].factor);
-        mostFrequentUnit = columnsWith(unit) > columnsWith(mostFrequentUnit) ? unit : mostFrequentUnit;
+        mostFrequentUnit = rank(unit) > rank(mostFrequentUnit) ? unit : mostFrequentUnit;
     }
     for (const Indices &columns : {lengths, sliderLine}) {
         for (const Index k : columns) {
@@ -116,7 +122,7 @@ void compareWithGivenLengths(Findings &findings, const Observations &searched, c
 void chooseExpectedDescription(Findings &findings, const Observations &searched, const Parameters &given)
 {
     LastFit &last = findings.lastFit;
-    convertToUnitOfMostColumns(last);
+    convertToUnitOfMostColumns(last, given);
     const Parameters unrounded = parametersAtTimeZero(last.fit.model, last.observations, findings.drive);
     moveToChosenNumbers(last, unrounded, findings.lengthUnit);
     chooseImage(findings, given);

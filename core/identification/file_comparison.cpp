@@ -246,6 +246,22 @@ void compareWithBothMechanisms(Identification &result, const ReferenceData &corr
 
 } // namespace
 
+bool isRowContradicted(const Identification &result, const ReferenceData &data, std::size_t row,
+                       const Findings &findings)
+{
+    constexpr double kFar = 4.0; // bounds of rounding
+    ReferenceData corrected = applyAll(result.conventions, data);
+    for (ReferenceSeries &series : corrected.series) {
+        for (std::size_t other = 0; series.channel != kCrankAngle && other < series.values.size(); ++other) {
+            series.values[other] = other == row ? series.values[other] : kNone;
+        }
+    }
+    const FittedMechanism fitted = findings.lastFit.fit.fittedMechanism();
+    const std::vector<ChannelComparison> channels =
+        compareCorrectedFile(result.parameters, corrected, findings, fitted);
+    return std::ranges::any_of(channels, [](const ChannelComparison &channel) { return channel.worstOver > kFar; });
+}
+
 bool allAgree(const std::vector<ChannelComparison> &channels)
 {
     return std::ranges::all_of(channels,

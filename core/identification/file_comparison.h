@@ -5,6 +5,7 @@
 
 #include "core/identification/findings.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,11 @@ namespace slidercrank
 void addConventionsAndComparisons(Identification &result, const ReferenceData &data,
                                   const std::optional<Convention> &tableConvention, const Findings &findings,
                                   const Parameters &given);
+
+/// Whether a value in a row of a file is far from the mechanism found, in comparison with rounding. `data`: as for
+/// addConventionsAndComparisons(), which has added the conventions.
+bool isRowContradicted(const Identification &result, const ReferenceData &data, std::size_t row,
+                       const Findings &findings);
 
 /// Whether all columns agree with a mechanism.
 bool allAgree(const std::vector<ChannelComparison> &channels);

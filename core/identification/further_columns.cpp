@@ -132,10 +132,25 @@ bool isLastColumnGenuine(const Observations &observations, const Fit &fit)
     return !observations.columns[fit.columns[place]].isDifference || isNearRounding(observations, fit, place);
 }
 
-/// Why nothing predicts a column, so that it cannot be compared with the mechanism; nullopt if the mechanism predicts
-/// it.
-std::optional<Reason> reasonWithoutPrediction(const ObservedColumn &column, const Fit &fit, Drive::Kind drive)
+/// The same as deviationInPercentOfPeak(), with the factor that suits the column best: a derivative is multiplied by it
+/// if the speed of the crank or the unit is another one.
+double percentOfPeakAtBestScale(const Observations &observations, const Fit &fit, Index k)
 {
+    // The scale is relative to this sign, the factor of deviationInPercentOfPeak() is not.
+    const double sign = signOfCoordinate(observations, fit, observations.columns[k].channel.coordinate);
+    return deviationInPercentOfPeak(observations, fit, k, sign * bestScale(observations, fit, fit.model, k));
+}
+
+/// Largest deviation at the best scale, in percent of the peak, with which a derivative may be that of the mechanism at
+/// another speed. If several speeds are possible, the derivatives have smaller deviations.
+constexpr double kMaxPercentAtOpenSpeed = 5.0;
+
+/// Why nothing predicts column k of `result`, so that it cannot be compared with the mechanism; nullopt if the
+/// mechanism predicts it.
+std::optional<Reason> reasonWithoutPrediction(const FurtherColumns &result, const Observations &observations, Index k,
+                                              Drive::Kind drive)
+{
+    const ObservedColumn &column = observations.columns[k];
     if (!column.isDerivative()) {
         return std::nullopt;
     }
@@ -143,12 +158,15 @@ std::optional<Reason> reasonWithoutPrediction(const ObservedColumn &column, cons
         return Reason::UnevenSpeed;
     }
     // In a table, ω2 is an unknown of the fit only if derivatives have shown it before (addSpeedOfTable()).
-    const bool isSpeedKnown = drive != Drive::Kind::OverAngle || fit.isFree({Unknown::Kind::Omega2});
+    const bool isSpeedKnown = drive != Drive::Kind::OverAngle || result.fit.isFree({Unknown::Kind::Omega2});
     if (isSpeedKnown) {
         return std::nullopt;
     }
-    // That a column contains differences is more certain than that another speed would explain it.
-    return column.isDifference ? Reason::FiniteDifferences : Reason::OpenSpeed;
+    if (column.isDifference) { // this is more certain than that another speed would explain the column
+        return Reason::FiniteDifferences;
+    }
+    const bool suitsAnySpeed = percentOfPeakAtBestScale(observations, result.fit, k) < kMaxPercentAtOpenSpeed;
+    return suitsAnySpeed ? Reason::OpenSpeed : Reason::Unknown;
 }
 
 /// Why column k is left out, which the mechanism predicts but does not explain.
@@ -162,22 +180,13 @@ Reason reasonOfMismatch(const Observations &observations, const Fit &fit, Index 
     return isOtherMotion ? Reason::OtherMotion : Reason::Unknown;
 }
 
-/// The same as deviationInPercentOfPeak(), with the factor that suits the column best: a derivative is multiplied by it
-/// if the speed of the crank or the unit is another one.
-double percentOfPeakAtBestScale(const Observations &observations, const Fit &fit, Index k)
-{
-    // The scale is relative to this sign, the factor of deviationInPercentOfPeak() is not.
-    const double sign = signOfCoordinate(observations, fit, observations.columns[k].channel.coordinate);
-    return deviationInPercentOfPeak(observations, fit, k, sign * bestScale(observations, fit, fit.model, k));
-}
-
 /// Adds column k to result.fit, or to result.leftOut with a reason. `isGeometryExact`: see tryToAddColumn().
 void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Index k, Drive::Kind drive,
                    bool isGeometryExact)
 {
     const ObservedColumn &column = observations.columns[k];
     const Fit &fit = result.fit;
-    if (const std::optional<Reason> reason = reasonWithoutPrediction(column, fit, drive)) {
+    if (const std::optional<Reason> reason = reasonWithoutPrediction(result, observations, k, drive)) {
         const double percent = *reason == Reason::UnevenSpeed ? kNone : percentOfPeakAtBestScale(observations, fit, k);
         result.leftOut.push_back({column.channel, *reason, percent});
         return;

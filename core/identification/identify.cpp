@@ -78,37 +78,48 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGe
     return findings;
 }
 
+/// What is known about a table.
+struct IdentifiedTable {
+    Identification result;
+    Findings findings{};
+};
+
 /// Identifies the mechanism of a table. `tableConvention`: the one that is applied before the table is observed;
 /// nullopt if it is observed as it is in the file.
-Identification identifyTable(const ReferenceData &file, const std::optional<Convention> &tableConvention,
-                             FindGeometry findGeometry, const Parameters &given, const std::stop_token &stop)
+IdentifiedTable identifyTable(const ReferenceData &file, const std::optional<Convention> &tableConvention,
+                              FindGeometry findGeometry, const Parameters &given, const std::stop_token &stop)
 {
     const ReferenceData data = tableConvention ? applied(*tableConvention, file) : file;
     Observations wholeFile = withComputedColumnsMarked(observe(data, stop));
     if (const Identification::Lack lack = findLack(wholeFile); lack != Identification::Lack::Nothing) {
-        return {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack};
+        return {
+            {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack}};
     }
-    const Findings findings = findMechanism(data, std::move(wholeFile), findGeometry, given);
-    Identification result = judge(data, findings, given);
-    if (result.hasMechanism()) {
-        addConventionsAndComparisons(result, file, tableConvention, findings, given);
-        if (!allAgree(result.channels)) { // the comparison, which the user can repeat, has the last word
-            result.outcome = Identification::Outcome::Approximate;
+    IdentifiedTable table;
+    table.findings = findMechanism(data, std::move(wholeFile), findGeometry, given);
+    table.result = judge(data, table.findings, given);
+    if (table.result.hasMechanism()) {
+        addConventionsAndComparisons(table.result, file, tableConvention, table.findings, given);
+        if (!allAgree(table.result.channels)) { // the comparison, which the user can repeat, has the last word
+            table.result.outcome = Identification::Outcome::Approximate;
         }
     }
-    return result;
+    return table;
 }
 
-/// Identifies the mechanism of a table in which a row contains a typing error, and adds it to the rows that are
-/// excluded.
-Identification identifyWithoutRow(const ReferenceData &data, std::size_t row, const Parameters &given,
-                                  const std::stop_token &stop)
+/// Identifies the mechanism of a table without a row that may contain a typing error, and adds this row to the excluded
+/// ones. Returns nullopt if the row does not contradict the mechanism.
+std::optional<Identification> identifyWithoutRow(const ReferenceData &data, std::size_t row, const Parameters &given,
+                                                 const std::stop_token &stop)
 {
-    Identification result = identifyTable(withoutRow(data, row), std::nullopt, findBestGeometry, given, stop);
-    std::vector<std::size_t> &excluded = result.excludedRows;
+    IdentifiedTable table = identifyTable(withoutRow(data, row), std::nullopt, findBestGeometry, given, stop);
+    if (!table.result.hasMechanism() || !isRowContradicted(table.result, data, row, table.findings)) {
+        return std::nullopt;
+    }
+    std::vector<std::size_t> &excluded = table.result.excludedRows;
     const std::size_t line = data.lineOfRow(row);
     excluded.insert(std::ranges::lower_bound(excluded, line), line);
-    return result;
+    return std::move(table.result);
 }
 
 /// Whether a result is preferred to another one: by the outcome, then by the number of columns that are left out, then
@@ -129,14 +140,14 @@ Identification identify(const ReferenceData &data, const Mechanism &given, std::
     std::optional<Identification> best;
     for (const bool rotatesAngles : {false, true}) {
         if (const std::optional<Convention> rotation = findAxisRotation(data, rotatesAngles)) {
-            Identification result = identifyTable(data, rotation, findBestGeometry, given.parameters(), stop);
+            Identification result = identifyTable(data, rotation, findBestGeometry, given.parameters(), stop).result;
             if (!best || isBetter(result, *best)) {
                 best = std::move(result);
             }
         }
     }
     if (!best) {
-        best = identifyTable(data, std::nullopt, findBestGeometry, given.parameters(), stop);
+        best = identifyTable(data, std::nullopt, findBestGeometry, given.parameters(), stop).result;
         const auto replaceIfAllIsExplained = [&](Identification result) {
             if (result.outcome == Outcome::Identified && result.leftOut.empty() && isBetter(result, *best)) {
                 best = std::move(result);
@@ -146,15 +157,17 @@ Identification identify(const ReferenceData &data, const Mechanism &given, std::
         // A mechanism that contradicts the derivatives may explain positions that were rounded coarsely.
         if (!best->leftOut.empty() || best->outcome == Outcome::Insufficient) {
             replaceIfAllIsExplained(
-                identifyTable(data, std::nullopt, findGeometryOfHigherDerivatives, given.parameters(), stop));
+                identifyTable(data, std::nullopt, findGeometryOfHigherDerivatives, given.parameters(), stop).result);
         }
         for (const Convention &convention : conventions) { // these are unlikely
-            replaceIfAllIsExplained(identifyTable(data, convention, findBestGeometry, given.parameters(), stop));
+            replaceIfAllIsExplained(identifyTable(data, convention, findBestGeometry, given.parameters(), stop).result);
         }
         const bool isDoubtful =
             best->outcome != Outcome::Identified || !best->leftOut.empty() || !best->conventions.empty();
         for (const std::size_t row : isDoubtful ? findSuspiciousRows(data) : std::vector<std::size_t>{}) {
-            replaceIfAllIsExplained(identifyWithoutRow(data, row, given.parameters(), stop));
+            if (std::optional<Identification> result = identifyWithoutRow(data, row, given.parameters(), stop)) {
+                replaceIfAllIsExplained(*std::move(result));
+            }
         }
     }
     if (stop.stop_requested()) {

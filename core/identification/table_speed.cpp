@@ -33,19 +33,28 @@ bool haveSameMagnitude(double value, double other)
     return std::abs(std::abs(value / other) - 1.0) < kTolerance;
 }
 
-/// Whether a derivative is probably not in a unit: the file states a different one, or states none although θ2 is in
-/// radians; then rates of angles are in radians, too. `unit`: one of unitFactors().
+/// Whether a speed has the magnitude of the given one, apart from rounding: other units lead to speeds that may be
+/// similar by chance.
+bool isGivenSpeed(double speed, double givenSpeed)
+{
+    constexpr double kTolerance = 2e-3;
+    return std::abs(std::abs(speed / givenSpeed) - 1.0) < kTolerance;
+}
+
+/// Whether a derivative is probably not in a unit: it is a length, the file states a different unit, or it states none
+/// although θ2 is in radians; then rates of angles are in radians, too. `unit`: one of unitFactors(), 1 for that of the
+/// heading or the usual one.
 bool contradictsUnit(const ObservedColumn &column, const Model &model, double unit)
 {
     const double unitOfAngles = 1.0 / std::abs(model.angleFactor);
-    if (column.statesUnit) {
+    if (column.statesUnit || !column.containsAngles()) {
         return unit != 1.0;
     }
-    return column.containsAngles() && unitOfAngles != 1.0 && unit != unitOfAngles;
+    return unitOfAngles != 1.0 && unit != unitOfAngles;
 }
 
-/// The result of fitScale() at a speed of 1 rad/s. If the positions were rounded more coarsely than the derivative, they
-/// do not determine the mechanism well enough: then that of a mechanism fitted to both, if one explains both.
+/// The result of fitScale() at a speed of 1 rad/s. If the positions were rounded more coarsely than the derivative,
+/// they do not determine the mechanism well enough: then that of a mechanism fitted to both, if one explains both.
 ColumnScale scaleOfDerivative(const Observations &observations, const Fit &fit, Index k, bool areExact)
 {
     Fit start = fit;
@@ -91,14 +100,12 @@ std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
         }
         const bool isVelocity = column.channel.order == Order::Velocity;
         for (const double unit : unitFactors(column.channel)) {
-            if (unit == 1.0 || column.containsAngles()) {
-                const double speed = isVelocity ? scale.factor / unit : std::sqrt(std::abs(scale.factor) / unit);
-                votes.push_back({.column = k,
-                                 .speed = speed,
-                                 .isVelocity = isVelocity,
-                                 .isNearRounding = scale.isNearRounding,
-                                 .contradictsUnit = contradictsUnit(column, fit.model, unit)});
-            }
+            const double speed = isVelocity ? scale.factor / unit : std::sqrt(std::abs(scale.factor) / unit);
+            votes.push_back({.column = k,
+                             .speed = speed,
+                             .isVelocity = isVelocity,
+                             .isNearRounding = scale.isNearRounding,
+                             .contradictsUnit = contradictsUnit(column, fit.model, unit)});
         }
     }
     if (std::ranges::any_of(votes, &Vote::isNearRounding)) {
@@ -150,18 +157,18 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
     std::ranges::transform(votes, std::back_inserter(supports),
                            [&](const Vote &vote) { return countSupport(vote, votes); });
     const auto bestRank = std::ranges::max(supports, {}, &Support::rank).rank();
+    // A wrong unit is likelier than another speed. With the opposite sense of the crank, the velocities are counted in
+    // the opposite direction, which is reported then.
+    for (const Support &support : supports) {
+        if (support.rank().first == bestRank.first && isGivenSpeed(support.speed, givenSpeed)) {
+            return {std::copysign(support.speed, givenSpeed)};
+        }
+    }
     std::vector<double> bestSpeeds; // each magnitude once, although several columns vote for it
     for (const Support &support : supports) {
         const auto isSame = [&](double speed) { return haveSameMagnitude(speed, support.speed); };
         if (support.rank() == bestRank && std::ranges::none_of(bestSpeeds, isSame)) {
             bestSpeeds.push_back(support.speed);
-        }
-    }
-    // With the opposite sense of the crank, the velocities are counted in the opposite direction, which is reported
-    // then.
-    for (const double speed : bestSpeeds) {
-        if (haveSameMagnitude(speed, givenSpeed)) {
-            return {std::copysign(speed, givenSpeed)};
         }
     }
     return bestSpeeds;

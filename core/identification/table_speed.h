@@ -11,13 +11,13 @@ namespace slidercrank
 {
 
 /// In a table over the crank angle, a derivative of order n is the derivative by the angle times ω2ⁿ times a unit.
-/// Every derivative that the fit does not use, and the mechanism explains up to a constant factor, votes for the speed
-/// that follows from this factor; only those with residuals as small as rounding if there are such. Derivatives of
-/// angles also vote for the speeds that follow in other units of angles. Returns the speeds (rad/s) with the most
-/// votes; among these, those that contradict the fewest units. (A unit is contradicted if the file states another one,
-/// or if it states none, θ2 is in radians, and the rate of an angle is not.) These are several if the units do not
-/// determine the speed, and none if no derivative votes. If one of them has the magnitude of the given speed, returns
-/// only this one, with the sign of the given speed.
+/// Every derivative that the fit does not use, and the mechanism explains up to a constant factor, votes for the speeds
+/// that follow from this factor in each unit; only those with residuals as small as rounding if there are such. Returns
+/// the speeds (rad/s) with the most votes; among these, those that contradict the fewest units. (A unit is contradicted
+/// if the file states another one; if it states none and the column contains lengths that are not in mm; and if it
+/// states none, θ2 is in radians, and the rate of an angle is not.) These are several if the units do not determine the
+/// speed, and none if no derivative votes. If one of the speeds with the most votes has the magnitude of the given
+/// speed, returns only this one, with the sign of the given speed.
 std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed);
 
 /// In a file over the time with few rows per turn, different speeds give the same positions. Returns the fit with the
