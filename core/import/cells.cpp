@@ -170,6 +170,13 @@ Cells splitAtBlanks(std::string_view line, std::size_t least)
     return cells;
 }
 
+std::string_view inBrackets(std::string_view cell)
+{
+    const bool isBracketed =
+        cell.size() > 2 && (cell[0] == '[' || cell[0] == '(') && (cell.back() == ']' || cell.back() == ')');
+    return isBracketed ? trimmed(cell.substr(1, cell.size() - 2)) : std::string_view();
+}
+
 CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
 {
     std::string pointed; // with the point as decimal sign

@@ -35,6 +35,9 @@ std::string_view trimmed(std::string_view text);
 /// `rest.data()` is null.
 std::string_view takeCell(std::string_view &rest, char delimiter);
 
+/// The delimiters of cells apart from spaces. LaTeX has "&".
+inline constexpr std::string_view kDelimiters = "\t;,|&";
+
 using Cells = std::vector<std::string_view>;
 
 /// Returns the texts of all cells of a line, without the empty ones at the end.
@@ -43,6 +46,9 @@ Cells splitCells(std::string_view line, char delimiter);
 /// Splits a line at runs of at least `least` blanks outside brackets. Text in brackets belongs to the name before it:
 /// "Time (s)   P[X] ( mm )" has two cells.
 Cells splitAtBlanks(std::string_view line, std::size_t least);
+
+/// Returns the text in brackets that fills a cell; empty if there are none.
+std::string_view inBrackets(std::string_view cell);
 
 struct CellNumber {
     double value = kNone; ///< NaN for a gap or a fault

@@ -3,7 +3,9 @@
 
 // Splits a text into lines, without remarks after the numbers and without the borders of a table in Markdown or LaTeX.
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -16,7 +18,15 @@ struct Line {
     std::string_view text;
 };
 
+using Lines = std::span<const Line>;
+
 inline constexpr std::size_t kExaminedLines = 200; ///< that are not blank, for the form of the table
+
+/// Returns the lines that are examined.
+inline Lines firstLines(Lines lines)
+{
+    return lines.first(std::min(lines.size(), kExaminedLines));
+}
 
 /// Splits a text at LF, CR LF and CR. Throws ReadError if one of the first lines is too long, or is the common factor
 /// of the numbers below: "1.0e+03 *".
@@ -27,5 +37,8 @@ bool isData(std::string_view line);
 
 /// Returns whether a line is a remark: "# start", "// start", "/* start */", "-- start", "% start" or "! start".
 bool isRemark(std::string_view line);
+
+/// Removes the comment mark that some programs write before the headings.
+std::string_view withoutCommentMark(std::string_view line);
 
 } // namespace slidercrank

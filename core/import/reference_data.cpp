@@ -6,6 +6,8 @@
 #include "core/import/crank_angles.h"
 #include "core/import/difference.h"
 #include "core/import/file_text.h"
+#include "core/import/number_rows.h"
+#include "core/import/unit_lines.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/heading_line.h"
+
+#include "core/import/heading.h"
+
+#include <algorithm>
+#include <compare>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Kind = NameMeaning::Kind;
+
+/// Returns whether a cell continues the heading in the cell before it, as the unit in "Time, s", the symbol with its
+/// unit in "Position, x (mm)" and the number of the measurement in "Position (m), Run #1" do.
+bool continuesHeading(std::string_view before, std::string_view cell)
+{
+    const Heading first = parseHeading(before);
+    const Heading second = parseHeading(cell);
+    const Channel channel = first.meaning.channel;
+    const Channel channelOfSymbol = second.meaning.channel;
+    const bool isSameQuantity =
+        std::min(first.meaning.kind, Kind::Quantity) == std::min(second.meaning.kind, Kind::Quantity) &&
+        isAngle(channel.coordinate) == isAngle(channelOfSymbol.coordinate) && channel.order == channelOfSymbol.order;
+    const bool isSymbol = first.meaning.kind != Kind::Nothing && first.use.unit.empty() && !second.use.unit.empty() &&
+                          beginsWithSymbol(second);
+    return parseUnit(cell) || cell.starts_with("Run #") || (isSymbol && isSameQuantity);
+}
+
+/// Joins cells where unquoted headings contain the delimiter: "Time, s,Position, x (mm)".
+Cells withHeadingsJoined(const Cells &cells)
+{
+    Cells joined;
+    for (const std::string_view cell : cells) {
+        if (!joined.empty() && continuesHeading(joined.back(), cell)) {
+            joined.back() = {joined.back().data(), cell.data() + cell.size()};
+        } else {
+            joined.push_back(cell);
+        }
+    }
+    return joined;
+}
+
+/// Joins cells of headings that contain the delimiter if there are more cells than in the row, and as many afterwards.
+void joinHeadings(HeadingCandidate &names, const NumberRow &row)
+{
+    if (names.delimiter == ' ' || !row.isFound() || names.cells.size() <= row.sizeWithEmptyCells) {
+        return;
+    }
+    HeadingCandidate joined = countNames(withHeadingsJoined(names.cells), names.delimiter);
+    if (row.hasCountOf(joined.cells)) {
+        names = std::move(joined);
+    }
+}
+
+/// Returns whether names may be the headings of the row. If they are as many as the numbers, they may have any
+/// delimiter; but if only the names are separated by spaces, at most one of them may be unknown. The same holds if only
+/// the column of the row names has no heading. Otherwise a remark has to follow them if they stand after a comment
+/// mark, and neither they nor the numbers are separated by spaces.
+bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isMarked)
+{
+    const bool areSpaced = names.delimiter == ' ';
+    if (!row.isFound()) {
+        return !areSpaced;
+    }
+    const std::size_t numbers = row.cells.size();
+    if (row.hasCountOf(names.cells)) {
+        return !areSpaced || row.delimiter == ' ' || (names.isComplete() && names.known() + 1 >= numbers);
+    }
+    if (areSpaced && names.cells.size() + 1 == numbers) {
+        return names.isComplete() && names.known() == names.cells.size();
+    }
+    const bool hasRemark = names.isComplete() && (headingsBeforeRemark(names.cells).size() == numbers ||
+                                                  (names.cells.size() > numbers && names.known() >= numbers));
+    return !areSpaced && row.delimiter != ' ' && (!isMarked || hasRemark);
+}
+
+/// How well the cells of a line suit the row of numbers. The greater rank is better; the members are compared in order.
+struct Rank {
+    bool isLikeRow = false; ///< as many cells as in the row, between the same delimiters and with a time
+    std::size_t known = 0;
+    bool hasCountOfRow = false;
+    std::size_t cells = 0;
+
+    auto operator<=>(const Rank &) const = default;
+};
+
+Rank rankOf(const HeadingCandidate &names, const NumberRow &row)
+{
+    const bool hasCount = row.hasCountOf(names.cells);
+    const bool isLikeRow = hasCount && names.delimiter == row.delimiter && names.delimiter != ' ' && names.times > 0;
+    return {isLikeRow, names.known(), hasCount, names.cells.size()};
+}
+
+} // namespace
+
+HeadingCandidate countNames(Cells cells, char delimiter)
+{
+    HeadingCandidate names{std::move(cells), delimiter};
+    for (const std::string_view cell : names.cells) {
+        const bool isName = !looksNumeric(cell) && !parseUnit(inBrackets(cell));
+        const NameMeaning meaning = isName ? parseHeading(cell).meaning : NameMeaning();
+        names.times += meaning.kind == Kind::Time ? 1 : 0;
+        names.quantities += meaning.kind >= Kind::Quantity && !meaning.hasUnknownWords ? 1 : 0;
+    }
+    return names;
+}
+
+std::span<const std::string_view> headingsBeforeRemark(const Cells &headings)
+{
+    const auto isRemark = [](std::string_view cell) {
+        return (cell.starts_with('%') || cell.starts_with('#')) && parseHeading(cell).meaning.kind == Kind::Nothing;
+    };
+    const auto remark = std::find_if(headings.begin() + (headings.empty() ? 0 : 1), headings.end(), isRemark);
+    return {headings.begin(), remark};
+}
+
+std::vector<HeadingCandidate> waysToSplit(std::string_view line)
+{
+    std::vector<HeadingCandidate> ways;
+    for (const char delimiter : kDelimiters) {
+        ways.push_back(countNames(splitCells(line, delimiter), delimiter));
+    }
+    for (const Cells &cells : {splitCells(line, ' '), splitAtBlanks(line, 2), splitAtBlanks(line, 1)}) {
+        ways.push_back(countNames(cells, ' '));
+    }
+    return ways;
+}
+
+HeadingCandidate readNames(std::string_view line, const NumberRow &row)
+{
+    const bool isSpaced = row.delimiter == ' ';
+    const bool isNumberSign = row.isFound() && !isSpaced &&
+                              trimmed(line).starts_with(std::string("#") + row.delimiter) &&
+                              countCells(line, row.delimiter) == row.sizeWithEmptyCells;
+    const std::string_view unmarked = isNumberSign ? line : withoutCommentMark(line); // "#,t,x" numbers the rows
+    if (isData(unmarked)) {
+        return isSpaced ? HeadingCandidate{splitCells(unmarked, ' '), ' '} : HeadingCandidate();
+    }
+    const bool isMarked = unmarked.size() < line.size();
+    for (const std::string_view text : {unmarked, line}) {
+        HeadingCandidate best;
+        for (HeadingCandidate &names : waysToSplit(text)) {
+            joinHeadings(names, row);
+            if (mayBeHeadings(names, row, isMarked) && rankOf(names, row) > rankOf(best, row)) {
+                best = std::move(names);
+            }
+        }
+        if (!best.cells.empty()) {
+            return best;
+        }
+    }
+    return isSpaced ? countNames(splitCells(unmarked, ' '), ' ') : HeadingCandidate();
+}
+
+std::optional<HeadingCandidate> findMostNames(const std::vector<HeadingCandidate> &lines, const NumberRow &row)
+{
+    const HeadingCandidate *best = nullptr;
+    for (const HeadingCandidate &names : lines) {
+        const std::size_t mostKnown = best ? best->known() : 0;
+        if (names.delimiter == ' ' && 2 * names.known() < names.cells.size()) {
+            continue;
+        }
+        if (names.known() > mostKnown || (best && names.known() == mostKnown && row.hasCountOf(names.cells))) {
+            best = &names;
+        }
+    }
+    return best ? std::optional(*best) : std::nullopt;
+}
+
+std::optional<HeadingCandidate> findUnknownHeadings(const std::vector<HeadingCandidate> &lines, const NumberRow &row)
+{
+    const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
+    const auto areUnits = [&](const HeadingCandidate &line) { return std::ranges::all_of(line.cells, isUnit); };
+    const auto last = std::find_if_not(lines.rbegin(), lines.rend(), areUnits);
+    const bool areHeadings =
+        last != lines.rend() && row.hasCountOf(last->cells) && std::ranges::none_of(last->cells, looksNumeric);
+    return areHeadings ? std::optional(*last) : std::nullopt;
+}
+
+} // namespace slidercrank

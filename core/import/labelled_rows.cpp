@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/labelled_rows.h"
+
+#include "core/import/number_rows.h"
+
+#include <algorithm>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Returns the label before the number in a cell with its mark, such as "angle:" in "angle:12.5" and "x =" in "x = 85
+/// mm"; empty if there is none.
+std::string_view labelOf(std::string_view cell)
+{
+    const std::size_t mark = cell.find_first_of(":=");
+    const bool isLabelled =
+        mark != cell.npos && mark > 0 && !isDigit(cell[0]) && isNumber(trimmed(cell.substr(mark + 1)));
+    return isLabelled ? cell.substr(0, mark + 1) : std::string_view();
+}
+
+/// Returns the labels of all cells of a line, which stand before the number in the cell, or in the cell before it, as
+/// in "x= 85" and "x = 85" between blanks. The label of a cell that is a label is the cell itself; that of others is
+/// empty.
+Cells labelsOf(const Line &line, char delimiter)
+{
+    const Cells cells = splitCells(line.text, delimiter);
+    const auto isLabel = [&cells](std::size_t i) { return cells[i].ends_with('=') || cells[i].ends_with(':'); };
+    Cells labels;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        std::string_view label = labelOf(cells[i]);
+        const bool isBeforeMark = i + 1 < cells.size() && cells[i + 1] == "=";
+        if (isNumber(cells[i]) && i > 0 && isLabel(i - 1)) {
+            label = cells[i - 1] == "=" && i > 1 ? cells[i - 2] : cells[i - 1];
+        } else if (!isNumber(cells[i]) && (isLabel(i) || isBeforeMark)) {
+            label = cells[i];
+        }
+        labels.push_back(label);
+    }
+    return labels;
+}
+
+} // namespace
+
+std::optional<LabelledRow> findLabelledRow(Lines lines)
+{
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+        for (const char delimiter : std::string_view("\t;,| ")) {
+            const Cells labels = labelsOf(lines[i], delimiter);
+            const bool areLabels = labels.size() > 1 && std::ranges::count(labels, std::string_view()) == 0;
+            if (areLabels && labels == labelsOf(lines[i + 1], delimiter)) {
+                return LabelledRow{labels, delimiter, i};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+std::vector<Heading> headingsOfLabels(const LabelledRow &row, const Line &line)
+{
+    std::vector<Heading> headings;
+    const Cells cells = splitCells(line.text, row.delimiter);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::string_view label = row.labels[i];
+        if (label == cells[i]) { // without a number
+            headings.emplace_back();
+            continue;
+        }
+        Heading &heading =
+            headings.emplace_back(parseHeading(trimmed(label.substr(0, label.find_last_not_of(":=") + 1))));
+        heading.cells.label = label;
+        const std::string_view number = cells[i].starts_with(label) ? cells[i].substr(label.size()) : cells[i];
+        heading.cells.unit = splitUnit(trimmed(number)).unit;
+    }
+    return headings;
+}
+
+} // namespace slidercrank
