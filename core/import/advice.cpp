@@ -2,8 +2,8 @@
 #include "core/import/advice.h"
 
 #include "core/import/cells.h"
+#include "core/import/column_values.h"
 #include "core/import/crank_angles.h"
-#include "core/import/unnamed_bodies.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -49,10 +49,9 @@ bool looksLikeAngle(const RawColumn &column)
 /// Returns whether a column is an angle that turns so far in one direction that only the crank can.
 bool makesTurn(const RawColumn &column)
 {
-    constexpr double kHalfTurn = 180.0;
     const std::optional<Unit> unit = parseUnit(column.use.unit);
     const bool isAngle = unit && unit->dimension == Dimension::Angle && unit->order == 0;
-    return isAngle && isTurningAngle(column) && unit->toDefault(rangeOf(column.values).width()) > kHalfTurn;
+    return isAngle && isTurningAngle(column) && unit->toDefault(rangeOf(column.values).width()) > kLargestSwing;
 }
 
 /// Returns the quantity that a column would be by its meaning or else its unit: that of the slider for a length, and of

@@ -117,7 +117,7 @@ NameMeaning::Doubt doubtOf(const NameReading &name, const std::optional<Unit> &u
         return Doubt::None;
     }
     if (isOfUnknown) {
-        return isAngle ? Doubt::IsOfCrank : Doubt::IsOfPoint;
+        return isAngle ? Doubt::IsAngleOfUnknown : Doubt::IsOfPoint;
     }
     if (!name.unknown.point.empty() && !name.body && !isAngle) {
         return Doubt::IsOfPart;

@@ -29,12 +29,13 @@ struct NameMeaning {
     /// What only the other columns can tell.
     enum class Doubt {
         None,
-        IsDerivative,   ///< "x_d", "xp" or "dx" may be a derivative of x
-        IsPistonsIndex, ///< "x_p" may be a derivative, or the x of the piston
-        IsAngle,        ///< "α" is an angle or an angular acceleration
-        IsOfPoint,      ///< "x_A", "X(3)" or "P1X" is the slider's only if the y of that point does not change
-        IsOfPart,       ///< likewise "PART_4.X", but also if it is the only part, and no other column is the slider's
-        IsOfCrank       ///< an angle of an unknown body, which is a channel only if it is that of the crank, or a point
+        IsDerivative,     ///< "x_d", "xp" or "dx" may be a derivative of x
+        IsPistonsIndex,   ///< "x_p" may be a derivative, or the x of the piston
+        IsAngle,          ///< "α" is an angle or an angular acceleration
+        IsOfPoint,        ///< "x_A", "X(3)" or "P1X" is the slider's only if the y of that point does not change
+        IsOfPart,         ///< likewise "PART_4.X", but also if it is the only part, and no other column is the slider's
+        IsAngleOfUnknown, ///< of an unknown body: it is a channel only if it is that of the crank
+        IsPointOfCrank    ///< by its values, the x or y of the crank's pin or centre of mass: never a channel
     };
 
     Kind kind = Kind::Nothing;
@@ -47,6 +48,12 @@ struct NameMeaning {
     bool namesAxis = false; ///< x or y, as in "vx"
     bool isAtB = false;     ///< the angle of the coupler is measured at B, half a turn from that at A
 };
+
+/// Returns whether the name denotes a channel, and not only a quantity of an unnamed body.
+constexpr bool namesChannel(const NameMeaning &meaning)
+{
+    return meaning.kind == NameMeaning::Kind::Words || meaning.kind == NameMeaning::Kind::ChannelName;
+}
 
 /// Orders meanings by how certain it is that the name denotes the channel: the greater is the more certain one.
 std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second);

@@ -29,7 +29,9 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
     return column.cells.isClock ? parseClock(cell) : parseNumber(cell, decimalSign);
 }
 
-/// Reads the cells of a row into its columns. Returns the number of cells.
+/// Reads row `row` of a file into the columns of that file, and their digits into the rounding. Cells that are no
+/// numbers become kUnreadable, missing cells at the end stay gaps. If the row has non-empty cells beyond the last
+/// column, or fewer than two cells, all its values become kUnreadable. Returns the number of cells.
 std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
 {
     const std::span<RawColumn> columns = table.columnsOf(file);
@@ -61,9 +63,10 @@ bool isStatistic(const TableFile &file, const Line &row)
     return namesStatistic(wordsOf(takeCell(rest, file.layout.delimiter)));
 }
 
-/// Returns the number of rows before those at the end that begin with a word, such as "Mean", below numbers, or with
-/// the name of a statistic below words.
-std::size_t findFooter(const TableFile &file, const RawColumn &first)
+/// Returns the number of rows above the footer. The footer consists of the last rows whose first cell is a word
+/// ("Mean") or, if the whole first column contains words, the name of a statistic. If no row would remain, there is no
+/// footer.
+std::size_t countRowsAboveFooter(const TableFile &file, const RawColumn &first)
 {
     const auto isWord = [](double value) { return std::isinf(value); };
     const bool areWords = std::ranges::all_of(first.values, isWord);
@@ -98,9 +101,10 @@ void keepRows(RawTable &table, const TableFile &file, std::size_t begin, std::si
     }
 }
 
-/// Throws if there are more headings than cells in every row, because a heading contains the delimiter. Unknown
-/// headings behind known ones are remarks. Rows of one cell do not have the delimiter at all.
-void requireCells(std::span<const RawColumn> columns, const TableFile &file, std::size_t cells)
+/// Throws if there are more headings than cells in the longest row, because a heading contains the delimiter. `cells`:
+/// number of cells of that row. Two exceptions: the headings without cells are all unknown and the others all known
+/// (then they are remarks), or the rows have a single cell (then the delimiter is wrong, which is reported elsewhere).
+void requireCellForEachHeading(std::span<const RawColumn> columns, const TableFile &file, std::size_t cells)
 {
     const auto isKnown = [](const RawColumn &column) { return column.meaning.kind != NameMeaning::Kind::Nothing; };
     const std::size_t used = std::min(cells, columns.size());
@@ -129,6 +133,12 @@ bool RawColumn::isUnreadable(std::size_t row) const
 RawColumn *RawTable::abscissa()
 {
     return findElement(columns, &RawColumn::isAbscissa);
+}
+
+void convert(RawColumn &column, const Unit &unit)
+{
+    std::ranges::for_each(column.values, [&unit](double &value) { value = unit.toDefault(value); });
+    column.factor = unit.toDefault(1.0);
 }
 
 ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault)
@@ -164,9 +174,10 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
             throw ReadError{.fault = {ReadFault::Kind::Stopped}};
         }
     }
-    requireCells(table.columnsOf(file), file, cells);
+    requireCellForEachHeading(table.columnsOf(file), file, cells);
     const std::size_t begin = countStatisticsAbove(file);
-    const std::size_t end = file.width > 0 ? findFooter(file, table.columnsOf(file).front()) : file.rows.size();
+    const std::size_t end =
+        file.width > 0 ? countRowsAboveFooter(file, table.columnsOf(file).front()) : file.rows.size();
     if (begin > 0 || end < file.rows.size()) {
         keepRows(table, file, begin, end);
     }

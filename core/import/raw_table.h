@@ -75,6 +75,15 @@ struct RawTable {
     RawColumn *abscissa();
 };
 
+/// Converts the values of a column, which are in that unit, to the default unit.
+void convert(RawColumn &column, const Unit &unit);
+
+/// Returns whether a person chose the meaning of the column.
+inline bool isChosen(const RawColumn &column)
+{
+    return column.meaning.kind == NameMeaning::Kind::Chosen;
+}
+
 /// Removes the columns that meet the condition, and sets the reason why they are ignored.
 template <typename Condition>
 void removeColumns(std::vector<RawColumn *> &columns, ColumnReason reason, const Condition &condition)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/unnamed_bodies.h"
 
+#include "core/import/column_values.h"
 #include "core/import/crank_angles.h"
+#include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -18,24 +20,6 @@ namespace
 using Kind = NameMeaning::Kind;
 using Doubt = NameMeaning::Doubt;
 using Values = std::vector<double>;
-
-constexpr double kHalfTurn = 180.0; // the coupler swings less in every mechanism that makes full turns
-constexpr std::size_t kFewestRows = 10;
-
-/// Returns the range of angles in degrees, without the jumps after one turn.
-double widthOf(Values degrees)
-{
-    return rangeOf(unwrapped(std::move(degrees))).width();
-}
-
-/// Returns the values in degrees of a column that has not been converted; empty if its unit is not that of an angle.
-Values degreesOf(const RawColumn &column)
-{
-    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
-    Values degrees = unit ? column.finiteValues() : Values();
-    std::ranges::for_each(degrees, [&](double &value) { value = unit->toDefault(value); });
-    return degrees;
-}
 
 bool isOfUnnamedBody(const RawColumn *column)
 {
@@ -54,7 +38,8 @@ void removeConstants(std::vector<RawColumn *> &candidates)
     }
     removeColumns(candidates, ColumnReason::Constant, [&](const RawColumn &column) {
         const Channel channel = column.use.channel;
-        const bool isAcceleration = channel == Channel{R4x, Order::Acceleration} && column.values.size() >= kFewestRows;
+        const bool isAcceleration =
+            channel == Channel{R4x, Order::Acceleration} && column.values.size() >= kFewestTellingRows;
         const bool mayBeConstant = channel.coordinate == R4y || (channel.order != Order::Position && !isAcceleration);
         return isOfUnnamedBody(&column) && !mayBeConstant && isConstant(column) &&
                column.finiteValues().front() != 0.0 && std::ranges::count(filesOfMotion, column.use.file) > 0;
@@ -67,17 +52,10 @@ bool isAngleOfCrank(const RawColumn &angle, const RawColumn *abscissa)
 {
     constexpr double kEvenness = 1e-3; // of the range: the coupler never turns that evenly
     constexpr double kEvenRange = 6.0; // in the unit of the file, which may be rad though the heading does not say so
-    const double width = widthOf(angle.finiteValues());
-    return width > kHalfTurn || (abscissa && angle.values.size() >= kFewestRows && width > kEvenRange * angle.factor &&
-                                 isStraight(angle.values, abscissa->values, kEvenness * width));
-}
-
-/// Returns whether a column is a speed that does not change, apart from noise.
-bool isConstantSpeed(const RawColumn &column)
-{
-    constexpr double kVariation = 0.01; // of the speed
-    const ValueRange range = rangeOf(column.values);
-    return range.count >= kFewestRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
+    const double width = angularWidth(angle.finiteValues());
+    return width > kLargestSwing ||
+           (abscissa && angle.values.size() >= kFewestTellingRows && width > kEvenRange * angle.factor &&
+            isStraight(angle.values, abscissa->values, kEvenness * width));
 }
 
 /// Returns the angles whose derivative a column may be: those with the same owner, and of these only those with the
@@ -117,7 +95,8 @@ void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
         const auto crankAngles =
             std::ranges::count(ownAngles, kCrankAngle, [](const RawColumn *angle) { return angle->use.channel; });
         const bool isOfCrank = crankAngles > 0 && crankAngles == std::ssize(ownAngles);
-        if (isConstantSpeed(*column) || isOfCrank) {
+        const bool isEven = isNearlyConstant(*column); // only the crank turns evenly, or accelerates evenly
+        if (isEven || isOfCrank) {
             column->use.channel.coordinate = Theta2;
             column->meaning.reason = ColumnReason::WideAngle;
         } else if (crankAngles > 0) {
@@ -136,38 +115,53 @@ RawColumn *findUnnamed(const std::vector<RawColumn *> &candidates, Channel chann
     return found ? *found : nullptr;
 }
 
-/// Finds the body of the columns x, y and an angle, which programs write for each body: the slider does not turn. If
-/// both x and y change, it is not the slider, but the coupler, or the crank if it makes turns: then nothing tells its
-/// pin from its centre of mass.
-void findBodyOfPosition(std::vector<RawColumn *> &candidates)
+/// Returns the body whose x, y and angle are three columns of the same owner: the slider if the angle is constant;
+/// nothing if x or y is constant although the angle changes (they do not belong together); the crank if the angle is
+/// that of the crank; otherwise the coupler.
+std::optional<Body> bodyOfPose(const RawColumn &x, const RawColumn &y, const RawColumn &angle)
 {
     constexpr double kUnturned = 1e-6; // degrees
-    for (RawColumn *const angle : candidates) {
-        const Channel channel = angle->use.channel;
-        const bool isPosition = channel.order == Order::Position && isAngle(channel.coordinate);
-        const std::string &owner = angle->meaning.owner;
-        RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, owner);
-        RawColumn *const y = findUnnamed(candidates, {R4y, Order::Position}, owner);
-        if (!isOfUnnamedBody(angle) || !isPosition || !x || !y) {
+    if (rangeOf(angle.values).width() <= kUnturned) {
+        return Body::Slider;
+    }
+    if (isConstant(x) || isConstant(y)) {
+        return std::nullopt;
+    }
+    return angle.use.channel == kCrankAngle ? Body::Crank : Body::Coupler;
+}
+
+/// Sets the channels of the columns of an owner, which is that body. Of the crank, x and y remain in doubt: nothing
+/// tells its pin from its centre of mass.
+void assignToBody(std::vector<RawColumn *> &candidates, const std::string &owner, Body body)
+{
+    for (RawColumn *const column : candidates) {
+        if (!isOfUnnamedBody(column) || column->meaning.owner != owner) {
             continue;
         }
-        const bool turns = rangeOf(angle->values).width() > kUnturned;
-        if (turns && (isConstant(*x) || isConstant(*y))) {
-            continue; // x and y are those of the slider, and the angle is not
+        Coordinate &coordinate = column->use.channel.coordinate;
+        if (isAngle(coordinate)) {
+            coordinate = body == Body::Slider ? Theta4 : coordinate;
+        } else if (body == Body::Crank) {
+            column->meaning.doubt = Doubt::IsPointOfCrank;
+        } else if (body == Body::Coupler) {
+            coordinate = coordinate == R4y ? R3y : R3x;
         }
-        const bool isCrank = channel == kCrankAngle;
-        for (RawColumn *const column : candidates) {
-            if (!isOfUnnamedBody(column) || column->meaning.owner != owner) {
-                continue;
-            }
-            Coordinate &coordinate = column->use.channel.coordinate;
-            if (isAngle(coordinate)) {
-                coordinate = turns ? coordinate : Theta4;
-            } else if (turns && isCrank) {
-                column->meaning.doubt = Doubt::IsOfCrank; // the pin or the centre of mass
-            } else if (turns) {
-                coordinate = coordinate == R4y ? R3y : R3x;
-            }
+    }
+}
+
+/// Finds the bodies of the columns x, y and an angle, which programs write for each body.
+void findBodiesOfPoses(std::vector<RawColumn *> &candidates)
+{
+    for (RawColumn *const angle : candidates) {
+        const Channel channel = angle->use.channel;
+        const std::string owner = angle->meaning.owner;
+        if (!isOfUnnamedBody(angle) || channel.order != Order::Position || !isAngle(channel.coordinate)) {
+            continue;
+        }
+        const RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, owner);
+        const RawColumn *const y = findUnnamed(candidates, {R4y, Order::Position}, owner);
+        if (const std::optional<Body> body = x && y ? bodyOfPose(*x, *y, *angle) : std::nullopt) {
+            assignToBody(candidates, owner, *body);
         }
     }
 }
@@ -177,7 +171,7 @@ void findBodyOfPosition(std::vector<RawColumn *> &candidates)
 bool isRestingAngle(const RawColumn &column)
 {
     return isOfUnnamedBody(&column) && column.use.channel.coordinate == Theta3 && isConstant(column) &&
-           column.values.size() >= kFewestRows;
+           column.values.size() >= kFewestTellingRows;
 }
 
 /// Returns whether the column is a length of a point that only has a letter, a number or an unknown name.
@@ -207,7 +201,7 @@ void removeMagnitudes(std::vector<RawColumn *> &candidates)
     removeColumns(candidates, ColumnReason::Magnitude, [&](const RawColumn &column) {
         const RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, column.meaning.owner);
         const bool isSpeed = isOfUnnamedBody(&column) && column.use.channel == Channel{R4x, Order::Velocity};
-        return isSpeed && x && x->values.size() >= kFewestRows && moveBackAndForth(x->finiteValues()) &&
+        return isSpeed && x && x->values.size() >= kFewestTellingRows && moveBackAndForth(x->finiteValues()) &&
                rangeOf(column.values).low >= 0.0;
     });
 }
@@ -261,9 +255,9 @@ Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner
     return path;
 }
 
-/// Removes x, y and their derivatives without the name of a point that describe a curved path: they are not those of the
-/// slider. If there is a position x, only the orders whose own path is curved are removed; else a curved path of one
-/// order decides for all. Two positions are kept: the slider may also move along an inclined line, which the
+/// Removes x, y and their derivatives without the name of a point that describe a curved path: they are not those of
+/// the slider. If there is a position x, only the orders whose own path is curved are removed; else a curved path of
+/// one order decides for all. Two positions are kept: the slider may also move along an inclined line, which the
 /// identification finds out.
 void removeUnnamedCurvedPath(std::vector<RawColumn *> &candidates)
 {
@@ -293,116 +287,46 @@ bool isOfCrankPin(const RawColumn &column)
     return lowered(column.meaning.owner) == "a";
 }
 
+/// Returns the owners of points with that path.
+std::set<std::string> pointsWithPath(const std::vector<RawColumn *> &candidates, Path path)
+{
+    std::set<std::string> owners;
+    for (const RawColumn *const column : candidates) {
+        if (isOfPoint(column) && pathOf(candidates, column->meaning.owner) == path) {
+            owners.insert(column->meaning.owner);
+        }
+    }
+    return owners;
+}
+
 /// Finds the slider among points with x and y: it is the only one whose y does not change. Removes the others, those
 /// whose paths are curved, and those that only the path could tell.
 void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
 {
     const std::string part = onlyPart(candidates);
-    std::set<std::string> straight;
-    std::set<std::string> curved;
-    for (const RawColumn *const column : candidates) {
-        const std::string &owner = column->meaning.owner;
-        const Path path = isOfPoint(column) ? pathOf(candidates, owner) : Path::Unknown;
-        if (path != Path::Unknown) {
-            (path == Path::Straight ? straight : curved).insert(owner);
-        }
-    }
-    const auto isOfOther = [&](RawColumn &column) {
-        NameMeaning &meaning = column.meaning;
-        if (!isOfPoint(&column)) {
-            return false;
-        }
-        if (straight.size() == 1 && straight.contains(meaning.owner)) {
-            meaning.reason = ColumnReason::StraightPath;
-            return false;
-        }
-        const bool isDoubtful = meaning.doubt == Doubt::IsOfPoint || (meaning.doubt == Doubt::IsOfPart && part.empty());
-        return straight.size() == 1 || curved.contains(meaning.owner) || isDoubtful;
+    const std::set<std::string> straight = pointsWithPath(candidates, Path::Straight);
+    const std::set<std::string> curved = pointsWithPath(candidates, Path::Curved);
+    const bool isFound = straight.size() == 1;
+    const auto isOfSlider = [&](const RawColumn &column) {
+        return isFound && isOfPoint(&column) && straight.contains(column.meaning.owner);
     };
+    const auto isOfOther = [&](const RawColumn &column) {
+        if (!isOfPoint(&column) || isOfSlider(column)) {
+            return false;
+        }
+        const Doubt doubt = column.meaning.doubt;
+        const bool isDoubtful = doubt == Doubt::IsOfPoint || (doubt == Doubt::IsOfPart && part.empty());
+        return isFound || isDoubtful || curved.contains(column.meaning.owner);
+    };
+    for (RawColumn *const column : candidates) {
+        column->meaning.reason = isOfSlider(*column) ? ColumnReason::StraightPath : column->meaning.reason;
+    }
     removeColumns(candidates, ColumnReason::CrankPin,
-                  [&](RawColumn &column) { return isOfCrankPin(column) && isOfOther(column); });
+                  [&](const RawColumn &column) { return isOfCrankPin(column) && isOfOther(column); });
     removeColumns(candidates, ColumnReason::UnknownBody, isOfOther);
 }
 
-/// Returns whether the slider moves along y, as in an upright engine: its y changes, and no column is its x.
-bool isUpright(std::span<const RawColumn> columns)
-{
-    const auto isPosition = [](const RawColumn &column, Coordinate coordinate) {
-        return column.meaning.kind >= Kind::Quantity && column.meaning.doubt == Doubt::None &&
-               column.meaning.channel == Channel{coordinate, Order::Position};
-    };
-    const auto isMovingY = [&](const RawColumn &column) {
-        return isPosition(column, R4y) && rangeOf(column.values).width() > 0.0;
-    };
-    const auto isX = [&](const RawColumn &column) { return isPosition(column, R4x); };
-    return std::ranges::any_of(columns, isMovingY) && std::ranges::none_of(columns, isX);
-}
-
-/// Assigns velocities and accelerations of the slider to y if their names state no axis.
-void moveToY(std::span<RawColumn> columns)
-{
-    for (RawColumn &column : columns) {
-        NameMeaning &meaning = column.meaning;
-        const bool isGuess = meaning.kind >= Kind::Quantity && meaning.kind < Kind::ChannelName && !meaning.namesAxis;
-        if (isGuess && meaning.channel.coordinate == R4x && meaning.channel.order != Order::Position) {
-            meaning.channel.coordinate = R4y;
-        }
-    }
-}
-
-/// Returns the angle of the link with the next number.
-Coordinate angleOfNextLink(Coordinate angle)
-{
-    if (angle == Theta1) {
-        return Theta2;
-    }
-    return angle == Theta2 ? Theta3 : Theta4;
-}
-
 } // namespace
-
-bool isConstant(const RawColumn &column)
-{
-    const ValueRange range = rangeOf(column.values);
-    constexpr std::size_t kFewestConstants = 3; // "20 20" may be the same by chance
-    return range.count >= kFewestConstants && range.width() == 0.0;
-}
-
-bool isTurningAngle(const RawColumn &column)
-{
-    constexpr double kTurn = 360.0;
-    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
-    return unit && !isConstant(column) && !findReversal(unwrapped(column.finiteValues(), kTurn / unit->factor));
-}
-
-void correctMeanings(RawTable &table)
-{
-    if (isUpright(table.columns)) {
-        moveToY(table.columns);
-    }
-    const auto makesHalfTurn = [](const RawColumn &column) { return widthOf(degreesOf(column)) > kHalfTurn; };
-    bool isCrankFirst = false; // whether the crank has the number 1
-    for (RawColumn &column : table.columns) {
-        NameMeaning &meaning = column.meaning;
-        if (meaning.doubt == Doubt::IsAngle && isTurningAngle(column) && makesHalfTurn(column)) {
-            meaning.channel.order = Order::Position;
-        }
-        isCrankFirst = isCrankFirst || (meaning.kind >= Kind::Words && meaning.kind < Kind::Chosen &&
-                                        meaning.channel == Channel{Theta1, Order::Position} && makesHalfTurn(column));
-    }
-    for (RawColumn &column : table.columns) {
-        NameMeaning &meaning = column.meaning;
-        const Coordinate coordinate = meaning.channel.coordinate;
-        const bool isNumbered = meaning.kind >= Kind::Words && meaning.kind < Kind::Chosen &&
-                                (coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3);
-        if (isCrankFirst && isNumbered) {
-            meaning.channel.coordinate = angleOfNextLink(coordinate);
-            meaning.reason = ColumnReason::WideAngle;
-        } else if (isNumbered && coordinate == Theta1 && rangeOf(column.values).width() > 0.0) {
-            meaning = {.reason = ColumnReason::UnknownBody}; // it is not the frame
-        }
-    }
-}
 
 void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
 {
@@ -411,10 +335,12 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
     removeConstants(candidates);
     removeMagnitudes(candidates);
     findCrank(table, candidates);
-    findBodyOfPosition(candidates);
+    findBodiesOfPoses(candidates);
     removeColumns(candidates, ColumnReason::Constant, isRestingAngle);
     removeColumns(candidates, ColumnReason::UnknownBody, [](const RawColumn &column) {
-        return column.meaning.doubt == Doubt::IsOfCrank && column.use.channel.coordinate != Theta2;
+        const Doubt doubt = column.meaning.doubt;
+        return doubt == Doubt::IsPointOfCrank ||
+               (doubt == Doubt::IsAngleOfUnknown && column.use.channel.coordinate != Theta2);
     });
 }
 

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/abscissa_assignment.h"
+
+#include "core/import/column_values.h"
+#include "core/import/crank_angles.h"
+#include "core/import/vocabulary.h"
+#include "core/mechanism/find_element.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Fault = ReadFault::Kind;
+using Kind = NameMeaning::Kind;
+using Values = std::vector<double>;
+
+/// Returns whether two columns contain the same time stamps, apart from the rounding errors of a unit conversion and
+/// from rows without a value in one of them.
+bool areSameTimes(const Values &x, const Values &y)
+{
+    constexpr double kRoundingError = 1e-15; // of a unit conversion
+    return std::ranges::equal(x, y, [](double a, double b) {
+        return !std::isfinite(a - b) || std::abs(a - b) <= kRoundingError * std::abs(a);
+    });
+}
+
+/// Returns whether time stamps without a unit are in a smaller unit than seconds: whole numbers that begin below the
+/// longest time of an experiment and exceed it.
+bool areOfSmallUnit(const RawColumn &column)
+{
+    constexpr double kLongestTime = 1e8; // s, three years
+    const ValueRange range = rangeOf(column.values);
+    const auto isWhole = [](double value) { return !std::isfinite(value) || value == std::rint(value); };
+    return column.use.unit.empty() && range.low < kLongestTime && range.high >= kLongestTime &&
+           std::ranges::all_of(column.values, isWhole);
+}
+
+/// Time stamps of a clock, or in s, ms, µs or ns since 1970, count from the first row.
+void countFromFirstRow(RawColumn &column)
+{
+    constexpr double kHalfDay = 43'200.0; // s: a clock may have twelve hours
+    constexpr double kHour = 3'600.0;     // s: a clock without a date that starts below shows the time since the start
+    constexpr double kEarliestSecond = 1.2e9; // since 1970: in 2008
+    constexpr double kLatestSecond = 1e11;    // since 1970: larger numbers are in a smaller unit
+    if (column.cells.isClock) {
+        column.values = unwrapped(std::move(column.values), kHalfDay);
+    }
+    const double first = rangeOf(column.values).low;
+    double scale = 1.0; // number of units in a second
+    while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * scale) {
+        scale *= 1000.0;
+    }
+    const bool isSince1970 = first >= kEarliestSecond && first < kInfinity;
+    if (isSince1970 || (column.cells.isClock && (column.cells.hasDate || first >= kHour))) {
+        column.origin = first / scale;
+        column.factor /= scale;
+        const double step = column.rounding.infer(column.factor, true).finestStep();
+        std::ranges::for_each(column.values, [&](double &value) {
+            value = (value - first) / scale;
+            value = step > 0.0 ? step * std::rint(value / step) : value; // a double near 1.7e9 is off by 1e-7
+        });
+    }
+}
+
+/// Returns whether a word or symbol denotes an angle or a derivative of one.
+bool namesAngleOrRate(const std::string &word)
+{
+    const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
+    const WordMeaning *const entry = symbol ? symbol : findWord(word, WordUse::Word);
+    return entry && entry->dimension == Dimension::Angle;
+}
+
+/// Returns whether the values of a column only rise, but are no row numbers, and its name is unknown. Whole numbers
+/// that rise evenly to 180 or more may be degrees, unless they have the unit of a time.
+bool mayBeTime(const RawColumn &column)
+{
+    constexpr double kHalfTurn = 180.0;
+    const Values values = column.finiteValues();
+    const NameMeaning &meaning = column.meaning;
+    const bool isUnknown =
+        meaning.kind == Kind::Nothing ||
+        (meaning.kind == Kind::Quantity && meaning.hasUnknownWords && meaning.doubt == NameMeaning::Doubt::None);
+    const bool isQuantity = !isUnknown || meaning.reason == ColumnReason::UnknownBody || // "X_Value", but "J1_x"
+                            std::ranges::any_of(wordsOf(column.name), namesAngleOrRate); // and "θ/θmax"
+    if (column.isUsed() || isQuantity || !column.unitAs(ColumnRole::Time) || values.size() < 2 ||
+        !(values[0] < values[1]) || findReversal(values)) {
+        return false;
+    }
+    const bool isWhole = std::ranges::all_of(values, [](double value) { return value == std::rint(value); });
+    const bool mayBeNumber = column.use.heading.empty() || column.meaning.reason == ColumnReason::RowNumber;
+    return !isWhole || !column.use.unit.empty() || (!mayBeNumber && values.back() < kHalfTurn);
+}
+
+/// Returns whether the column may be the crank angle by its name and values.
+bool turns(const RawColumn &column)
+{
+    return column.meaning.kind == Kind::Quantity && column.meaning.channel == Channel{Theta3, Order::Position} &&
+           isTurningAngle(column);
+}
+
+/// Returns whether a person chose theta2 for the column, which is the crank angle where there is no time.
+bool isChosenCrankAngle(const RawColumn &column)
+{
+    return isChosen(column) && column.isUndecided() && column.meaning.channel == kCrankAngle;
+}
+
+/// Returns whether the heading names the crank angle (not only "an angle"), in a unit of angles. A person has not
+/// chosen the column.
+bool isNamedCrankAngle(const RawColumn &column)
+{
+    return namesChannel(column.meaning) && column.meaning.channel == kCrankAngle &&
+           column.unitAs(ColumnRole::CrankAngle);
+}
+
+/// Returns the column of the file with the heading of the abscissa in another file, or null.
+RawColumn *findSameHeading(std::span<RawColumn> columns, const RawColumn &abscissa)
+{
+    return findElement(columns, [&abscissa](const RawColumn &column) {
+        return !isChosen(column) && column.use.heading == abscissa.use.heading;
+    });
+}
+
+/// Returns whether a column may be the abscissa if it is the first one: it is no row number or parameter, and no count
+/// of the rows beside a crank angle.
+bool mayLead(const RawColumn &column, bool hasCrankAngle)
+{
+    const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
+    const bool isCount = hasCrankAngle && !turns(column) && countsRows(column);
+    return !isChosen(column) && !isConstant(column) && !isCount && (!isNumber || mayBeTime(column));
+}
+
+/// Finds the abscissa of a file in which no column is named as the time:
+///
+/// 1. if another file has an abscissa, the column with the same heading,
+/// 2. else the column that a person chose as the crank angle,
+/// 3. else the first column that may lead, if its name is unknown and its values only rise: the time,
+/// 4. else the column that is named as the crank angle,
+/// 5. else the first column that may lead and is not of words, if it is an angle that does not change its direction, as
+///    in "theta, x, v".
+void guessAbscissa(RawTable &table, const TableFile &file)
+{
+    const std::span<RawColumn> columns = table.columnsOf(file);
+    if (const RawColumn *const other = table.abscissa()) {
+        if (RawColumn *const same = findSameHeading(columns, *other)) {
+            setAbscissa(table, *same, other->use.role, ColumnReason::KnownName);
+        }
+        return;
+    }
+    if (RawColumn *const chosen = findElement(columns, isChosenCrankAngle)) {
+        return setAbscissa(table, *chosen, ColumnRole::CrankAngle, ColumnReason::Chosen);
+    }
+    RawColumn *const named = findElement(columns, isNamedCrankAngle);
+    const bool hasCrankAngle = named || findElement(columns, turns);
+    RawColumn *const leading =
+        findElement(columns, [&](const RawColumn &column) { return mayLead(column, hasCrankAngle); });
+    RawColumn *const leadingNumbers = findElement(columns, [&](const RawColumn &column) {
+        return mayLead(column, hasCrankAngle) && rangeOf(column.values).count > 0;
+    });
+    if (leading && mayBeTime(*leading)) {
+        setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
+    } else if (named) {
+        setAbscissa(table, *named, ColumnRole::CrankAngle, named->meaning.reason);
+    } else if (leadingNumbers && turns(*leadingNumbers)) {
+        setAbscissa(table, *leadingNumbers, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
+    }
+}
+
+/// Removes the columns that do not meet a condition, unless none does, and sets the reason why they are ignored.
+template <typename Condition>
+void keepBetter(std::vector<RawColumn *> &columns, ColumnReason reason, const Condition &isBetter)
+{
+    if (std::ranges::any_of(columns, [&](const RawColumn *column) { return isBetter(*column); })) {
+        removeColumns(columns, reason, [&](const RawColumn &column) { return !isBetter(column); });
+    }
+}
+
+/// Returns the undecided columns of a file that are named as a time. If some have a unit of time and numbers, the
+/// others are ignored ("T (Nm)", a clock beside seconds).
+std::vector<RawColumn *> findNamedTimes(RawTable &table, const TableFile &file)
+{
+    std::vector<RawColumn *> times;
+    for (RawColumn &column : table.columnsOf(file)) {
+        if (column.meaning.kind == Kind::Time && column.isUndecided()) {
+            times.push_back(&column);
+        }
+    }
+    keepBetter(times, ColumnReason::UnknownUnit,
+               [](const RawColumn &column) { return column.unitAs(ColumnRole::Time).has_value(); });
+    keepBetter(times, ColumnReason::NoNumber,
+               [](const RawColumn &column) { return !column.cells.isClock && rangeOf(column.values).count > 0; });
+    return times;
+}
+
+/// Makes the columns the time, which must be the same in all of them. They are ignored beside an abscissa of their file
+/// that a person chose, and beside the crank angle of another file.
+void assignNamedTimes(RawTable &table, const std::vector<RawColumn *> &times)
+{
+    for (RawColumn *const column : times) {
+        const RawColumn *const abscissa = table.abscissa();
+        if (abscissa && isChosen(*abscissa) && abscissa->use.file == column->use.file) {
+            column->use.reason = ColumnReason::LikeOther;
+        } else if (!abscissa || abscissa->use.role == ColumnRole::Time) {
+            setAbscissa(table, *column, ColumnRole::Time, ColumnReason::KnownName);
+        }
+    }
+}
+
+} // namespace
+
+void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReason reason)
+{
+    const bool isTime = role == ColumnRole::Time;
+    const std::optional<Unit> unit = column.unitAs(role);
+    if (!unit || (isTime && areOfSmallUnit(column))) {
+        throw faultIn(table, column,
+                      isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
+    }
+    convert(column, *unit);
+    if (isTime) {
+        countFromFirstRow(column);
+    }
+    table.files[column.use.file].hasAbscissa = true;
+    const RawColumn *const first = table.abscissa();
+    if (!first) {
+        column.use.role = role;
+        column.use.reason = reason;
+    } else if (areSameTimes(first->values, column.values)) {
+        column.use.reason = ColumnReason::SameTimeStamps;
+    } else if (first->use.file == column.use.file) {
+        throw faultIn(table, column, {Fault::TimeTwice});
+    } else {
+        throw ReadError{.fault = {Fault::OtherTimeStamps, {}, table.fileOf(*first).name}, .file = column.use.file};
+    }
+}
+
+void assignAbscissas(RawTable &table)
+{
+    for (const TableFile &file : table.files) {
+        assignNamedTimes(table, findNamedTimes(table, file));
+        if (!file.hasAbscissa) {
+            guessAbscissa(table, file);
+        }
+    }
+}
+
+} // namespace slidercrank

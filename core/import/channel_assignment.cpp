@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/channel_assignment.h"
+
+#include "core/import/column_values.h"
+#include "core/import/crank_angles.h"
+#include "core/import/unnamed_bodies.h"
+#include "core/mechanism/find_element.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Fault = ReadFault::Kind;
+using Kind = NameMeaning::Kind;
+using Values = std::vector<double>;
+
+/// Returns whether the coordinate is the same in every position of the mechanism.
+bool isFixed(Coordinate coordinate)
+{
+    return coordinate == R1x || coordinate == R1y || coordinate == Theta1 || coordinate == Theta4 || coordinate == R4y;
+}
+
+/// Removes columns in which more than half of the cells cannot be read as numbers, if another column is better. Keeps
+/// columns whose heading is the exact name of a channel, or which a person chose: they lead to an error message.
+void removeWords(std::vector<RawColumn *> &candidates)
+{
+    const auto isMostlyNumbers = [](const RawColumn *column) {
+        const auto unreadable = std::ranges::count_if(column->values, [](double value) { return std::isinf(value); });
+        return 2 * unreadable <= std::ssize(column->values);
+    };
+    if (std::ranges::any_of(candidates, isMostlyNumbers)) {
+        removeColumns(candidates, ColumnReason::NoNumber, [&](const RawColumn &column) {
+            return column.meaning.kind < Kind::ChannelName && !isMostlyNumbers(&column);
+        });
+    }
+}
+
+/// Returns the rounding step of the largest value.
+double stepOf(const RawColumn &column)
+{
+    return column.rounding.infer(column.factor, false).stepAt(rangeOf(column.values).size());
+}
+
+bool areEqual(const Values &x, const Values &y, double tolerance)
+{
+    return std::ranges::equal(
+        x, y, [&](double a, double b) { return std::abs(a - b) <= tolerance || !std::isfinite(a - b); });
+}
+
+/// Returns whether the values are those of a finer column in a different unit, up to the rounding of both.
+bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
+{
+    const double step = stepOf(column);
+    const double otherStep = stepOf(other);
+    const bool isCoarser = step > otherStep || (step == otherStep && column.index > other.index);
+    return isCoarser && column.factor != other.factor && column.values.size() >= 2 &&
+           areEqual(column.values, other.values, step);
+}
+
+/// Returns whether the column is the crank angle once more, in a different unit or of a second table beside the first.
+bool repeatsCrankAngle(RawTable &table, const RawColumn &column)
+{
+    const RawColumn *const abscissa = table.abscissa();
+    return abscissa && abscissa->use.role == ColumnRole::CrankAngle && column.meaning.channel == kCrankAngle &&
+           areEqual(column.values, abscissa->values, std::max(stepOf(column), stepOf(*abscissa)));
+}
+
+/// Returns whether the column may be a length by its name, but has no unit and counts the rows.
+bool isNumberOfRow(const RawColumn &column)
+{
+    const bool isUncertainLength = column.meaning.kind == Kind::Quantity && !isAngle(column.use.channel.coordinate);
+    return isUncertainLength && column.use.unit.empty() && countsRows(column);
+}
+
+/// Removes the candidates that another one makes superfluous: "Position (in)" repeats "Position (mm)", and "Pos" counts
+/// the rows beside "Slider mm".
+void removeRepeated(std::vector<RawColumn *> &candidates)
+{
+    const std::vector<RawColumn *> all = candidates;
+    const auto hasRival = [&all](const RawColumn &column, const auto &condition) {
+        return std::ranges::any_of(all, [&](const RawColumn *other) {
+            return other != &column && other->use.channel == column.use.channel && condition(*other);
+        });
+    };
+    removeColumns(candidates, ColumnReason::LikeOther, [&](const RawColumn &column) {
+        return hasRival(column, [&](const RawColumn &other) { return isCoarserCopy(column, other); });
+    });
+    removeColumns(candidates, ColumnReason::RowNumber, [&](const RawColumn &column) {
+        return isNumberOfRow(column) && hasRival(column, [](const RawColumn &) { return true; });
+    });
+}
+
+/// Converts the coupler's angle at B, which Norton calls θ3, to the one at A. They differ by half a turn, in the
+/// direction that brings the angle at A between -90° and 270°. Removes jumps by whole turns.
+void measureAtA(RawColumn &column)
+{
+    constexpr double kHalfTurn = 180.0;
+    column.values = unwrapped(std::move(column.values));
+    const ValueRange range = rangeOf(column.values);
+    column.origin = range.low + range.high > kHalfTurn ? kHalfTurn : -kHalfTurn;
+    std::ranges::for_each(column.values, [&column](double &value) { value -= column.origin; });
+}
+
+/// Returns the columns that could be channels according to their names and units, in the default unit and with the
+/// channel that they would be. Sets the reason of columns with unsuitable units, and of a second crank angle. Throws if
+/// the unit of a column with the exact name of a channel is unsuitable.
+std::vector<RawColumn *> findCandidates(RawTable &table)
+{
+    std::vector<RawColumn *> candidates;
+    for (RawColumn &column : table.columns) {
+        const NameMeaning &meaning = column.meaning;
+        if (!column.isUndecided() || meaning.kind < Kind::Quantity) {
+            continue;
+        }
+        const std::optional<Unit> unit = column.unitAs(ColumnRole::Channel, meaning.channel);
+        if (!unit && meaning.kind >= Kind::ChannelName) {
+            throw faultIn(table, column, {Fault::UnknownUnit, meaning.channel});
+        }
+        if (!unit) {
+            column.use.reason = ColumnReason::UnknownUnit;
+            continue;
+        }
+        convert(column, *unit);
+        if (repeatsCrankAngle(table, column)) {
+            column.use.reason = ColumnReason::LikeOther;
+            continue;
+        }
+        column.use.channel = meaning.channel;
+        if (meaning.isAtB) {
+            measureAtA(column);
+        }
+        if (isFixed(meaning.channel.coordinate)) { // unreadable cells do no harm: nobody needs the values
+            std::ranges::replace_if(
+                column.values, [](double value) { return std::isinf(value); }, kNone);
+        }
+        candidates.push_back(&column);
+    }
+    return candidates;
+}
+
+/// Makes a candidate its channel if no other one is the same channel with as good evidence; otherwise it is ignored.
+/// Throws if both have the exact name of the channel, or were chosen.
+void assignChannel(const RawTable &table, RawColumn &column, const std::vector<RawColumn *> &candidates)
+{
+    const auto *const rival = findElement(candidates, [&](const RawColumn *other) {
+        return other != &column && other->use.channel == column.use.channel &&
+               compareEvidence(other->meaning, column.meaning) >= 0;
+    });
+    const Kind evidence = column.meaning.kind;
+    if (!rival) {
+        column.use.role = ColumnRole::Channel;
+        column.use.reason = column.meaning.reason;
+    } else if (evidence >= Kind::ChannelName && (*rival)->meaning.kind == evidence) {
+        throw sameChannelError(table, column, **rival);
+    } else {
+        column.use.reason = ColumnReason::LikeOther;
+    }
+}
+
+} // namespace
+
+ReadError sameChannelError(const RawTable &table, const RawColumn &first, const RawColumn &second)
+{
+    const Channel channel = first.use.channel;
+    return first.use.file == second.use.file
+               ? faultIn(table, second, {Fault::ChannelTwice, channel})
+               : ReadError{.fault = {Fault::ChannelInBoth, channel, table.fileOf(first).name}, .file = second.use.file};
+}
+
+void assignChannels(RawTable &table)
+{
+    std::vector<RawColumn *> candidates = findCandidates(table);
+    removeWords(candidates);
+    removeRepeated(candidates);
+    assignBodies(table, candidates);
+    for (RawColumn *const column : candidates) {
+        assignChannel(table, *column, candidates);
+    }
+}
+
+} // namespace slidercrank

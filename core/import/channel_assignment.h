@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Finds the columns that are channels. The column with the best evidence becomes the channel; between equal ones a
+// person has to choose.
+
+#include "core/import/raw_table.h"
+
+namespace slidercrank
+{
+
+/// Returns the error that two columns are the same channel.
+ReadError sameChannelError(const RawTable &table, const RawColumn &first, const RawColumn &second);
+
+/// Gives each channel to the column with the best evidence, if there is only one, and sets the reason of the others.
+/// Requires that the abscissa is known. Throws ReadError.
+void assignChannels(RawTable &table);
+
+} // namespace slidercrank

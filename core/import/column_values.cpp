@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/column_values.h"
+
+#include "core/import/crank_angles.h"
+
+#include <utility>
+
+namespace slidercrank
+{
+
+bool isConstant(const RawColumn &column)
+{
+    constexpr std::size_t kFewestValues = 3; // "20 20" may be the same by chance
+    const ValueRange range = rangeOf(column.values);
+    return range.count >= kFewestValues && range.width() == 0.0;
+}
+
+bool countsRows(const RawColumn &column)
+{
+    const std::vector<double> values = column.finiteValues();
+    const double first = values.empty() ? kNone : values[0];
+    bool counts = first == 0.0 || first == 1.0;
+    for (std::size_t row = 0; row < values.size(); ++row) {
+        counts = counts && values[row] == first + static_cast<double>(row);
+    }
+    return counts;
+}
+
+bool isTurningAngle(const RawColumn &column)
+{
+    constexpr double kTurn = 360.0;
+    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
+    return unit && !isConstant(column) && !findReversal(unwrapped(column.finiteValues(), kTurn / unit->factor));
+}
+
+bool isNearlyConstant(const RawColumn &column)
+{
+    constexpr double kVariation = 0.01; // of the largest value
+    const ValueRange range = rangeOf(column.values);
+    return range.count >= kFewestTellingRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
+}
+
+double angularWidth(std::vector<double> degrees)
+{
+    return rangeOf(unwrapped(std::move(degrees))).width();
+}
+
+} // namespace slidercrank

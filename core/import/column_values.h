@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// What the values of a column tell about it.
+
+#include "core/import/raw_table.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace slidercrank
+{
+
+/// Number of rows from which on values are not alike by chance.
+inline constexpr std::size_t kFewestTellingRows = 10;
+
+/// Largest range of the angle of a coupler, in degrees, in every mechanism that makes full turns.
+inline constexpr double kLargestSwing = 180.0;
+
+/// Returns whether the readable values are equal; false for fewer than three, which may be equal by chance.
+bool isConstant(const RawColumn &column);
+
+/// Returns whether the values are 0, 1, 2, … or 1, 2, 3, …
+bool countsRows(const RawColumn &column);
+
+/// Returns whether the column only rises or only falls as an angle that is limited to one turn.
+bool isTurningAngle(const RawColumn &column);
+
+/// Returns whether at least ten values differ by no more than 1 % of the largest, which is not 0.
+bool isNearlyConstant(const RawColumn &column);
+
+/// Returns the range of angles in degrees, without the jumps after one turn.
+double angularWidth(std::vector<double> degrees);
+
+} // namespace slidercrank

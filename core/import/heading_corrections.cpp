@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/heading_corrections.h"
+
+#include "core/import/column_values.h"
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Kind = NameMeaning::Kind;
+using Doubt = NameMeaning::Doubt;
+
+/// Returns whether the slider moves along y, as in an upright engine: its y changes, and no column is its x.
+bool isUpright(std::span<const RawColumn> columns)
+{
+    const auto isPosition = [](const RawColumn &column, Coordinate coordinate) {
+        return column.meaning.kind >= Kind::Quantity && column.meaning.doubt == Doubt::None &&
+               column.meaning.channel == Channel{coordinate, Order::Position};
+    };
+    const auto isMovingY = [&](const RawColumn &column) {
+        return isPosition(column, R4y) && rangeOf(column.values).width() > 0.0;
+    };
+    const auto isX = [&](const RawColumn &column) { return isPosition(column, R4x); };
+    return std::ranges::any_of(columns, isMovingY) && std::ranges::none_of(columns, isX);
+}
+
+/// Assigns velocities and accelerations of an upright slider to y if their names state no axis.
+void moveToY(std::span<RawColumn> columns)
+{
+    if (!isUpright(columns)) {
+        return;
+    }
+    for (RawColumn &column : columns) {
+        NameMeaning &meaning = column.meaning;
+        const bool mayBeY = (meaning.kind == Kind::Quantity || meaning.kind == Kind::Words) && !meaning.namesAxis;
+        if (mayBeY && meaning.channel.coordinate == R4x && meaning.channel.order != Order::Position) {
+            meaning.channel.coordinate = R4y;
+        }
+    }
+}
+
+/// Returns the values in degrees of a column that has not been converted; empty if its unit is not that of an angle.
+std::vector<double> degreesOf(const RawColumn &column)
+{
+    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
+    std::vector<double> degrees = unit ? column.finiteValues() : std::vector<double>();
+    std::ranges::for_each(degrees, [&](double &value) { value = unit->toDefault(value); });
+    return degrees;
+}
+
+bool makesHalfTurn(const RawColumn &column)
+{
+    return angularWidth(degreesOf(column)) > kLargestSwing;
+}
+
+/// Takes "α", which may also be an angular acceleration, as an angle if it makes half a turn.
+void decideAlpha(std::span<RawColumn> columns)
+{
+    for (RawColumn &column : columns) {
+        NameMeaning &meaning = column.meaning;
+        if (meaning.doubt == Doubt::IsAngle && isTurningAngle(column) && makesHalfTurn(column)) {
+            meaning.channel.order = Order::Position;
+        }
+    }
+}
+
+/// Returns whether the name is θ1, θ2 or θ3, or a derivative.
+bool isOfNumberedLink(const RawColumn &column)
+{
+    const Coordinate coordinate = column.meaning.channel.coordinate;
+    return namesChannel(column.meaning) && (coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3);
+}
+
+/// Returns the angle of the link with the next number.
+Coordinate angleOfNextLink(Coordinate angle)
+{
+    if (angle == Theta1) {
+        return Theta2;
+    }
+    return angle == Theta2 ? Theta3 : Theta4;
+}
+
+/// Renumbers the angles of the links if the crank has the number 1, and θ1 makes half a turn. Otherwise a θ1 that
+/// changes is not the angle of the frame, and of an unknown body.
+void renumberLinks(std::span<RawColumn> columns)
+{
+    const bool isCrankFirst = std::ranges::any_of(columns, [](const RawColumn &column) {
+        return namesChannel(column.meaning) && column.meaning.channel == Channel{Theta1, Order::Position} &&
+               makesHalfTurn(column);
+    });
+    for (RawColumn &column : columns) {
+        NameMeaning &meaning = column.meaning;
+        if (!isOfNumberedLink(column)) {
+            continue;
+        }
+        if (isCrankFirst) {
+            meaning.channel.coordinate = angleOfNextLink(meaning.channel.coordinate);
+            meaning.reason = ColumnReason::WideAngle;
+        } else if (meaning.channel.coordinate == Theta1 && rangeOf(column.values).width() > 0.0) {
+            meaning = {.reason = ColumnReason::UnknownBody};
+        }
+    }
+}
+
+} // namespace
+
+void correctMeanings(RawTable &table)
+{
+    moveToY(table.columns);
+    decideAlpha(table.columns);
+    renumberLinks(table.columns);
+}
+
+} // namespace slidercrank

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Corrects the meanings of headings that the values of the columns disprove.
+
+#include "core/import/raw_table.h"
+
+namespace slidercrank
+{
+
+/// Corrects, before the time or crank angle is known:
+///
+///     y, v            beside a y that changes without an x, the velocity is that of y: the slider is upright
+///     α               an angle, if it makes half a turn, and no angular acceleration
+///     θ1, θ2, θ3      those of crank, coupler and slider, if θ1 makes half a turn
+void correctMeanings(RawTable &table);
+
+} // namespace slidercrank
