@@ -70,11 +70,11 @@ bool isStraight(std::span<const double> values, std::span<const double> time, do
     return true;
 }
 
-std::optional<std::size_t> findReversal(std::span<const double> degrees)
+std::optional<std::size_t> findReversal(std::span<const double> values)
 {
-    const bool rises = degrees.size() > 1 && degrees[1] > degrees[0];
-    for (std::size_t i = 1; i < degrees.size(); ++i) {
-        if (!(rises ? degrees[i] > degrees[i - 1] : degrees[i] < degrees[i - 1])) {
+    const bool rises = values.size() > 1 && values[1] > values[0];
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        if (!(rises ? values[i] > values[i - 1] : values[i] < values[i - 1])) {
             return i;
         }
     }

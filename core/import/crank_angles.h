@@ -37,8 +37,8 @@ std::vector<double> wholeDegreesBeforeRounding(std::vector<double> degrees, cons
 /// Returns whether the values are points of a straight line over the time, apart from a tolerance.
 bool isStraight(std::span<const double> values, std::span<const double> time, double tolerance);
 
-/// Returns the index of the first angle that does not continue in the direction of the first two, or nullopt.
-std::optional<std::size_t> findReversal(std::span<const double> degrees);
+/// Returns the index of the first value that does not continue in the direction of the first two, or nullopt.
+std::optional<std::size_t> findReversal(std::span<const double> values);
 
 /// Returns the data with the time stamps at which the crank of that mechanism has the angles of the file. Reverses the
 /// order of the rows if it rotates in the opposite direction. Data with time stamps of their own are returned

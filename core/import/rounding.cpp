@@ -17,8 +17,8 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the power of ten of the first digit of a positive number. A unit conversion and its inverse may turn a
-/// printed 10 into 9.99…9, which still counts as 10.
+/// Returns the exponent of the power of ten of the first digit of a positive number. A unit conversion and its inverse
+/// may turn a printed 10 into 9.99…9, which still counts as 10.
 int decadeOf(double magnitude)
 {
     constexpr double kConversionSlack = 1e-12;
@@ -116,6 +116,24 @@ std::vector<double> sortedFinite(std::span<const double> values)
     std::ranges::copy_if(values, std::back_inserter(sorted), [](double value) { return std::isfinite(value); });
     std::ranges::sort(sorted);
     return sorted;
+}
+
+/// The gaps between sorted values that differ by more than an uncertainty.
+struct Gaps {
+    double smallest = kInfinity;
+    std::size_t distinctValues = 1;
+};
+
+Gaps gapsBetween(const std::vector<double> &sorted, double uncertainty)
+{
+    Gaps gaps;
+    for (std::size_t i = 1; i < sorted.size(); ++i) {
+        if (const double gap = sorted[i] - sorted[i - 1]; gap > uncertainty) {
+            gaps.smallest = std::min(gaps.smallest, gap);
+            ++gaps.distinctValues;
+        }
+    }
+    return gaps;
 }
 
 } // namespace
@@ -248,23 +266,14 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     }
     const double uncertainty =
         2.0 * printedStep + kArithmeticError * std::max(std::abs(levels.front()), std::abs(levels.back()));
-    double quantum = kInfinity;
-    const auto takeGaps = [&](const std::vector<double> &sorted) {
-        std::size_t distinct = 1;
-        for (std::size_t i = 1; i < sorted.size(); ++i) {
-            if (const double gap = sorted[i] - sorted[i - 1]; gap > 2.0 * uncertainty) {
-                quantum = std::min(quantum, gap);
-                ++distinct;
-            }
-        }
-        return distinct;
-    };
-    const std::size_t distinctLevels = takeGaps(levels);
-    const std::size_t distinctDifferences = takeGaps(differences);
-    if (distinctLevels < kFewestValues || distinctDifferences < 2 || !(quantum >= kMinQuantum * uncertainty)) {
+    const Gaps gaps = gapsBetween(levels, 2.0 * uncertainty);
+    const Gaps gapsOfDifferences = gapsBetween(differences, 2.0 * uncertainty);
+    const double smallestGap = std::min(gaps.smallest, gapsOfDifferences.smallest);
+    if (gaps.distinctValues < kFewestValues || gapsOfDifferences.distinctValues < 2 ||
+        !(smallestGap >= kMinQuantum * uncertainty)) {
         return std::nullopt;
     }
-    quantum = refinedStep(quantum, levels);
+    const double quantum = refinedStep(smallestGap, levels);
     const bool fits = std::ranges::all_of(levels, [&](double level) {
         const double distance = level - levels.front();
         return std::abs(distance - std::round(distance / quantum) * quantum) <= uncertainty;
