@@ -54,8 +54,13 @@ bool makesTurn(const RawColumn &column)
     return isAngle && isTurningAngle(column) && unit->toDefault(rangeOf(column.values).width()) > kLargestSwing;
 }
 
-/// Returns the quantity that a column would be by its meaning or else its unit: that of the slider for a length, and of
-/// the coupler for an angle.
+/// Returns the quantity that a column probably is:
+///
+/// 1. the one that its name means, if its unit suits it,
+/// 2. else the crank's speed, if the unit leaves open whether it is in turns or radians,
+/// 3. else the slider's, if the name states no body and no unit,
+/// 4. else the crank angle, if the values make turns,
+/// 5. else that of the coupler for a unit of angles, and that of the slider for other units.
 Channel likelyChannel(const RawColumn &column)
 {
     const std::optional<Unit> unit = parseUnit(column.use.unit);

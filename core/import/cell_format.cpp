@@ -10,6 +10,19 @@
 namespace slidercrank
 {
 
+namespace
+{
+
+/// Returns whether the first point or comma of a number may separate thousands, as in "80,826": a number from 1 to 999
+/// is before it, and three digits are behind it.
+bool maySeparateThousands(std::string_view number, std::size_t sign)
+{
+    const std::size_t first = number.find_first_of("0123456789");
+    return first < sign && sign - first <= 3 && number[first] != '0' && number.size() == sign + 4;
+}
+
+} // namespace
+
 void findClocks(const Line &row, char delimiter, std::vector<Heading> &headings)
 {
     const Cells cells = splitCells(row.text, delimiter);
@@ -30,27 +43,27 @@ void findClocks(const Line &row, char delimiter, std::vector<Heading> &headings)
 
 void findDecimalSign(Lines lines, FileLayout &layout)
 {
+    const bool isBetweenCommas = layout.delimiter == ',';
     int commas = 0; // numbers that need a comma, minus those that need a point
-    bool isClear = layout.delimiter == ',';
+    bool mayBeThousands = !isBetweenCommas;
     bool hasSign = false;
     for (const Line &line : lines) {
         for (const std::string_view cell : splitCells(line.text, layout.delimiter)) {
-            const std::string text(splitUnit(cell).number);
-            const bool isPoint = !parseNumber(text, DecimalSign::Point).fault;
-            const bool mayHaveThousands = layout.delimiter == ',' && text.find(',') != text.npos &&
-                                          !parseNumber(text + ".0", DecimalSign::Point).fault;
-            const bool isComma = !mayHaveThousands && !parseNumber(text, DecimalSign::Comma).fault;
-            commas += (isComma ? 1 : 0) - (isPoint ? 1 : 0);
-            const std::size_t first = text.find_first_of("0123456789");
-            const std::size_t sign = text.find_first_of(".,");
-            if ((isPoint || isComma) && sign != text.npos) {
+            const std::string number(splitUnit(cell).number);
+            const std::size_t sign = number.find_first_of(".,");
+            const bool hasThousands = isBetweenCommas && number.find(',') != number.npos &&
+                                      !parseNumber(number + ".0", DecimalSign::Point).fault;
+            const bool isWithPoint = !parseNumber(number, DecimalSign::Point).fault;
+            const bool isWithComma = !hasThousands && !parseNumber(number, DecimalSign::Comma).fault;
+            commas += (isWithComma ? 1 : 0) - (isWithPoint ? 1 : 0);
+            if ((isWithPoint || isWithComma) && sign != number.npos) {
                 hasSign = true;
-                isClear = isClear || first >= sign || text[first] == '0' || sign - first > 3 || text.size() != sign + 4;
+                mayBeThousands = mayBeThousands && maySeparateThousands(number, sign);
             }
         }
     }
     layout.decimalSign = commas > 0 ? DecimalSign::Comma : DecimalSign::Point;
-    layout.mayBeThousands = hasSign && !isClear;
+    layout.mayBeThousands = hasSign && mayBeThousands;
 }
 
 } // namespace slidercrank
