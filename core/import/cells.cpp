@@ -21,7 +21,8 @@ constexpr std::string_view kGaps = "nan -nan na n/a n.a. null none - -- --- | #n
 constexpr char kApostrophe = '\'';
 
 /// Minus signs, Fortran's exponents, and the characters that only separate thousands.
-const Spellings kNumberSpellings("\u2212=-|\u2019='| ='|\u00A0='|\u2009='|\u202F='|D=e|d=e");
+const Spellings kNumberSpellings{{"\u2212", "-"}, {"\u2019", "'"}, {" ", "'"}, {"\u00A0", "'"},
+                                 {"\u2009", "'"}, {"\u202F", "'"}, {"D", "e"}, {"d", "e"}};
 
 /// Parses an optional minus sign, digits with at most one point, and an optional exponent.
 CellNumber parsePlain(std::string_view text)

@@ -2,7 +2,8 @@
 #include "core/import/heading.h"
 
 #include "core/import/cells.h"
-#include "core/import/name_reading.h"
+#include "core/import/name_derivatives.h"
+#include "core/import/name_path.h"
 #include "core/import/spellings.h"
 #include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"
@@ -271,11 +272,6 @@ void resolveDoubts(std::vector<Heading> &row)
     const bool hasPiston = std::ranges::any_of(row, isOfPiston);
     for (Heading &heading : row) {
         NameMeaning &meaning = heading.meaning;
-        if (isOfPointA(heading, row) || isCrankPinOfSolve(heading, row)) {
-            meaning = {.reason = ColumnReason::CrankPin};
-        } else if (isMagnitude(heading, row)) {
-            meaning = {.reason = ColumnReason::Magnitude};
-        }
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
             continue;
         }
@@ -288,6 +284,19 @@ void resolveDoubts(std::vector<Heading> &row)
             meaning.channel.order = static_cast<Order>(static_cast<int>(meaning.channel.order) + 1);
         } else if (meaning.doubt == Doubt::IsDerivative || !isIndex) {
             meaning = {.reason = ColumnReason::UnknownBody};
+        }
+    }
+}
+
+/// Takes the meaning from headings that are no channels, as the other columns show: those of the crank pin and of
+/// magnitudes.
+void excludeOtherQuantities(std::vector<Heading> &row)
+{
+    for (Heading &heading : row) {
+        if (isOfPointA(heading, row) || isCrankPinOfSolve(heading, row)) {
+            heading.meaning = {.reason = ColumnReason::CrankPin};
+        } else if (isMagnitude(heading, row)) {
+            heading.meaning = {.reason = ColumnReason::Magnitude};
         }
     }
 }
@@ -331,6 +340,40 @@ void resolveReciprocalSeconds(Heading &heading)
         meaning = {.channel = meaning.channel, .reason = ColumnReason::TurnsOrRadians};
     } else if (isHertz) {
         heading.use.unit = "rev/s";
+    }
+}
+
+/// Completes the names and units of components, which PMKS+ writes behind the magnitude of their vector: "Velocity
+/// (cm/s)", "X-comp", "Y-comp". Marks the magnitude.
+void completeComponents(std::span<Heading> row)
+{
+    Heading *vector = nullptr;
+    for (Heading &heading : row) {
+        const bool isComponent = isAmong(heading.name, "X-comp Y-comp");
+        if (isComponent && vector) {
+            vector->use.reason = ColumnReason::Magnitude;
+            heading.name = vector->name + (heading.name[0] == 'X' ? " x" : " y");
+            heading.use.unit = heading.use.unit.empty() ? vector->use.unit : heading.use.unit;
+        } else if (!isComponent) {
+            const bool isQuantity = meaningOf(heading.name, heading.use.unit).kind == Kind::Quantity;
+            vector = isQuantity ? &heading : nullptr;
+        }
+    }
+}
+
+/// If the path of any name implies m, rad and s, those of the other names without a unit do, too: "slider.frame_a.x"
+/// beside "slider.v".
+void implySiUnits(std::span<Heading> row)
+{
+    const auto impliesSi = [](const Heading &heading) { return heading.meaning.reason == ColumnReason::PathInSi; };
+    if (std::ranges::none_of(row, impliesSi)) {
+        return;
+    }
+    for (Heading &heading : row) {
+        NameMeaning &meaning = heading.meaning;
+        if (heading.use.unit.empty() && meaning.kind >= Kind::Quantity && !meaning.owner.empty()) {
+            meaning.reason = ColumnReason::PathInSi;
+        }
     }
 }
 
@@ -398,11 +441,12 @@ std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
     return differs && meaning.channel.order != Order::Position ? position->use.unit + perTime : std::string();
 }
 
-/// Returns a heading without the marks that programs put around it: "[Slider Position (mm)]", "{$x$ (mm)}" of LaTeX,
-/// the label "<x>" of a signal in Simulink, and "('slider', 'x')" of pandas.
+/// Removes the marks around a heading: "{$x$ (mm)}" of LaTeX, the label "<x>" of a signal in Simulink, 'x', and the
+/// brackets of "[Slider Position (mm)]". Brackets without a "(" inside stay: they are a unit, "[mm]". "('slider', 'x')"
+/// of pandas becomes the path "slider/x".
 std::string withoutEnclosure(std::string text)
 {
-    static const Spellings kPandasSeparators("', '=/");
+    static const Spellings kPandasSeparators{{"', '", "/"}};
     const auto isBetween = [&text](char first, char last) {
         return text.size() > 2 && text.front() == first && text.back() == last;
     };
@@ -433,8 +477,9 @@ bool splitUnitAlone(std::string_view text, const Unit &unit, Heading &heading)
 
 Heading parseHeading(std::string_view cell)
 {
-    static const Spellings kQuotedCharacters("\"\"=\"|\r\n= |\n= ");
-    static const Spellings kLatexMarkup("$=|\\mathrm=|\\text=|\\rm=|\\si=|\\unit=|\\left=|\\right=");
+    static const Spellings kQuotedCharacters{{"\"\"", "\""}, {"\r\n", " "}, {"\n", " "}};
+    static const Spellings kLatexMarkup{{"$", ""},    {"\\mathrm", ""}, {"\\text", ""}, {"\\rm", ""},
+                                        {"\\si", ""}, {"\\unit", ""},   {"\\left", ""}, {"\\right", ""}};
     Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
     const std::string text = withoutEnclosure(kLatexMarkup.replacedIn(heading.use.heading));
     heading.name = text;
@@ -468,34 +513,19 @@ bool beginsWithSymbol(const Heading &heading)
 
 void interpretHeadings(std::vector<Heading> &row)
 {
-    std::optional<std::size_t> magnitude;
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        Heading &heading = row[i];
-        const bool isComponent = isAmong(heading.name, "X-comp Y-comp");
-        if (isComponent && magnitude) {
-            Heading &whole = row[*magnitude];
-            whole.use.reason = ColumnReason::Magnitude;
-            heading.name = whole.name + (heading.name[0] == 'X' ? " x" : " y");
-            heading.use.unit = heading.use.unit.empty() ? whole.use.unit : heading.use.unit;
-        }
+    completeComponents(row);
+    for (Heading &heading : row) {
         heading.meaning = meaningOf(heading.name, heading.use.unit);
-        if (!isComponent) {
-            magnitude = heading.meaning.kind == Kind::Quantity ? std::optional(i) : std::nullopt;
-        }
     }
     resolveDoubts(row);
+    excludeOtherQuantities(row);
     std::ranges::for_each(row, resolveReciprocalSeconds);
-    const bool isInSi = std::ranges::any_of(
-        row, [](const Heading &heading) { return heading.meaning.reason == ColumnReason::PathInSi; });
+    implySiUnits(row);
     for (Heading &heading : row) {
-        NameMeaning &meaning = heading.meaning;
-        if (isInSi && heading.use.unit.empty() && meaning.kind >= Kind::Quantity && !meaning.owner.empty()) {
-            meaning.reason = ColumnReason::PathInSi; // "slider.frame_a.x" beside "slider.v"
+        if (heading.meaning.kind == Kind::Nothing) {
+            heading.use.reason = heading.use.heading.empty() ? ColumnReason::NoName : heading.meaning.reason;
         }
-        if (meaning.kind == Kind::Nothing) {
-            heading.use.reason = heading.use.heading.empty() ? ColumnReason::NoName : meaning.reason;
-        }
-        if (meaning.kind >= Kind::Quantity && heading.use.unit.empty()) {
+        if (heading.meaning.kind >= Kind::Quantity && heading.use.unit.empty()) {
             heading.use.unit = impliedUnit(heading, row);
         }
     }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Interprets the heading of a column: splits it into name and unit, and finds what only the other headings tell.
+// Interprets the headings of a table: splits each into name and unit, and decides what it means. Where a name is
+// ambiguous ("xp"), the other headings decide.
 
 #include "core/import/name_meaning.h"
 

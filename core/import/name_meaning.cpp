@@ -2,6 +2,7 @@
 #include "core/import/name_meaning.h"
 
 #include "core/import/cells.h"
+#include "core/import/name_derivatives.h"
 #include "core/import/name_reading.h"
 #include "core/import/spellings.h"
 
@@ -182,8 +183,8 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     const bool isOfTurningBody = (name.body == Body::Crank || name.body == Body::Coupler) && !isAngle;
     const bool isCentre = name.isCentre && name.axis != ' '; // the only point of these bodies that has channels
     if (!knownOrder || (isOfTurningBody && !isCentre)) {
-        const bool isOfUnknown = name.unknown.isAny() && name.order && !unit;
-        return {.reason = isOfUnknown ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
+        const bool mayBeChannel = name.unknown.isAny() && name.order && !unit;
+        return {.reason = mayBeChannel ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
     }
     const Order order = *knownOrder;
     const bool isOfUnknown = isOfUnknownPoint(name, isAngle);
@@ -372,7 +373,8 @@ bool isOverAngle(std::string_view name, const std::string &unit)
 /// "np.gradient(x, t)". Returns nullopt for other names.
 std::optional<std::string> derivativeOfDifferences(std::string_view name)
 {
-    static const Spellings kDerivatives("\\Delta =d|\\Delta=d|Δ=d|∆=d|np.gradient(=diff(|gradient(=diff(");
+    static const Spellings kDerivatives{{"\\Delta ", "d"}, {"\\Delta", "d"},          {"Δ", "d"},
+                                        {"∆", "d"},        {"np.gradient(", "diff("}, {"gradient(", "diff("}};
     std::string derivative = kDerivatives.replacedIn(name);
     const bool isCall = derivative.starts_with("diff(");
     const bool isQuotient = derivative.starts_with('d') && derivative.find("/d") != derivative.npos;
@@ -408,8 +410,8 @@ NameMeaning meaningOfWords(std::string_view name, const NamePath &path, int deri
 /// Returns the meaning of a name that may be a path, such as "slider.s". It is differentiated `derivatives` times.
 NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::string &unit)
 {
-    static const Spellings kPathSpellings(
-        "/dt=dt|/Dt=dt|/DT=dt|/ dt=dt|/d t=dt|₊=."); // the first are no paths, the last is Julia's
+    static const Spellings kPathSpellings{{"/dt", "dt"},  {"/Dt", "dt"}, {"/DT", "dt"}, {"/ dt", "dt"},
+                                          {"/d t", "dt"}, {"₊", "."}}; // the first are no paths, the last is Julia's
     const std::string plain = kPathSpellings.replacedIn(name);
     const NamePath path = splitPath(plain);
     if (path.parts.empty()) {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/name_reading.h"
 
-#include "core/import/cells.h"
-
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace slidercrank
@@ -15,10 +12,6 @@ namespace
 
 using Words = std::vector<std::string>;
 using Doubt = NameMeaning::Doubt;
-
-/// Parts of names that programs with m, rad and s give: OpenSim, MuJoCo, Gazebo and ROS.
-constexpr std::array<std::string_view, 9> kNamesInSi{"_tx",        "qpos",       "qvel",   "qacc",   "_joint_pos",
-                                                     "_joint_vel", "_joint_acc", ".pose.", ".twist."};
 
 /// Sets `known` to `value` if there is one. Returns false if it differs from the one that was known before.
 template <typename Value>
@@ -276,7 +269,7 @@ bool includeWord(NameReading &reading, std::string_view word, Entries entries)
     return includeCompound(reading, word, entries) || includeStem(reading, word);
 }
 
-/// Returns whether a word makes a name that of another quantity: "error", "force", "Messabweichung".
+/// Returns whether a word says that the name is of a quantity that is no channel: "error", "force", "Messabweichung".
 bool isOfOtherQuantity(std::string_view word)
 {
     constexpr std::size_t kShortestPart = 4; // bytes
@@ -326,53 +319,8 @@ bool isNumberOfPoint(const NameReading &before, const Words &words, std::size_t 
     return mayBeLetter && !isLast && isAfterUnknown && before.unknown.hasWord;
 }
 
-/// Removes the differentials of "dx/dt" and "Acceleration d^2x/dt^2", whose words are "dxdt" and "acceleration", "d",
-/// "2", "xdt", "2". Returns the number of derivatives.
-int takeDifferentials(Words &words)
-{
-    const auto mayBeDifferential = [](const std::string &word) {
-        return word.starts_with('d') && !findWord(word, WordUse::Word) && !findWord(word, WordUse::Filler) &&
-               !findWord(word, WordUse::Derivative);
-    };
-    const auto endsWithTime = [](const std::string &word) { return word.ends_with("dt"); };
-    const auto first = std::ranges::find_if(words, mayBeDifferential);
-    const auto quotient = std::find_if(first, words.end(), endsWithTime);
-    const bool isQuotient = quotient != words.end();
-    const auto length = words.end() - first;
-    if (length == 0 || (length == 1 && first->size() <= 3)) { // "dt" is no quotient
-        return 0;
-    }
-    const bool isSecond = length > 2 && *first == "d" && *(first + 1) == "2" && (isQuotient || first == words.begin());
-    if (isQuotient) {
-        quotient->resize(quotient->size() - 2);
-        if (const auto power = quotient + 1; power != words.end() && *power == "2") {
-            words.erase(power);
-        }
-    }
-    if (isSecond) {
-        words.erase(first, first + 2);
-    } else if (isQuotient) {
-        first->erase(0, 1);
-    }
-    std::erase(words, std::string());
-    if (isSecond) {
-        return 2;
-    }
-    return isQuotient ? 1 : 0;
-}
-
-/// Returns whether a word names the quantity or its axis, and not only the body.
-bool namesQuantity(const Words &words)
-{
-    return isTime(words) || std::ranges::any_of(words, [](const std::string &word) {
-               const WordMeaning *const entry = findWord(word, WordUse::Word);
-               const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
-               return (entry && entry->order && !entry->body) || (symbol && symbol->axis != ' ');
-           });
-}
-
-/// Returns whether two words name a channel, as in "Channel A", or an element, whose letter has a number that no link
-/// has and before words for its quantity, as in "S001_Displacement_X".
+/// Returns whether the two words at `at` only label a signal: "Channel A", or a letter with a number that is not 1 to 4
+/// (those are links) and words for the quantity behind it, such as the S001 of "S001_Displacement_X".
 bool isNameOfElement(const Words &words, std::size_t at)
 {
     if (isAmong(words[at], "channel ch canal kanal") && at + 1 < words.size() && words[at + 1].size() == 1) {
@@ -414,116 +362,7 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
     return true;
 }
 
-/// Returns the mark between a quantity and its owner: "@", a hyphen, or a colon behind the quantity, as in
-/// "slider_pos:MECHANISM" of Creo.
-std::string_view markOfOwner(std::string_view name)
-{
-    if (name.find('@') != name.npos) {
-        return "@";
-    }
-    const std::size_t colon = name.find(':');
-    const bool isBehindQuantity = colon != name.npos && namesQuantity(wordsOf(name.substr(0, colon))) &&
-                                  !namesQuantity(wordsOf(name.substr(colon + 1)));
-    return isBehindQuantity ? ":" : " - ";
-}
-
-/// Splits a name whose owner follows after "@", a hyphen or a colon, "Pos_TX@Slider" or "Position - Cart", or is before
-/// the hyphen, "Slider - X". Returns nullopt for other names.
-std::optional<NamePath> splitAtOwner(std::string_view name)
-{
-    const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
-    name.remove_prefix(isOfRecurDyn ? 2 : 0);
-    const std::string_view mark = isOfRecurDyn ? "-" : markOfOwner(name);
-    const std::size_t at = name.find(mark);
-    if (at == name.npos || at == 0) {
-        return std::nullopt;
-    }
-    const std::string_view before = name.substr(0, at);
-    const std::string_view after = name.substr(at + mark.size()); // "Slider@Model1"
-    if (mark == " - " && !namesQuantity(wordsOf(before)) && namesQuantity(wordsOf(after))) {
-        return NamePath{{before, after}, std::string(before)};
-    }
-    return NamePath{{after.substr(0, after.find('@')), before}, std::string(after)};
-}
-
-/// Returns whether the full stop at `at` is before an index, as Mathcad writes it: "x.B", "θ.2". A part of a path, as
-/// in "slider.s", is no capital letter or digit.
-bool isBeforeIndex(std::string_view name, std::size_t at)
-{
-    const Words before = wordsOf(name.substr(0, at));
-    const char last = name.back();
-    return at + 2 == name.size() && (isDigit(last) || lowerCase(last) != last) && before.size() == 1 &&
-           findWord(before[0], WordUse::Symbol);
-}
-
 } // namespace
-
-NamePath splitPath(std::string_view name)
-{
-    if (const std::optional<NamePath> path = splitAtOwner(name)) {
-        return *path;
-    }
-    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a full stop may end an abbreviation
-    const bool isLatex = name.starts_with('\\') || name.find_first_of("{^$") != name.npos;
-    const auto isSeparator = [&](std::size_t i) {
-        const bool isBeforeName = i + 1 < name.size() && !isBlank(name[i + 1]); // "Slider Joint.Px.v"
-        switch (name[i]) {
-        case '/':
-        case ':':
-        case '|': return true;
-        case '.': return (!hasBlank || isBeforeName) && !isBeforeIndex(name, i);
-        case '\\': return !isLatex;
-        case ',': return i > 1 && i + 3 < name.size() && name[i + 1] == ' '; // "Slider, X Displacement"
-        default: return false;
-        }
-    };
-    NamePath path;
-    std::size_t begin = 0;
-    char lastSeparator = ' ';
-    for (std::size_t i = 0; i <= name.size(); ++i) {
-        const bool isEnd = i == name.size();
-        if (!isEnd && !isSeparator(i)) {
-            continue;
-        }
-        if (i > begin) {
-            path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));
-            path.parts.push_back(name.substr(begin, i - begin));
-        }
-        begin = i + 1;
-        lastSeparator = isEnd ? lastSeparator : name[i];
-    }
-    if (path.parts.size() > 2 && path.parts.back() == "Q") { // the value of a measure in Adams: ".model.slider_vx.Q"
-        path.parts.pop_back();
-    }
-    path.isOfModelica = path.parts.size() > 1 && lastSeparator == '.' && name.find_first_of(" ,;:/") == name.npos &&
-                        findWord('.' + std::string(path.parts.back()), WordUse::Symbol);
-    path.isInSi = path.isOfModelica || (path.parts.size() > 1 && name.starts_with('/')) ||
-                  std::ranges::any_of(kNamesInSi, [&](std::string_view part) { return name.find(part) != name.npos; });
-    return path;
-}
-
-int takeDerivatives(Words &words)
-{
-    int count = takeDifferentials(words);
-    if (words == Words{"ddot"} || words == Words{"dddot"}) { // of the distance d
-        words = {"d", words[0].substr(1)};
-    }
-    for (std::size_t i = 0; i < words.size();) {
-        const bool hasNext = i + 1 < words.size();
-        const WordMeaning *const two = hasNext ? findWord(words[i] + '_' + words[i + 1], WordUse::Derivative) : nullptr;
-        const bool isOfSymbol = i > 0 && findWord(words[i - 1], WordUse::Symbol);
-        const bool isLabel = !isOfSymbol && hasNext && findWord(words[i], WordUse::Label); // "Punto B", but "x punto"
-        const WordMeaning *const entry = two ? two : findWord(words[i], WordUse::Derivative);
-        if (entry && !isLabel) {
-            count += static_cast<int>(*entry->order);
-            words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
-                        words.begin() + static_cast<std::ptrdiff_t>(i + (two ? 2 : 1)));
-        } else {
-            ++i;
-        }
-    }
-    return count;
-}
 
 std::optional<NameReading> readName(const NamePath &path, int derivatives, const Words &lastWords)
 {

@@ -5,28 +5,15 @@
 // follows.
 
 #include "core/import/name_meaning.h"
+#include "core/import/name_path.h"
 #include "core/import/vocabulary.h"
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace slidercrank
 {
-
-/// A name as a path whose last part is the quantity, and whose other parts may name the body:
-///
-///     slider.s   /crank_slider/slider/position   Latest: Position   Pos_TX@Slider   Position - Cart
-struct NamePath {
-    std::vector<std::string_view> parts{};
-    std::string owner{};       ///< all parts but the last one
-    bool isOfModelica = false; ///< "slider.s": a variable of Modelica's library
-    bool isInSi = false;       ///< by Modelica, ROS and the like: in m, rad and s
-};
-
-/// Splits a name into the parts of its path. The parts refer to the name.
-NamePath splitPath(std::string_view name);
 
 /// The words of a name that the vocabulary does not contain. They may name a point or body, or say nothing.
 struct UnknownWords {
@@ -60,10 +47,6 @@ struct NameReading {
 
     UnknownWords unknown{};
 };
-
-/// Removes the words that stand for a derivative, wherever they are: the dot of "theta3_dot", the d and dt of
-/// "d^2x/dt^2". Returns the number of derivatives.
-int takeDerivatives(std::vector<std::string> &words);
 
 /// Returns what the parts of a path say together, from the last one; nullopt if it has words that contradict each
 /// other, as in "linear velocity of the crank", or one that makes it another quantity, as in "position error". Parts

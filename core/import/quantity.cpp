@@ -19,9 +19,11 @@ namespace
 {
 
 /// To ASCII signs, with "^" before each superscript character and "@" before a power of ten after a number.
-const Spellings kQuantitySpellings(
-    "\u2212=-|\u00A0= |\u2009= |\u202F= |·=*|×=*|⁻=^-|⁰=^0|¹=^1|²=^2|³=^3|⁴=^4|⁵=^5|⁶=^6|⁷=^7|⁸=^8|⁹=^9");
-const Spellings kPowerSpellings(" * 10^=@| *10^=@|* 10^=@|*10^=@");
+const Spellings kQuantitySpellings{{"\u2212", "-"}, {"\u00A0", " "}, {"\u2009", " "}, {"\u202F", " "}, {"·", "*"},
+                                   {"×", "*"},      {"⁻", "^-"},     {"⁰", "^0"},     {"¹", "^1"},     {"²", "^2"},
+                                   {"³", "^3"},     {"⁴", "^4"},     {"⁵", "^5"},     {"⁶", "^6"},     {"⁷", "^7"},
+                                   {"⁸", "^8"},     {"⁹", "^9"}};
+const Spellings kPowerSpellings{{" * 10^", "@"}, {" *10^", "@"}, {"* 10^", "@"}, {"*10^", "@"}};
 
 /// Removes the rounding error of a product such as 4.35 · 100.
 double withoutRoundingError(double value)
@@ -34,13 +36,15 @@ double withoutRoundingError(double value)
     return value;
 }
 
+/// Converts a value to a different unit, without the rounding error of the product: 4.35 m is 4350 mm. A factor with π
+/// is itself rounded, so that no digits can be restored.
 double converted(double value, const Unit &from, const Unit &to)
 {
     if (from.factor == to.factor) {
         return value;
     }
     const double product = from.toDefault(value) / to.toDefault(1.0);
-    return from.dimension == Dimension::Angle ? product : withoutRoundingError(product); // π has more digits
+    return from.dimension == Dimension::Angle ? product : withoutRoundingError(product);
 }
 
 } // namespace

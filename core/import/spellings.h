@@ -4,6 +4,7 @@
 // Tables of other spellings: of letters, units and numbers.
 
 #include <array>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,22 +12,23 @@
 namespace slidercrank
 {
 
-/// Other spellings of parts of a text, and what replaces them.
+/// A spelling, and what replaces it. Both have to outlive the table.
+struct Spelling {
+    std::string_view from;
+    std::string_view to;
+};
+
+/// A table of spellings of parts of a text.
 class Spellings
 {
 public:
-    /// `table`: "á=a|ñ=n|°=", from "=" to, separated by "|". It has to outlive the object.
-    explicit Spellings(std::string_view table);
+    explicit Spellings(std::initializer_list<Spelling> table);
 
     /// Returns the text with all spellings replaced. Where several match, the first one in the table applies.
     std::string replacedIn(std::string_view text) const;
 
 private:
-    struct Entry {
-        std::string_view from;
-        std::string_view to;
-    };
-    std::array<std::vector<Entry>, 256> m_entries; ///< by the first byte of `from`
+    std::array<std::vector<Spelling>, 256> m_spellings; ///< by the first byte of `from`
 };
 
 } // namespace slidercrank

@@ -26,61 +26,136 @@ struct NamedUnit {
 
 /// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees; "¡" is the sign ° of a
 /// Macintosh read as Windows-1252. Micro has two code points, one is the Greek letter.
-const Spellings kUnitSpellings(
-    "×π rad=pirad|π rad=pirad|pi rad=pirad|2π=rev|2pi=rev|2 pi=rev|2*pi=rev|1/min=rpm|min^-1=rpm|min-1=rpm|min⁻¹=rpm| "
-    "per "
-    "=/|_per_=/|_PER_=/|.per.=/|-per-=/|_s_2=/s2|.s.2=/s2|Per=/| pro =/| por =/| "
-    "par =/|"
-    "cycle/=rev/|cycles/=rev/|ciclos/=rev/| al secondo=/s| squared=2| al cuadrado=2| al quadrato=2| ao quadrado=2|"
-    "\\milli=m|\\centi=c|\\metre=m|\\meter=m|\\radian=rad|\\degree=deg|\\second=s|\\squared=2|\\per=/|\\,= "
-    "|^\\circ=deg|\\circ=deg|\\=|"
-    "\"=in|″=in|°=deg|¡=deg|º=deg|\u00B5=u|\u03BC=u|é=e|è=e|ê=e|í=i|ì=i|²=2|¹=1|⁻=-|\u2212=-|"
-    " cw=| ccw=| CW=| CCW=| atdc=| ATDC=| atc=| ATC=|aTDC=|ATDC=|\t= |.= |·= |⋅= |**=|*= |×= |_=/|^=|(=|)=|{=|}=|$=");
+const Spellings kUnitSpellings{{"×π rad", "pirad"},
+                               {"π rad", "pirad"},
+                               {"pi rad", "pirad"},
+                               {"2π", "rev"},
+                               {"2pi", "rev"},
+                               {"2 pi", "rev"},
+                               {"2*pi", "rev"},
+                               {"1/min", "rpm"},
+                               {"min^-1", "rpm"},
+                               {"min-1", "rpm"},
+                               {"min⁻¹", "rpm"},
+                               {" per ", "/"},
+                               {"_per_", "/"},
+                               {"_PER_", "/"},
+                               {".per.", "/"},
+                               {"-per-", "/"},
+                               {"_s_2", "/s2"},
+                               {".s.2", "/s2"},
+                               {"Per", "/"},
+                               {" pro ", "/"},
+                               {" por ", "/"},
+                               {" par ", "/"},
+                               {"cycle/", "rev/"},
+                               {"cycles/", "rev/"},
+                               {"ciclos/", "rev/"},
+                               {" al secondo", "/s"},
+                               {" squared", "2"},
+                               {" al cuadrado", "2"},
+                               {" al quadrato", "2"},
+                               {" ao quadrado", "2"},
+                               {"\\milli", "m"},
+                               {"\\centi", "c"},
+                               {"\\metre", "m"},
+                               {"\\meter", "m"},
+                               {"\\radian", "rad"},
+                               {"\\degree", "deg"},
+                               {"\\second", "s"},
+                               {"\\squared", "2"},
+                               {"\\per", "/"},
+                               {"\\,", " "},
+                               {"^\\circ", "deg"},
+                               {"\\circ", "deg"},
+                               {"\\", ""},
+                               {"\"", "in"},
+                               {"″", "in"},
+                               {"°", "deg"},
+                               {"¡", "deg"},
+                               {"º", "deg"},
+                               {"\u00B5", "u"},
+                               {"\u03BC", "u"},
+                               {"é", "e"},
+                               {"è", "e"},
+                               {"ê", "e"},
+                               {"í", "i"},
+                               {"ì", "i"},
+                               {"²", "2"},
+                               {"¹", "1"},
+                               {"⁻", "-"},
+                               {"\u2212", "-"},
+                               {" cw", ""},
+                               {" ccw", ""},
+                               {" CW", ""},
+                               {" CCW", ""},
+                               {" atdc", ""},
+                               {" ATDC", ""},
+                               {" atc", ""},
+                               {" ATC", ""},
+                               {"aTDC", ""},
+                               {"ATDC", ""},
+                               {"\t", " "},
+                               {".", " "},
+                               {"·", " "},
+                               {"⋅", " "},
+                               {"**", ""},
+                               {"*", " "},
+                               {"×", " "},
+                               {"_", "/"},
+                               {"^", ""},
+                               {"(", ""},
+                               {")", ""},
+                               {"{", ""},
+                               {"}", ""},
+                               {"$", ""}};
+
+/// A new name of a unit is added to a row.
+constexpr std::array<NamedUnit, 28> kUnits{{
+    {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros "
+     "millimetro millimetri",
+     {Dimension::Length, 0, 1.0}},
+    {"cm см centimeter centimetre centimeters centimetres centimetro centimetros centimetri",
+     {Dimension::Length, 0, 10.0}},
+    {"m м meter metre meters metres metern metro metros metri", {Dimension::Length, 0, 1e3}},
+    {"um micron microns", {Dimension::Length, 0, 1e-3}},
+    {"dm", {Dimension::Length, 0, 100.0}},
+    {"km", {Dimension::Length, 0, 1e6}},
+    {"in inch inches pulgada pulgadas zoll", {Dimension::Length, 0, 25.4}},
+    {"thou mil mils", {Dimension::Length, 0, 0.0254}},
+    {"ft foot feet", {Dimension::Length, 0, 304.8}},
+    {"yd yard yards", {Dimension::Length, 0, 914.4}},
+    {"g", {Dimension::Length, 2, 9806.65}},
+    {"deg град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
+     "gradi grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw "
+     "degkw degv",
+     {Dimension::Angle, 0, 1.0}},
+    {"dps", {Dimension::Angle, 1, 1.0}},
+    {"ips", {Dimension::Length, 1, 25.4}},
+    {"fps", {Dimension::Length, 1, 304.8}},
+    {"rad рад radian radians radianes radianos radianti radianen", {Dimension::Angle, 0, kDegreesPerRadian}},
+    {"mrad", {Dimension::Angle, 0, 1e-3 * kDegreesPerRadian}},
+    {"pirad", {Dimension::Angle, 0, 180.0}},
+    {"gon gons gradian gradians grads", {Dimension::Angle, 0, 0.9}},
+    {"rev revs revolution revolutions turn turns r u об tr tour tours giri vuelta vueltas umdrehungen obr omw varv "
+     "omdr",
+     {Dimension::Angle, 0, 360.0}},
+    {"rpm", {Dimension::Angle, 1, 6.0}},
+    {"hz hertz cps", {Dimension::Angle, 1, 360.0}},
+    {"s с сек 秒 초 sn sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo "
+     "seconden seg segundo segundos segon segons sekundy sekund",
+     {Dimension::Time, 0, 1.0}},
+    {"ms мс msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden "
+     "millisecondi millisecondes",
+     {Dimension::Time, 0, 1e3}},
+    {"us usec micros microsecond microseconds microsegundos mikrosekunden", {Dimension::Time, 0, 1e6}},
+    {"ns nanosecond nanoseconds", {Dimension::Time, 0, 1e9}},
+    {"min mins minute minutes minuto minutos minuten minuti", {Dimension::Time, 0, 1.0 / 60.0}},
+    {"h hr hour hours hora horas stunde stunden", {Dimension::Time, 0, 1.0 / 3600.0}},
+}};
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
-    using enum Dimension;
-    static constexpr std::array<NamedUnit, 28> kUnits{{
-        {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros "
-         "millimetro millimetri",
-         {Length, 0, 1.0}},
-        {"cm см centimeter centimetre centimeters centimetres centimetro centimetros centimetri", {Length, 0, 10.0}},
-        {"m м meter metre meters metres metern metro metros metri", {Length, 0, 1e3}},
-        {"um micron microns", {Length, 0, 1e-3}},
-        {"dm", {Length, 0, 100.0}},
-        {"km", {Length, 0, 1e6}},
-        {"in inch inches pulgada pulgadas zoll", {Length, 0, 25.4}},
-        {"thou mil mils", {Length, 0, 0.0254}},
-        {"ft foot feet", {Length, 0, 304.8}},
-        {"yd yard yards", {Length, 0, 914.4}},
-        {"g", {Length, 2, 9806.65}},
-        {"deg град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
-         "gradi grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw "
-         "degkw degv",
-         {Angle, 0, 1.0}},
-        {"dps", {Angle, 1, 1.0}},
-        {"ips", {Length, 1, 25.4}},
-        {"fps", {Length, 1, 304.8}},
-        {"rad рад radian radians radianes radianos radianti radianen", {Angle, 0, kDegreesPerRadian}},
-        {"mrad", {Angle, 0, 1e-3 * kDegreesPerRadian}},
-        {"pirad", {Angle, 0, 180.0}},
-        {"gon gons gradian gradians grads", {Angle, 0, 0.9}},
-        {"rev revs revolution revolutions turn turns r u об tr tour tours giri vuelta vueltas umdrehungen obr omw varv "
-         "omdr",
-         {Angle, 0, 360.0}},
-        {"rpm", {Angle, 1, 6.0}},
-        {"hz hertz cps", {Angle, 1, 360.0}},
-        {"s с сек 秒 초 sn sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo "
-         "seconden seg segundo segundos segon segons sekundy sekund",
-         {Time, 0, 1.0}},
-        {"ms мс msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden "
-         "millisecondi millisecondes",
-         {Time, 0, 1e3}},
-        {"us usec micros microsecond microseconds microsegundos mikrosekunden", {Time, 0, 1e6}},
-        {"ns nanosecond nanoseconds", {Time, 0, 1e9}},
-        {"min mins minute minutes minuto minutos minuten minuti", {Time, 0, 1.0 / 60.0}},
-        {"h hr hour hours hora horas stunde stunden", {Time, 0, 1.0 / 3600.0}},
-    }};
     static const std::unordered_map<std::string_view, Unit> kUnitsByName = [] {
         std::unordered_map<std::string_view, Unit> units;
         for (const NamedUnit &unit : kUnits) {
@@ -142,7 +217,9 @@ struct ScaledUnit {
 /// Splits a unit from the power of ten before it: "10^-3 m", "×10³ mm/s", "1e-3 m".
 ScaledUnit splitPower(std::string_view text)
 {
-    static const Spellings kPowers("10^=1e|10**=1e|10⁻=1e-|10⁴=1e4|10³=1e3|10²=1e2|10 =1e1 |⁶=6|⁴=4|³=3|²=2");
+    static const Spellings kPowers{{"10^", "1e"},  {"10**", "1e"}, {"10⁻", "1e-"},  {"10⁴", "1e4"},
+                                   {"10³", "1e3"}, {"10²", "1e2"}, {"10 ", "1e1 "}, {"⁶", "6"},
+                                   {"⁴", "4"},     {"³", "3"},     {"²", "2"}};
     std::string_view rest = text;
     for (const std::string_view sign : {"×", "x", "*"}) {
         rest.remove_prefix(rest.starts_with(sign) ? sign.size() : 0);

@@ -17,18 +17,35 @@ namespace
 
 using Words = std::vector<std::string>;
 
-/// Letters outside ASCII and commands of LaTeX, and their plain spelling.
-const Spellings kLetterSpellings(
-    "ő=o|ű=u|ť=t|ľ=l|ď=d|ň=n|á=a|à=a|ă=a|å=a|æ=ae|č=c|ě=e|ë=e|ğ=g|ı=i|î=i|ï=i|ř=r|š=s|ş=s|ș=s|ţ=t|ț=t|ý=y|ů=u|û=u|ž=z|"
-    "ø=o|"
-    "â=a|ã=a|ä=a|ą=a|ç=c|ć=c|é=e|è=e|ê=e|ę=e|í=i|ì=i|ó=o|ò=o|ô=o|õ=o|ö=o|ú=u|ù=u|ü=u|ñ=n|ł=l|ś=s|ż=z|"
-    "В=в|К=к|О=о|П=п|С=с|У=у|Х=х|Ш=ш|Ё=е|ё=е|" // first letters of Russian headings
-    "İ=I|Á=A|À=A|Â=A|Ä=A|Ã=A|Å=A|É=E|È=E|Ê=E|Í=I|Ó=O|Ö=O|Ô=O|Ø=O|Ú=U|Ü=U|Ñ=N|Ç=C|Č=C|Ć=C|Ł=L|Ř=R|Š=S|Ś=S|Ş=S|Ž=Z|Ż=Z|"
-    "\u0300=|\u0301=|\u0303=|a\u0308=a|o\u0308=o|u\u0308=u|A\u0308=A|O\u0308=O|U\u0308=U|" // decomposed accents
-    "\u0307=' |\u0308='' |ẋ=x' |ẍ=x'' |Ẋ=x' |Ẍ=x'' |ẏ=y' |ÿ=y'' |ṡ=s' |ḋ=d' |ṙ=r' |Ẏ=y' |Ṡ=s' |Ḋ=d' |Ṙ=r' |"
-    "′='|’='|´='|″=''|"
-    "θ=theta|ϑ=theta|Θ=theta|φ=phi|ϕ=phi|Φ=phi|ψ=psi|Ψ=psi|ω=omega|Ω=omega|α=alpha|β=beta|ε=epsilon|ϵ=epsilon|"
-    "ß=ss|ˍtt='' |ˍt=' |²=2|³=3|⁴=4|ₓ=x|₁=1|₂=2|₃=3|₄=4|n°=|nº=|°=|aTDC=atdc|der(=dot |\\var=|\\,=");
+/// Letters outside ASCII and commands of LaTeX, and their plain spelling. Of the capital letters of Russian, only those
+/// that begin headings are here. Accents of their own (U+0300 …) follow the letter.
+const Spellings kLetterSpellings{
+    {"ő", "o"},       {"ű", "u"},       {"ť", "t"},       {"ľ", "l"},       {"ď", "d"},       {"ň", "n"},
+    {"á", "a"},       {"à", "a"},       {"ă", "a"},       {"å", "a"},       {"æ", "ae"},      {"č", "c"},
+    {"ě", "e"},       {"ë", "e"},       {"ğ", "g"},       {"ı", "i"},       {"î", "i"},       {"ï", "i"},
+    {"ř", "r"},       {"š", "s"},       {"ş", "s"},       {"ș", "s"},       {"ţ", "t"},       {"ț", "t"},
+    {"ý", "y"},       {"ů", "u"},       {"û", "u"},       {"ž", "z"},       {"ø", "o"},       {"â", "a"},
+    {"ã", "a"},       {"ä", "a"},       {"ą", "a"},       {"ç", "c"},       {"ć", "c"},       {"é", "e"},
+    {"è", "e"},       {"ê", "e"},       {"ę", "e"},       {"í", "i"},       {"ì", "i"},       {"ó", "o"},
+    {"ò", "o"},       {"ô", "o"},       {"õ", "o"},       {"ö", "o"},       {"ú", "u"},       {"ù", "u"},
+    {"ü", "u"},       {"ñ", "n"},       {"ł", "l"},       {"ś", "s"},       {"ż", "z"},       {"В", "в"},
+    {"К", "к"},       {"О", "о"},       {"П", "п"},       {"С", "с"},       {"У", "у"},       {"Х", "х"},
+    {"Ш", "ш"},       {"Ё", "е"},       {"ё", "е"},       {"İ", "I"},       {"Á", "A"},       {"À", "A"},
+    {"Â", "A"},       {"Ä", "A"},       {"Ã", "A"},       {"Å", "A"},       {"É", "E"},       {"È", "E"},
+    {"Ê", "E"},       {"Í", "I"},       {"Ó", "O"},       {"Ö", "O"},       {"Ô", "O"},       {"Ø", "O"},
+    {"Ú", "U"},       {"Ü", "U"},       {"Ñ", "N"},       {"Ç", "C"},       {"Č", "C"},       {"Ć", "C"},
+    {"Ł", "L"},       {"Ř", "R"},       {"Š", "S"},       {"Ś", "S"},       {"Ş", "S"},       {"Ž", "Z"},
+    {"Ż", "Z"},       {"\u0300", ""},   {"\u0301", ""},   {"\u0303", ""},   {"a\u0308", "a"}, {"o\u0308", "o"},
+    {"u\u0308", "u"}, {"A\u0308", "A"}, {"O\u0308", "O"}, {"U\u0308", "U"}, {"\u0307", "' "}, {"\u0308", "'' "},
+    {"ẋ", "x' "},     {"ẍ", "x'' "},    {"Ẋ", "x' "},     {"Ẍ", "x'' "},    {"ẏ", "y' "},     {"ÿ", "y'' "},
+    {"ṡ", "s' "},     {"ḋ", "d' "},     {"ṙ", "r' "},     {"Ẏ", "y' "},     {"Ṡ", "s' "},     {"Ḋ", "d' "},
+    {"Ṙ", "r' "},     {"′", "'"},       {"’", "'"},       {"´", "'"},       {"″", "''"},      {"θ", "theta"},
+    {"ϑ", "theta"},   {"Θ", "theta"},   {"φ", "phi"},     {"ϕ", "phi"},     {"Φ", "phi"},     {"ψ", "psi"},
+    {"Ψ", "psi"},     {"ω", "omega"},   {"Ω", "omega"},   {"α", "alpha"},   {"β", "beta"},    {"ε", "epsilon"},
+    {"ϵ", "epsilon"}, {"ß", "ss"},      {"ˍtt", "'' "},   {"ˍt", "' "},     {"²", "2"},       {"³", "3"},
+    {"⁴", "4"},       {"ₓ", "x"},       {"₁", "1"},       {"₂", "2"},       {"₃", "3"},       {"₄", "4"},
+    {"n°", ""},       {"nº", ""},       {"°", ""},        {"aTDC", "atdc"}, {"der(", "dot "}, {"\\var", ""},
+    {"\\,", ""}};
 
 constexpr std::string_view kTimeWords =
     "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd denbora 시간 "
@@ -304,6 +321,15 @@ bool isRowNumber(const Words &words)
     const bool isUnnamed = words.size() == 2 && words[0] == "unnamed"; // "Unnamed: 0" of pandas
     return isUnnamed ||
            (!words.empty() && areAmong(words, kRowNumbers, kRowNumberCompanions) && !isDigits(words.back()));
+}
+
+bool namesQuantity(const Words &words)
+{
+    return isTime(words) || std::ranges::any_of(words, [](const std::string &word) {
+               const WordMeaning *const entry = findWord(word, WordUse::Word);
+               const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
+               return (entry && entry->order && !entry->body) || (symbol && symbol->axis != ' ');
+           });
 }
 
 } // namespace slidercrank

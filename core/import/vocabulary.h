@@ -70,4 +70,7 @@ bool namesStatistic(const std::vector<std::string> &words);
 /// Returns whether the words name the number of a row.
 bool isRowNumber(const std::vector<std::string> &words);
 
+/// Returns whether a word names the quantity or its axis, and not only the body.
+bool namesQuantity(const std::vector<std::string> &words);
+
 } // namespace slidercrank

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/name_path.h"
+
+#include "core/import/cells.h"
+#include "core/import/vocabulary.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+/// Parts of names that programs with m, rad and s give: OpenSim, MuJoCo, Gazebo and ROS.
+constexpr std::array<std::string_view, 9> kNamesInSi{"_tx",        "qpos",       "qvel",   "qacc",   "_joint_pos",
+                                                     "_joint_vel", "_joint_acc", ".pose.", ".twist."};
+
+/// Returns the mark between a quantity and its owner: "@", a hyphen, or a colon behind the quantity, as in
+/// "slider_pos:MECHANISM" of Creo.
+std::string_view markOfOwner(std::string_view name)
+{
+    if (name.find('@') != name.npos) {
+        return "@";
+    }
+    const std::size_t colon = name.find(':');
+    const bool isBehindQuantity = colon != name.npos && namesQuantity(wordsOf(name.substr(0, colon))) &&
+                                  !namesQuantity(wordsOf(name.substr(colon + 1)));
+    return isBehindQuantity ? ":" : " - ";
+}
+
+/// Splits a name whose owner follows after "@", a hyphen or a colon, "Pos_TX@Slider" or "Position - Cart", or is before
+/// the hyphen, "Slider - X". Returns nullopt for other names.
+std::optional<NamePath> splitAtOwner(std::string_view name)
+{
+    const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
+    name.remove_prefix(isOfRecurDyn ? 2 : 0);
+    const std::string_view mark = isOfRecurDyn ? "-" : markOfOwner(name);
+    const std::size_t at = name.find(mark);
+    if (at == name.npos || at == 0) {
+        return std::nullopt;
+    }
+    const std::string_view before = name.substr(0, at);
+    const std::string_view after = name.substr(at + mark.size()); // "Slider@Model1"
+    if (mark == " - " && !namesQuantity(wordsOf(before)) && namesQuantity(wordsOf(after))) {
+        return NamePath{{before, after}, std::string(before)};
+    }
+    return NamePath{{after.substr(0, after.find('@')), before}, std::string(after)};
+}
+
+/// Returns whether the full stop at `at` is before an index, as Mathcad writes it: "x.B", "θ.2". A part of a path, as
+/// in "slider.s", is no capital letter or digit.
+bool isBeforeIndex(std::string_view name, std::size_t at)
+{
+    const Words before = wordsOf(name.substr(0, at));
+    const char last = name.back();
+    return at + 2 == name.size() && (isDigit(last) || lowerCase(last) != last) && before.size() == 1 &&
+           findWord(before[0], WordUse::Symbol);
+}
+
+} // namespace
+
+NamePath splitPath(std::string_view name)
+{
+    if (const std::optional<NamePath> path = splitAtOwner(name)) {
+        return *path;
+    }
+    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a full stop may end an abbreviation
+    const bool isLatex = name.starts_with('\\') || name.find_first_of("{^$") != name.npos;
+    const auto isSeparator = [&](std::size_t i) {
+        const bool isBeforeName = i + 1 < name.size() && !isBlank(name[i + 1]); // "Slider Joint.Px.v"
+        switch (name[i]) {
+        case '/':
+        case ':':
+        case '|': return true;
+        case '.': return (!hasBlank || isBeforeName) && !isBeforeIndex(name, i);
+        case '\\': return !isLatex;
+        case ',': return i > 1 && i + 3 < name.size() && name[i + 1] == ' '; // "Slider, X Displacement"
+        default: return false;
+        }
+    };
+    NamePath path;
+    std::size_t begin = 0;
+    char lastSeparator = ' ';
+    for (std::size_t i = 0; i <= name.size(); ++i) {
+        const bool isEnd = i == name.size();
+        if (!isEnd && !isSeparator(i)) {
+            continue;
+        }
+        if (i > begin) {
+            path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));
+            path.parts.push_back(name.substr(begin, i - begin));
+        }
+        begin = i + 1;
+        lastSeparator = isEnd ? lastSeparator : name[i];
+    }
+    if (path.parts.size() > 2 && path.parts.back() == "Q") { // the value of a measure in Adams: ".model.slider_vx.Q"
+        path.parts.pop_back();
+    }
+    path.isOfModelica = path.parts.size() > 1 && lastSeparator == '.' && name.find_first_of(" ,;:/") == name.npos &&
+                        findWord('.' + std::string(path.parts.back()), WordUse::Symbol);
+    path.isInSi = path.isOfModelica || (path.parts.size() > 1 && name.starts_with('/')) ||
+                  std::ranges::any_of(kNamesInSi, [&](std::string_view part) { return name.find(part) != name.npos; });
+    return path;
+}
+
+} // namespace slidercrank
