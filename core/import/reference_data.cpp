@@ -53,7 +53,8 @@ bool beginsTable(const Cells &cells, std::span<const RawColumn> columns)
         hasOtherName = hasOtherName || !column || column->heading != cells[i];
         hasOtherUnit = hasOtherUnit || (column && parseUnit(unit) != parseUnit(column->unit));
     }
-    return cells.size() > 1 && ((names > 1 && hasOtherName) || (units == cells.size() && hasOtherUnit));
+    const bool areUnits = units == cells.size(); // "s", which is also a name, among "mm" and "deg"
+    return cells.size() > 1 && (areUnits ? hasOtherUnit : names > 1 && hasOtherName);
 }
 
 /// Throws if another table begins in a file. Its own headings or units again are only a row that is skipped.
