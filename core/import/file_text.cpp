@@ -18,6 +18,7 @@ namespace slidercrank
 namespace
 {
 
+constexpr unsigned kFirstLetter = 0xC0; // outside ASCII, in the code pages of Windows
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
 /// Characters that draw the lines of a table.
@@ -25,9 +26,14 @@ constexpr char16_t kFirstBox = u'\u2500';
 constexpr char16_t kLastBox = u'\u257F';
 
 /// Windows-1252 from 0x80 to 0x9F, where it differs from Latin-1.
-constexpr std::u16string_view kWindowsCharacters =
+constexpr std::u16string_view kWesternCharacters =
     u"\u20AC?\u201A\u0192\u201E\u2026\u2020\u2021\u02C6\u2030\u0160\u2039\u0152?\u017D??\u2018\u2019\u201C\u201D\u2022"
     u"\u2013\u2014\u02DC\u2122\u0161\u203A\u0153?\u017E\u0178";
+
+/// Windows-1250 from 0x80: the letters of Polish, Czech and Hungarian.
+constexpr std::u16string_view kCentralCharacters =
+    u"€?‚?„…†‡?‰Š‹ŚŤŽŹ?‘’“”•–—?™š›śťžź\u00A0ˇ˘Ł¤Ą¦§¨©Ş«¬\u00AD®Ż°±˛ł´µ¶·¸ąş»Ľ˝ľż"
+    u"ŔÁÂĂÄĹĆÇČÉĘËĚÍÎĎĐŃŇÓÔŐÖ×ŘŮÚŰÜÝŢßŕáâăäĺćçčéęëěíîďđńňóôőö÷řůúűüýţ˙";
 
 /// Returns whether at least half of the characters outside ASCII are valid UTF-8.
 bool isUtf8(std::string_view bytes)
@@ -169,6 +175,48 @@ std::optional<std::size_t> findLowerByte(std::string_view bytes)
     return isUtf16 ? std::optional(lower) : std::nullopt;
 }
 
+/// The code pages of Windows that are told apart.
+enum class CodePage { Western, Central, Cyrillic };
+
+bool isAsciiLetter(char c)
+{
+    return lowerCase(c) >= 'a' && lowerCase(c) <= 'z';
+}
+
+/// Returns the code page of a text: the Cyrillic one if most letters outside ASCII follow each other; the one of
+/// Central Europe if one of the bytes of the Polish ł, ą and ż, which are ³, ¹ and ¿ in the Western one, is between
+/// letters.
+CodePage codePageOf(std::string_view bytes)
+{
+    std::size_t letters = 0; // outside ASCII
+    std::size_t pairs = 0;
+    bool isPolish = false;
+    for (std::size_t i = 1; i + 1 < bytes.size(); ++i) {
+        const bool isOutside = static_cast<unsigned char>(bytes[i]) >= kFirstLetter;
+        const bool isPair = isOutside && static_cast<unsigned char>(bytes[i + 1]) >= kFirstLetter;
+        letters += isOutside ? 1 : 0;
+        pairs += isPair ? 1 : 0;
+        isPolish = isPolish || (std::string_view("\xB3\xB9\xBF").find(bytes[i]) != std::string_view::npos &&
+                                isAsciiLetter(bytes[i - 1]) && isAsciiLetter(bytes[i + 1]));
+    }
+    if (2 * pairs > letters) {
+        return CodePage::Cyrillic;
+    }
+    return isPolish ? CodePage::Central : CodePage::Western;
+}
+
+/// Returns the character of a byte outside ASCII. Of Windows-1251, only the letters are known.
+char16_t characterOf(unsigned char byte, CodePage page)
+{
+    if (page == CodePage::Central) {
+        return kCentralCharacters[byte - 0x80U];
+    }
+    if (page == CodePage::Cyrillic && byte >= kFirstLetter) {
+        return static_cast<char16_t>(u'\u0410' + byte - kFirstLetter);
+    }
+    return byte < 0xA0 ? kWesternCharacters[byte - 0x80U] : static_cast<char16_t>(byte);
+}
+
 } // namespace
 
 std::string_view decodeText(std::string_view bytes, std::string &converted)
@@ -185,8 +233,9 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
         }
     } else if (!isUtf8(bytes.substr(0, kExamined))) {
         units.resize(bytes.size());
-        std::ranges::transform(bytes, units.begin(), [](unsigned char byte) {
-            return byte >= 0x80 && byte < 0xA0 ? kWindowsCharacters[byte - 0x80U] : static_cast<char16_t>(byte);
+        const CodePage page = codePageOf(bytes.substr(0, kExamined));
+        std::ranges::transform(bytes, units.begin(), [page](unsigned char byte) {
+            return byte >= 0x80 ? characterOf(byte, page) : static_cast<char16_t>(byte);
         });
     }
     if (!units.empty()) {

@@ -165,6 +165,12 @@ const std::vector<Layout> kLayouts{
     {"t;x (FD2)\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},                             // above the unit
     {"Zeit;Kolben [mm];Winkel [\xA1]\n0;85;1\n1;84;2\n2;80;1\n", "time R4_x theta3"}, // Macintosh
     // Several columns of one quantity.
+    {"\xC2\xF0\xE5\xEC\xFF, \xF1;\xCF\xEE\xEB\xEE\xE6\xE5\xED\xE8\xE5 \xEF\xEE\xEB\xE7\xF3\xED\xE0, "
+     "\xEC\xEC\n0;85\n1;84\n2;80\n",
+     "time R4_x"}, // Windows-1251
+    {"Czas [s];Po\xB3o\xBF"
+     "enie suwaka [mm]\n0;85\n1;84\n2;80\n",
+     "time R4_x"}, // Windows-1250
     {"Pos,Crank deg,Slider mm\n1,0,85\n2,90,84\n3,180,80\n", "- angle R4_x"},
     {"t,x (mm),x (in)\n0,85,3.3\n1,84,3.3\n2,80,3.1\n", "time R4_x -"},
     {"t,x (in),x (mm)\n0,3.3,85\n1,3.3,84\n2,3.1,80\n", "time - R4_x"},
