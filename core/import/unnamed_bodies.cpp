@@ -195,15 +195,20 @@ bool moveBackAndForth(const Values &values)
     return std::min(rise, fall) > kMinFraction * before.width();
 }
 
-/// Removes speeds that are never negative while the slider moves back and forth: they are magnitudes.
+/// Removes velocities of the slider that are never negative while it moves back and forth: they are magnitudes. Those
+/// with the exact name of the channel stay.
 void removeMagnitudes(std::vector<RawColumn *> &candidates)
 {
-    removeColumns(candidates, ColumnReason::Magnitude, [&](const RawColumn &column) {
-        const RawColumn *const x = findUnnamed(candidates, {R4x, Order::Position}, column.meaning.owner);
-        const bool isSpeed = isOfUnnamedBody(&column) && column.use.channel == Channel{R4x, Order::Velocity};
-        return isSpeed && x && x->values.size() >= kFewestTellingRows && moveBackAndForth(x->finiteValues()) &&
-               rangeOf(column.values).low >= 0.0;
-    });
+    const auto returns = [](const RawColumn *column) {
+        return column->use.channel == Channel{R4x, Order::Position} && column->values.size() >= kFewestTellingRows &&
+               moveBackAndForth(column->finiteValues());
+    };
+    if (std::ranges::any_of(candidates, returns)) {
+        removeColumns(candidates, ColumnReason::Magnitude, [](const RawColumn &column) {
+            return column.meaning.kind < Kind::ChannelName && column.use.channel == Channel{R4x, Order::Velocity} &&
+                   rangeOf(column.values).low >= 0.0;
+        });
+    }
 }
 
 /// Returns the only owner of columns of numbered parts, if no other column is the slider's; else an empty text.

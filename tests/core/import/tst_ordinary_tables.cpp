@@ -476,6 +476,7 @@ private slots:
         QCOMPARE(rolesIn("t;x;y;v_{x};v", -1.0), QString("time R4_x R4_y R4_x_diff -"));
         QCOMPARE(rolesIn("t;x;y;foo;v", -1.0), QString("time R4_x R4_y - -"));
         QCOMPARE(rolesIn("t;x;y;foo;v", 1.0), QString("time R4_x R4_y - R4_x_diff"));
+        QCOMPARE(rolesIn("t;x;y;foo;Linear Velocity Magnitude", -1.0), QString("time R4_x R4_y - -"));
         QByteArray noisy = "t;x;v\n"; // while the slider only advances
         for (int row = 0; row < 12; ++row) {
             noisy += QByteArray::number(row) + ';' + QByteArray::number(10 * row + (row % 2 == 0 ? 12 : 0)) + ";10\n";
