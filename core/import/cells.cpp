@@ -61,15 +61,18 @@ CellNumber parsePlain(std::string_view text)
     return number;
 }
 
-/// Returns the number without plus sign and thousands separators, or an empty text where these are ambiguous.
+/// Returns the number without plus sign, blanks behind the sign and thousands separators, or an empty text where these
+/// are ambiguous. Accountants write a negative number in brackets.
 std::string withoutSeparators(std::string_view text)
 {
-    std::string plain = kNumberSpellings.replacedIn(text);
+    const bool isBracketed = text.starts_with('(') && text.ends_with(')');
+    std::string plain = kNumberSpellings.replacedIn(isBracketed ? text.substr(1, text.size() - 2) : text);
     plain.erase(plain.find_last_not_of(kApostrophe) + 1);
     plain.erase(0, plain.find_first_not_of(kApostrophe));
-    const bool isNegative = plain.starts_with('-');
-    plain.erase(0, isNegative || plain.starts_with('+') ? 1 : 0);
-    if (plain.starts_with('-') || plain.starts_with('+')) {
+    const bool isSigned = plain.starts_with('-') || plain.starts_with('+');
+    const bool isNegative = plain.starts_with('-') || isBracketed;
+    plain.erase(0, isSigned ? plain.find_first_not_of(kApostrophe, 1) : 0);
+    if (plain.starts_with('-') || plain.starts_with('+') || (isSigned && isBracketed)) {
         return {};
     }
     const std::string whole = plain.substr(0, plain.find('.'));

@@ -59,6 +59,8 @@ const std::vector<ReadRow> kRead{
      "time 1.5; R4_x 2; skipped 2:2 0,234.5 (comma for point)"},
     {"spaces and apostrophes separate thousands", "time;R4_x\n0;1 234,5\n1;-1\u202F234,5\n2;1'234,5\n3;12 34,5\n",
      "time 0 1 2; R4_x 1234.5 -1234.5 1234.5; skipped 5:2 12 34,5 (not a number)"},
+    {"a blank behind the sign, and the brackets of accountants", "time;R4_x\n0;- 1.5\n1;(2.5)\n2;(-3)\n3;-(3)\n",
+     "time 0 1; R4_x -1.5 -2.5; skipped 4:2 (-3) (not a number); skipped 5:2 -(3) (not a number)"},
     {"vertical bars", "|time|R4_x|\n|---|---|\n|0|1|\n|1|2|\n", "time 0 1; R4_x 1 2"},
     {"padding after the text", QByteArray("time,R4_x\n0,1\n1,2\n\x1A\0\0\0", 22), "time 0 1; R4_x 1 2"},
     // Clocks.
