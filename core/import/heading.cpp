@@ -23,8 +23,8 @@ using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
 using Doubt = NameMeaning::Doubt;
 
-/// Units that are also words or symbols: "min" is a minimum, r1 a length.
-constexpr std::string_view kAlsoWords = "min h r r1 u g";
+/// Units that are also words, symbols or primes: "min" is a minimum, r1 a length.
+constexpr std::string_view kAlsoWords = "min h r r1 u g gr ' '' ?";
 
 /// Returns whether a quantity or time can have the unit.
 bool suits(const NameMeaning &meaning, const std::string &unit)
@@ -63,7 +63,8 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     constexpr std::size_t kShortestRemark = 6; // bytes: "(filtered)", but "(bar)" is a unit
     const std::string_view name = trimmed(text.substr(0, begin));
     const std::string_view content = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)), name);
-    const bool isUnitOfNone = wordsOf(content).empty() || content.starts_with("×") || content == "px";
+    const bool isUnitOfNone =
+        wordsOf(content).empty() || content.starts_with("×") || isAmong(content, "px pixel pixels");
     if (parseUnit(content) || isUnitOfNone) {
         return content;
     }

@@ -285,6 +285,16 @@ bool isRelative(std::string_view name)
            isAmong(name.substr(slash + 1), "A B C O A} B}") && lowerCase(name[slash - 1]) != name[slash - 1];
 }
 
+/// Returns whether a name is the ratio of two quantities with the same symbol: "omega3/omega2".
+bool isRatio(std::string_view name)
+{
+    const std::size_t slash = std::min(name.find('/'), name.size());
+    const Words numerator = wordsOf(name.substr(0, slash));
+    const Words denominator = wordsOf(name.substr(slash));
+    return !numerator.empty() && !denominator.empty() && numerator[0] == denominator[0] &&
+           findWord(numerator[0], WordUse::Symbol);
+}
+
 /// Returns whether a word names the z axis, as in "z", "vz" and "pz".
 bool namesZ(const std::string &word)
 {
@@ -445,7 +455,7 @@ std::string_view withoutOrigin(std::string_view name)
 
 NameMeaning meaningOf(std::string_view name, const std::string &unit)
 {
-    if (name.size() > kLongestName || isMagnitude(name) || isRelative(name)) {
+    if (name.size() > kLongestName || isMagnitude(name) || isRelative(name) || isRatio(name)) {
         return {};
     }
     if (const std::optional<std::string> derivative = derivativeOfDifferences(name)) {

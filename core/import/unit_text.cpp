@@ -70,10 +70,16 @@ const Spellings kUnitSpellings{{"×π rad", "pirad"},
                                {"\\circ", "deg"},
                                {"\\", ""},
                                {"\"", "in"},
+                               {"''", "in"},
+                               {"'", "ft"},
                                {"″", "in"},
                                {"°", "deg"},
                                {"¡", "deg"},
                                {"º", "deg"},
+                               {"˚", "deg"},
+                               {"Â°", "deg"},
+                               {"\uFFFD", "deg"},
+                               {"?", "deg"},
                                {"\u00B5", "u"},
                                {"\u03BC", "u"},
                                {"é", "e"},
@@ -115,18 +121,21 @@ constexpr std::array<NamedUnit, 28> kUnits{{
     {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros "
      "millimetro millimetri",
      {Dimension::Length, 0, 1.0}},
-    {"cm см centimeter centimetre centimeters centimetres centimetro centimetros centimetri",
+    {"cm cms см 厘米 сантиметр сантиметров centimeter centimetre centimeters centimetres centimetro centimetros "
+     "centimetri",
      {Dimension::Length, 0, 10.0}},
-    {"m м meter metre meters metres metern metro metros metri", {Dimension::Length, 0, 1e3}},
+    {"m м 米 meter metre meters metres metern metro metros metri", {Dimension::Length, 0, 1e3}},
     {"um micron microns", {Dimension::Length, 0, 1e-3}},
     {"dm", {Dimension::Length, 0, 100.0}},
     {"km", {Dimension::Length, 0, 1e6}},
-    {"in inch inches pulgada pulgadas zoll", {Dimension::Length, 0, 25.4}},
+    {"in inch inches pulgada pulgadas pulg pouce pouces polegada polegadas pollice pollici zoll дюйм дюйма дюймов 英寸 "
+     "インチ",
+     {Dimension::Length, 0, 25.4}},
     {"thou mil mils", {Dimension::Length, 0, 0.0254}},
     {"ft foot feet", {Dimension::Length, 0, 304.8}},
     {"yd yard yards", {Dimension::Length, 0, 914.4}},
     {"g", {Dimension::Length, 2, 9806.65}},
-    {"deg град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
+    {"deg gr град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
      "gradi grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw "
      "degkw degv",
      {Dimension::Angle, 0, 1.0}},
@@ -150,8 +159,8 @@ constexpr std::array<NamedUnit, 28> kUnits{{
      {Dimension::Time, 0, 1e3}},
     {"us usec micros microsecond microseconds microsegundos mikrosekunden", {Dimension::Time, 0, 1e6}},
     {"ns nanosecond nanoseconds", {Dimension::Time, 0, 1e9}},
-    {"min mins minute minutes minuto minutos minuten minuti", {Dimension::Time, 0, 1.0 / 60.0}},
-    {"h hr hour hours hora horas stunde stunden", {Dimension::Time, 0, 1.0 / 3600.0}},
+    {"min мин mins minute minutes minuto minutos minuten minuti", {Dimension::Time, 0, 1.0 / 60.0}},
+    {"h ч час hr hour hours hora horas stunde stunden", {Dimension::Time, 0, 1.0 / 3600.0}},
 }};
 
 std::optional<Unit> unitNamed(std::string_view name)
@@ -201,7 +210,7 @@ std::optional<Unit> numeratorNamed(const UnitFactor &factor)
         return unit;
     }
     const std::size_t suffix = factor.name.ends_with("ps") ? 2 : 1;
-    const bool isRate = !unit && factor.name.ends_with('s') && factor.name.size() > suffix;
+    const bool isRate = (!unit || factor.power == 2) && factor.name.ends_with('s') && factor.name.size() > suffix;
     unit = isRate ? unitNamed(factor.name.substr(0, factor.name.size() - suffix)) : std::nullopt;
     if (unit) {
         unit->order = factor.power;

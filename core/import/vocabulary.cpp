@@ -56,7 +56,7 @@ constexpr std::string_view kTimeCompanions =
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 constexpr std::string_view kTurnsPerSecond = "rps drehfrequenz crank_frequency rotation_frequency";
-constexpr std::string_view kMethods = "num anal exp sim calc theo teo ber gem mess med fem mbs";
+constexpr std::string_view kMethods = "num anal exp sim calc theo teo ber gem mess med fem mbs abs";
 constexpr std::string_view kStatistics =
     "mean average avg media medio promedio mittelwert durchschnitt moyenne moyen gemiddelde srednia max maximum maximo "
     "massimo maksimum min minimum minimo minimal minimaal sum suma summe somme soma rms median mediana std stdev";

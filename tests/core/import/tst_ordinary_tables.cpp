@@ -161,16 +161,17 @@ const std::vector<Layout> kLayouts{
     {"No.|Crank angle|Slider|Notes\n|[deg]|Position [mm]|\n1|0|85|\n2|90|84|\n3|180|80|\n", "- angle R4_x -"},
     // Remarks in brackets that are no units.
     {"t (s);x (exp)\n0;85\n1;84\n2;80\n", "time R4_x"},
+    {"t (s);x (abs)\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"Zeit t;Weg x;v (theor.);v (num.)\ns;mm;mm/s;mm/s\n0;85;1;1\n1;84;2;1\n2;80;3;1\n", "time R4_x - -"},
     {"t;x (FD2)\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},                             // above the unit
     {"Zeit;Kolben [mm];Winkel [\xA1]\n0;85;1\n1;84;2\n2;80;1\n", "time R4_x theta3"}, // Macintosh
-    // Several columns of one quantity.
     {"\xC2\xF0\xE5\xEC\xFF, \xF1;\xCF\xEE\xEB\xEE\xE6\xE5\xED\xE8\xE5 \xEF\xEE\xEB\xE7\xF3\xED\xE0, "
      "\xEC\xEC\n0;85\n1;84\n2;80\n",
      "time R4_x"}, // Windows-1251
     {"Czas [s];Po\xB3o\xBF"
      "enie suwaka [mm]\n0;85\n1;84\n2;80\n",
      "time R4_x"}, // Windows-1250
+    // Several columns of one quantity.
     {"Pos,Crank deg,Slider mm\n1,0,85\n2,90,84\n3,180,80\n", "- angle R4_x"},
     {"t,x (mm),x (in)\n0,85,3.3\n1,84,3.3\n2,80,3.1\n", "time R4_x -"},
     {"t,x (in),x (mm)\n0,3.3,85\n1,3.3,84\n2,3.1,80\n", "time - R4_x"},
@@ -456,7 +457,7 @@ private slots:
         QVERIFY(std::get<ReferenceData>(horizontal).find({R4x, Order::Velocity}));
     }
 
-    /// Tracker writes the magnitude of a vector beside its components, or instead of them.
+    /// Tracker writes the magnitude of a vector beside its components, or instead of them, as SolidWorks does.
     void readsNoMagnitude()
     {
         const auto rolesIn = [](const QByteArray &headings, double sign) {
@@ -475,8 +476,8 @@ private slots:
         };
         QCOMPARE(rolesIn("t;x;y;v_{x};v", -1.0), QString("time R4_x R4_y R4_x_diff -"));
         QCOMPARE(rolesIn("t;x;y;foo;v", -1.0), QString("time R4_x R4_y - -"));
-        QCOMPARE(rolesIn("t;x;y;foo;v", 1.0), QString("time R4_x R4_y - R4_x_diff"));
         QCOMPARE(rolesIn("t;x;y;foo;Linear Velocity Magnitude", -1.0), QString("time R4_x R4_y - -"));
+        QCOMPARE(rolesIn("t;x;y;foo;v", 1.0), QString("time R4_x R4_y - R4_x_diff"));
         QByteArray noisy = "t;x;v\n"; // while the slider only advances
         for (int row = 0; row < 12; ++row) {
             noisy += QByteArray::number(row) + ';' + QByteArray::number(10 * row + (row % 2 == 0 ? 12 : 0)) + ";10\n";
