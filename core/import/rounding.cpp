@@ -42,7 +42,8 @@ int placeOfOneValue(const PrintedPlaces &places)
 struct RoundedDecade {
     int exponent;
     int place;
-    double weight; ///< number of values
+    double weight;     ///< number of values
+    bool haveAllEnded; ///< no value has digits behind that place
 };
 
 /// How far the places of decades are from those of a rule, as sums over all values. The least is the best; on a tie,
@@ -207,6 +208,8 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
 
 Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
 {
+    constexpr double kFewestRounded = 6.0; // values of a decade that do not all end early by chance
+    constexpr int kFewestDigitsByHand = 3; // fewer may be chosen numbers: 5, 10, 20
     Rounding rounding;
     rounding.unitFactor = unitFactor;
     if (m_values == 0) {
@@ -232,16 +235,23 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
             --place;
         }
         if (total > 0.0) {
-            decades.push_back({exponent, place, total});
+            decades.push_back({exponent, place, total, ended == total});
         }
     }
     chooseRule(decades, rounding);
+    const bool isRelative = rounding.rule == Rounding::Rule::SignificantDigits;
     // By chance, one value in ten ends with one zero, and one in a hundred with two. More zeros are padding.
     const bool isPadded = 4 * m_trailingZeros >= m_values + 16;
-    const bool isLong = rounding.rule == Rounding::Rule::SignificantDigits && rounding.digits > kDigitsOfAChosenNumber;
+    const bool isLong = isRelative && rounding.digits > kDigitsOfAChosenNumber;
     rounding.coarsestPlace = m_coarsestPlace;
     if (isPadded && m_coarsestPlace < 0) { // the last printed digits say nothing
         rounding.coarsestPlace = isLong ? INT_MAX : 0;
+    }
+    // A person rounds -2123 to -2120 if three digits are enough, also beside 853.
+    const RoundedDecade &largest = decades.back();
+    const bool isByHand = isRelative && rounding.digits >= kFewestDigitsByHand && !areTimeStamps;
+    if (isByHand && largest.haveAllEnded && largest.weight >= kFewestRounded) {
+        rounding.coarsestPlace = std::max(rounding.coarsestPlace, largest.place);
     }
     if (rounding.rule == Rounding::Rule::Decimals) {
         rounding.digits = std::max(rounding.digits, -rounding.coarsestPlace);

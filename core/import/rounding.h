@@ -71,8 +71,8 @@ struct PrintedPlaces {
 /// values are rounded at the coarsest place where clearly more than a quarter of them have ended. (Some programs print
 /// some rows with more digits than others: the rule describes the coarser half.) The rule of the column is the one that
 /// is closest to the places of all decades, weighted by their numbers of values. It is never coarser than the coarsest
-/// printed place; if the numbers are padded with zeros, it is never coarser than whole numbers, unless it has many
-/// significant digits.
+/// printed place, unless the largest values, at least six, all end earlier (-2120, beside 853); if the numbers are
+/// padded with zeros, it is never coarser than whole numbers, unless it has many significant digits.
 ///
 /// A value that repeats the one before it says nothing new: a mechanism may stand still. If a column repeats one
 /// number, it is rounded at the last digit of that number, or to a whole number.
