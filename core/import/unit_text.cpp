@@ -117,30 +117,33 @@ const Spellings kUnitSpellings{{"×π rad", "pirad"},
                                {"$", ""}};
 
 /// A new name of a unit is added to a row.
-constexpr std::array<NamedUnit, 28> kUnits{{
-    {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros "
-     "millimetro millimetri",
+constexpr std::array<NamedUnit, 33> kUnits{{
+    {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros millimetro millimetri",
      {Dimension::Length, 0, 1.0}},
     {"cm cms см 厘米 сантиметр сантиметров centimeter centimetre centimeters centimetres centimetro centimetros "
      "centimetri",
      {Dimension::Length, 0, 10.0}},
-    {"m м 米 meter metre meters metres metern metro metros metri", {Dimension::Length, 0, 1e3}},
+    {"m mts mtr м 米 meter metre meters metres metern metro metros metri", {Dimension::Length, 0, 1e3}},
     {"um micron microns", {Dimension::Length, 0, 1e-3}},
     {"dm", {Dimension::Length, 0, 100.0}},
     {"km", {Dimension::Length, 0, 1e6}},
-    {"in inch inches pulgada pulgadas pulg pouce pouces polegada polegadas pollice pollici zoll дюйм дюйма дюймов 英寸 "
-     "インチ",
+    {"in inch inches pulgada pulgadas pulg pouce pouces polegada polegadas pollice pollici zoll pol tum tommer duim "
+     "cale palce inç дюйм дюйма дюймов 英寸 インチ",
      {Dimension::Length, 0, 25.4}},
     {"thou mil mils", {Dimension::Length, 0, 0.0254}},
-    {"ft foot feet", {Dimension::Length, 0, 304.8}},
+    {"ft foot feet fuß", {Dimension::Length, 0, 304.8}},
     {"yd yard yards", {Dimension::Length, 0, 914.4}},
     {"g", {Dimension::Length, 2, 9806.65}},
-    {"deg gr град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados "
-     "gradi grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw "
-     "degkw degv",
+    {"deg gr град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados gradi "
+     "grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw degkw degv",
      {Dimension::Angle, 0, 1.0}},
     {"dps", {Dimension::Angle, 1, 1.0}},
     {"ips", {Dimension::Length, 1, 25.4}},
+    {"fpm", {Dimension::Length, 1, 304.8 / 60.0}},
+    {"kph kmh", {Dimension::Length, 1, 1e6 / 3600.0}},
+    {"mph", {Dimension::Length, 1, 1'609'344.0 / 3600.0}},
+    {"gal", {Dimension::Length, 2, 10.0}},
+    {"arcmin", {Dimension::Angle, 0, 1.0 / 60.0}},
     {"fps", {Dimension::Length, 1, 304.8}},
     {"rad рад radian radians radianes radianos radianti radianen", {Dimension::Angle, 0, kDegreesPerRadian}},
     {"mrad", {Dimension::Angle, 0, 1e-3 * kDegreesPerRadian}},
@@ -151,11 +154,11 @@ constexpr std::array<NamedUnit, 28> kUnits{{
      {Dimension::Angle, 0, 360.0}},
     {"rpm", {Dimension::Angle, 1, 6.0}},
     {"hz hertz cps", {Dimension::Angle, 1, 360.0}},
-    {"s с сек 秒 초 sn sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo "
-     "seconden seg segundo segundos segon segons sekundy sekund",
+    {"s с сек 秒 초 sn sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo seconden seg "
+     "segundo segundos segon segons sekundy sekund",
      {Dimension::Time, 0, 1.0}},
-    {"ms мс msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden "
-     "millisecondi millisecondes",
+    {"ms мс msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden millisecondi "
+     "millisecondes",
      {Dimension::Time, 0, 1e3}},
     {"us usec micros microsecond microseconds microsegundos mikrosekunden", {Dimension::Time, 0, 1e6}},
     {"ns nanosecond nanoseconds", {Dimension::Time, 0, 1e9}},

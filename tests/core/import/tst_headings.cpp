@@ -30,9 +30,10 @@ struct ExpectedColumn {
 std::vector<ExpectedColumn> expectedColumns(const QString &text)
 {
     const std::map<QString, double> units{
-        {"mm", 1.0},      {"cm", 10.0},        {"m", 1e3},   {"in", 25.4},          {"dm", 100.0},  {"yd", 914.4},
-        {"thou", 0.0254}, {"halfturn", 180.0}, {"deg", 1.0}, {"rad", 180.0 / M_PI}, {"rpm", 6.0},   {"s", 1.0},
-        {"ft", 304.8},    {"ms", 1e-3},        {"um", 1e-3}, {"us", 1e-6},          {"turn", 360.0}};
+        {"mm", 1.0},   {"cm", 10.0},     {"m", 1e3},          {"in", 25.4},    {"dm", 100.0},
+        {"yd", 914.4}, {"thou", 0.0254}, {"halfturn", 180.0}, {"deg", 1.0},    {"rad", 180.0 / M_PI},
+        {"rpm", 6.0},  {"s", 1.0},       {"ft", 304.8},       {"mph", 447.04}, {"arcmin", 1.0 / 60.0},
+        {"ms", 1e-3},  {"um", 1e-3},     {"us", 1e-6},        {"turn", 360.0}};
     std::vector<ExpectedColumn> columns;
     for (const QString &column : text.simplified().split(' ')) {
         const QString unit = column.section('[', 1).section(']', 0, 0).section('/', 0, 0);
