@@ -78,25 +78,33 @@ bool namesAngleOrRate(const std::string &word)
     return entry && entry->dimension == Dimension::Angle;
 }
 
-/// Returns whether the values of a column only rise, but are no row numbers, and its name is unknown. Whole numbers
-/// that rise evenly to 180 or more may be degrees, unless they have the unit of a time.
-bool mayBeTime(const RawColumn &column)
+/// Returns whether the name leaves open what the column contains: it has no meaning, or unknown words. "X_Value" leaves
+/// it open, but neither "J1_x", which is of an unknown body, nor "θ/θmax" does.
+bool isNameOpen(const RawColumn &column)
 {
-    constexpr double kHalfTurn = 180.0;
-    const Values values = column.finiteValues();
     const NameMeaning &meaning = column.meaning;
     const bool isUnknown =
         meaning.kind == Kind::Nothing ||
         (meaning.kind == Kind::Quantity && meaning.hasUnknownWords && meaning.doubt == NameMeaning::Doubt::None);
-    const bool isQuantity = !isUnknown || meaning.reason == ColumnReason::UnknownBody || // "X_Value", but "J1_x"
-                            std::ranges::any_of(wordsOf(column.name), namesAngleOrRate); // and "θ/θmax"
-    if (column.isUsed() || isQuantity || !column.unitAs(ColumnRole::Time) || values.size() < 2 ||
-        !(values[0] < values[1]) || findReversal(values)) {
+    return isUnknown && meaning.reason != ColumnReason::UnknownBody &&
+           std::ranges::none_of(wordsOf(column.name), namesAngleOrRate);
+}
+
+/// Returns whether an unused column may be the time although its name leaves that open: its values only rise, and it
+/// has a unit of time or none. Whole numbers without a unit may instead be row numbers, if the heading is empty or says
+/// so, or degrees, if they reach 180.
+bool mayBeTime(const RawColumn &column)
+{
+    constexpr double kHalfTurn = 180.0;
+    const Values values = column.finiteValues();
+    const bool rises = values.size() > 1 && values[0] < values[1] && !findReversal(values);
+    if (!rises || column.isUsed() || !isNameOpen(column) || !column.unitAs(ColumnRole::Time)) {
         return false;
     }
-    const bool isWhole = std::ranges::all_of(values, [](double value) { return value == std::rint(value); });
-    const bool mayBeNumber = column.use.heading.empty() || column.meaning.reason == ColumnReason::RowNumber;
-    return !isWhole || !column.use.unit.empty() || (!mayBeNumber && values.back() < kHalfTurn);
+    const bool areWhole = std::ranges::all_of(values, [](double value) { return value == std::rint(value); });
+    const bool mayBeRowNumbers = column.use.heading.empty() || column.meaning.reason == ColumnReason::RowNumber;
+    const bool mayBeDegrees = values.back() >= kHalfTurn;
+    return !areWhole || !column.use.unit.empty() || (!mayBeRowNumbers && !mayBeDegrees);
 }
 
 /// Returns whether the column may be the crank angle by its name and values.

@@ -53,7 +53,7 @@ enum class ColumnReason {
     AngleOrLength,  ///< it is unknown whether it is an angle or a length
     TurnsOrRadians, ///< a speed in 1/s or Hz: it is unknown whether in rad/s or in turns per second
     CrankPin,       ///< it is of the crank pin A, which has no channel
-    Constant        ///< it does not change, as a parameter, which the quantity would
+    Constant        ///< it does not change, like a parameter; a column of that quantity would
 };
 
 constexpr bool isGuess(ColumnReason reason)

@@ -82,16 +82,17 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     return isUnknownUnit ? std::optional(content) : std::nullopt;
 }
 
-/// Sets name and unit of "Position (m) Run #1", and returns whether there is a unit in brackets. A known unit goes
-/// before an unknown one after it: "x [mm] (output)".
+/// Searches the brackets of a heading from the last ones for a unit. If there is one, sets the unit, and the name
+/// without it, of "Position (m) Run #1", and returns true. A known unit goes before an unknown one after it: "x [mm]
+/// (output)".
 bool splitAtBrackets(std::string_view text, Heading &heading)
 {
     constexpr std::string_view kOpening = "[({<";
     constexpr std::string_view kClosing = "])}>";
     bool hasUnit = false;
     for (std::size_t end = text.size(); end-- > 0;) {
-        const std::size_t kind = kClosing.find(text[end]);
-        const std::size_t begin = kind == kClosing.npos ? text.npos : text.substr(0, end).rfind(kOpening[kind]);
+        const std::size_t bracket = kClosing.find(text[end]);
+        const std::size_t begin = bracket == kClosing.npos ? text.npos : text.substr(0, end).rfind(kOpening[bracket]);
         if (begin == text.npos) {
             continue;
         }
@@ -337,7 +338,7 @@ void resolveReciprocalSeconds(Heading &heading)
         heading.use.unit = "rev/s";
     } else if (isHertz && meaning.hasUnknownWords) {
         meaning = {.channel = meaning.channel, .reason = ColumnReason::UnknownBody};
-    } else if (isHertz == isInRadians) { // unit and name contradict each other, or leave it open
+    } else if (isHertz == isInRadians) { // "ω [Hz]" contradicts itself, and "crank speed [1/s]" leaves it open
         meaning = {.channel = meaning.channel, .reason = ColumnReason::TurnsOrRadians};
     } else if (isHertz) {
         heading.use.unit = "rev/s";

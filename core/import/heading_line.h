@@ -32,7 +32,8 @@ HeadingCandidate countNames(Cells cells, char delimiter);
 /// Returns the headings without the cells from one that begins with a comment mark, but "%time" of ROS is a heading.
 std::span<const std::string_view> headingsBeforeRemark(const Cells &headings);
 
-/// Returns the cells into which each delimiter splits a line, and the number of names among them.
+/// Returns the cells into which a line can be split, with the numbers of names among them: at each delimiter, at all
+/// blanks, at two or more blanks outside brackets, and at all blanks outside brackets.
 std::vector<HeadingCandidate> waysToSplit(std::string_view line);
 
 /// Splits a line into cells that may be headings. The delimiter of the row of numbers is chosen if it makes as many

@@ -35,6 +35,7 @@ struct RawColumn {
     double origin = 0.0; ///< subtracted from the values: s for time stamps, ° for an angle at B
 
     bool isUsed() const { return use.role != ColumnRole::Ignored; }
+    /// Returns whether neither the heading nor a person has decided what the column is used for.
     bool isUndecided() const { return !isUsed() && use.reason == ColumnReason::UnknownName; }
     bool isAbscissa() const { return use.role == ColumnRole::Time || use.role == ColumnRole::CrankAngle; }
 

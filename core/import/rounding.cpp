@@ -183,14 +183,14 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
     if (places.zero) {
         return;
     }
-    if (places.first - places.last + 1 >= kDigitsOfADouble) {
+    if (places.first - places.last + 1 >= kDigitsOfADouble) { // the last digits are those of a binary number
         places = shortestPlaces(places, value);
         const int finest = places.first - kDigitsOfADouble + 1;
         places.last = std::max(places.last, finest);
         places.printed = std::max(places.printed, finest);
     }
     const double magnitude = std::abs(value);
-    if (m_values > 0 && magnitude == m_lastMagnitude) {
+    if (m_values > 0 && magnitude == m_lastMagnitude) { // a standstill says nothing new
         return;
     }
     m_lastPlaces = places;

@@ -79,6 +79,7 @@ struct PrintedPlaces {
 class RoundingObserver
 {
 public:
+    /// Adds the next number of the column, which was printed with these places.
     void observe(PrintedPlaces places, double value);
 
     /// Infers the rule. The digits of time stamps are not random: in 0.0333, 0.0667, 0.1, every third ends early. So

@@ -201,7 +201,8 @@ UnitFactor takeFactor(std::string_view &product)
     return factor;
 }
 
-/// Returns the unit of a numerator. The last letters of "mmps" and "rads" mean "per second".
+/// Returns the unit of a numerator. The last letters of "mmps" and "rads" mean "per second", and so do those of "cms2";
+/// but "cms" alone is the plural of cm.
 std::optional<Unit> numeratorNamed(const UnitFactor &factor)
 {
     std::optional<Unit> unit = unitNamed(factor.name);
