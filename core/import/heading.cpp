@@ -290,6 +290,34 @@ void resolveDoubts(std::vector<Heading> &row)
     }
 }
 
+/// Gives different owners to the columns of several points whose headings are the same, as Tracker writes "x", "y",
+/// "x", "y": the first x and y are those of one point.
+void separatePoints(std::span<Heading> row)
+{
+    const auto isOfPoint = [](const Heading &heading) {
+        const NameMeaning &meaning = heading.meaning;
+        return meaning.kind == Kind::Quantity && meaning.namesAxis && meaning.owner.empty() &&
+               !isAngle(meaning.channel.coordinate);
+    };
+    const auto countIn = [&](std::span<const Heading> part, const Heading &heading) {
+        return std::ranges::count_if(part, [&](const Heading &other) {
+            return other.meaning.channel == heading.meaning.channel && other.use.heading == heading.use.heading;
+        });
+    };
+    const auto isRepeatedY = [&](const Heading &heading) {
+        return isOfPoint(heading) && heading.meaning.channel.coordinate == R4y && countIn(row, heading) > 1;
+    };
+    if (std::ranges::none_of(row, isRepeatedY)) {
+        return;
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        if (isOfPoint(row[i]) && countIn(row, row[i]) > 1) {
+            row[i].meaning.owner = std::to_string(countIn(row.first(i), row[i]));
+            row[i].meaning.doubt = Doubt::IsOfPart;
+        }
+    }
+}
+
 /// Takes the meaning from headings that are no channels, as the other columns show: those of the crank pin and of
 /// magnitudes.
 void excludeOtherQuantities(std::vector<Heading> &row)
@@ -520,6 +548,7 @@ void interpretHeadings(std::vector<Heading> &row)
         heading.meaning = meaningOf(heading.name, heading.use.unit);
     }
     resolveDoubts(row);
+    separatePoints(row);
     excludeOtherQuantities(row);
     std::ranges::for_each(row, resolveReciprocalSeconds);
     implySiUnits(row);

@@ -328,7 +328,9 @@ bool namesQuantity(const Words &words)
     return isTime(words) || std::ranges::any_of(words, [](const std::string &word) {
                const WordMeaning *const entry = findWord(word, WordUse::Word);
                const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
-               return (entry && entry->order && !entry->body) || (symbol && symbol->axis != ' ');
+               const bool isComponent = // "DX", "VX"
+                   word.size() == 2 && isAmong(word.substr(0, 1), "d v a") && isAmong(word.substr(1), "x y");
+               return (entry && entry->order && !entry->body) || (symbol && symbol->axis != ' ') || isComponent;
            });
 }
 

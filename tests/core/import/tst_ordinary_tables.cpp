@@ -192,6 +192,9 @@ const std::vector<Layout> kLayouts{
     {"t;x;θ;β;dθ/dt;dβ/dt\n0;85;0;22;1;9\n1;84;100;5;2;8\n2;80;200;-5;1;7\n",
      "time R4_x theta2 theta3 theta2_diff theta3_diff"},
     {"t;x;φ;ψ;ω\n0;85;0;22;1\n1;84;100;5;2\n2;80;200;-5;3\n", "time R4_x theta2 theta3 -"},
+    // Several points with the same headings: the slider is the one whose y does not change.
+    {"t\tx\ty\tx\ty\n0\t40\t0\t85\t5\n1\t0\t40\t84\t5\n2\t-40\t0\t80\t5\n", "time - - R4_x R4_y"},
+    {"t;x;y;v_x;x;y;v_x\n0;85;5;0;40;0;0\n1;84;5;-3;0;40;9\n2;80;5;-2;-40;0;0\n", "time R4_x R4_y R4_x_diff - - -"},
     // Headings that contain the delimiter.
     {"Time, s,Piston position, x (mm)\n0,85\n1,84\n2,80\n", "time R4_x"},
     {"Time, t (s), Position, x (mm), Velocity, v (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
