@@ -2,6 +2,7 @@
 #include "core/import/column_assignment.h"
 
 #include "core/import/abscissa_assignment.h"
+#include "core/import/cells.h"
 #include "core/import/channel_assignment.h"
 #include "core/import/crank_angles.h"
 #include "core/import/heading_corrections.h"

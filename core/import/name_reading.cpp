@@ -31,6 +31,9 @@ bool merge(NameReading &reading, const WordMeaning &entry)
     return merge(reading.dimension, entry.dimension) && merge(reading.body, entry.body);
 }
 
+// The functions below include one more word, or a part of it, in what the words before it say, and return whether they
+// could. A word that cannot be included is unknown or contradicts the words before; includeUnknown() tells which.
+
 /// Which entries of the vocabulary a word may be.
 enum class Entries {
     WithoutSymbols, ///< in the part of a path that only names the body: "x" is no position there

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/raw_table.h"
 
+#include "core/import/cells.h"
 #include "core/import/file_text.h"
 #include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"

@@ -4,6 +4,7 @@
 #include "core/import/cell_format.h"
 #include "core/import/labelled_rows.h"
 #include "core/import/listed_headings.h"
+#include "core/import/reference_data.h"
 #include "core/import/unit_lines.h"
 
 #include <algorithm>

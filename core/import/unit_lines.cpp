@@ -2,6 +2,7 @@
 #include "core/import/unit_lines.h"
 
 #include "core/import/heading_line.h"
+#include "core/import/reference_data.h"
 #include "core/import/vocabulary.h"
 
 #include <algorithm>

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
 #include <unordered_map>
 
 namespace slidercrank
@@ -66,156 +65,153 @@ constexpr std::string_view kRowNumbers =
 constexpr std::string_view kRowNumberCompanions =
     "data of de der measurement messung messpunkt medicion medida mesure misura medicao pomiar";
 
-/// Returns the vocabulary, in the languages of core/README.md. Words with a dot are variables of Modelica and Simscape.
-std::span<const WordMeaning> vocabulary()
+/// The vocabulary, in the languages of core/README.md. Words with a dot are variables of Modelica and Simscape.
+namespace vocabulary
 {
-    using enum WordUse;
-    using enum Dimension;
-    using enum Order;
-    using enum Body;
-    constexpr std::nullopt_t kOpen = std::nullopt;
-    static constexpr std::array kRows{
-        // Quantities.
-        WordMeaning{Word,
-                    "position posicion posizione posicao posicio positie polozenie lage pos displacement disp posn "
-                    "displ desloc degistirme despl depl spost versch lvdt encoder transducer "
-                    "transductor potentiometer wegaufnehmer laser pot poti sonar ultrasonic dist location "
-                    "ubicacion avance avanzamento avanco ascissa abscissa abscisa yol yolu reading lectura "
-                    "lecture lettura leitura stellung ablesung desplazamiento deplacement spostamento "
-                    "deslocamento desplacament verplaatsing przemieszczenie verschiebung weg auslenkung abscisse "
-                    "pose konum pozitie poloha draha droga motion movimiento "
-                    "mouvement movimento bewegung beweging 변위 위치 deplasare posisjon forskyvning "
-                    "helyzet elmozdulas paikka asema qpos положение перемещение 位置 位移 変位",
-                    kOpen, Position},
-        WordMeaning{Word,
-                    "coordinate coordenada coordonnee distance distancia distanza abstand strok glissement "
-                    "longueur longitud lunghezza comprimento translation traslacion traslazione translacao stroke "
-                    "carrera course corsa curso cursa hub travel recorrido slag skok zdvih lopmozgas length hub_h "
-                    "координата ход",
-                    Length, Position},
-        WordMeaning{Word,
-                    "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw "
-                    "veloc snelheid predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
-                    "velocities predk snelh qvel sebesseg nopeus 속도 скорость 速度",
-                    kOpen, Velocity},
-        WordMeaning{Word,
-                    "acceleration aceler acceler przysp versn aceleracion accelerazione aceleracao acceleracio "
-                    "accelerometer accel acel acc beschleunigung beschl versnelling przyspieszenie zrychleni "
-                    "acceleratie ivme ivmesi acceleratia akselerasjon gyorsulas kiihtyvyys qacc 가속도 "
-                    "ускорение 加速度",
-                    kOpen, Acceleration},
-        WordMeaning{Word,
-                    "angle angulo angolo rotation rot rotacion rotazione rotacao giro orientation winkel hoek kat "
-                    "vinkel uhel unghi aci acisi inclination inclinacion neigung revolutions revolution szog "
-                    "kulma uhol 각도 угол 角度 转角",
-                    Angle, Position},
-        WordMeaning{Word,
-                    "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe "
-                    "katowy uhlova uhlove unghiulara угловая угловое угловой 角",
-                    Angle},
-        WordMeaning{Word, "gyroscope gyro giroscopio gyroskop", Angle, Velocity},
-        WordMeaning{Word,
-                    "linear lineal lineaire lineare translational trans prismatic prismatico prismatica "
-                    "prismatique prismatisch schub",
-                    Length},
-        WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
-        WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
-        WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
-        WordMeaning{Word, kTurnsPerSecond, Angle, Velocity, Crank},
-        // Bodies. A wheel with a pin is a crank.
-        WordMeaning{Word,
-                    "crank motor moteur motore shaft welle eccentric excentrica exzenter input antrieb "
-                    "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
-                    "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
-                    "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
-                    "kluky klukoveho 크랭크 кривошип 曲柄 クランク link_2 glied_2 eslabon_2 barra_2 membro_2",
-                    kOpen, kOpen, Crank},
-        WordMeaning{Word, "ca cad kw kurbelw atdc drehwinkel", Angle, Position, Crank},
-        WordMeaning{
-            Word,
-            "coupler coup rod conrod connecting biela bielle biella bielei acoplador pleuel pleuelstange koppel "
-            "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
-            "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki kiertokangen шатун "
-            "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3",
-            kOpen, kOpen, Coupler},
-        WordMeaning{Word,
-                    "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera "
-                    "deslizador deslizante corredora corredissa embolo carro carrito cursore cursor pattino "
-                    "coulisseau coulissant surgu abtrieb glissiere crosshead block bloque kolben "
-                    "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak wodzik крейцкопф "
-                    "tlok tloka kolv kolven sliden glid gliden piestu smykadla patina "
-                    "culisei 슬라이더 피스톤 pist pistu wrist gudgeon ram plunger corsoio corredica pistonului stempel "
-                    "stemplets dugattyu manta mannan luisti ariete stossel ползун поршень поршня 滑块 活塞 "
-                    "スライダ スライダー ピストン link_4 glied_4 eslabon_4",
-                    kOpen, kOpen, Slider},
-        WordMeaning{Word, "schwenkwinkel obliquity", Angle, Position, Coupler},
-        // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
-        WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
-        WordMeaning{Symbol, "y", Length, kOpen, kOpen, 'y'},
-        WordMeaning{Symbol, "s d r", Length},
-        WordMeaning{Symbol, "q"}, // a generalized coordinate
-        WordMeaning{Symbol, "v", kOpen, Velocity},
-        WordMeaning{Symbol, "a", kOpen, Acceleration},
-        WordMeaning{Symbol, "theta th tita phi fi psi psiz beta", Angle},
-        WordMeaning{Symbol, "omega om w", Angle, Velocity},
-        WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
-        WordMeaning{Symbol, "px", Length, Position, kOpen, 'x'},
-        WordMeaning{Symbol, "py", Length, Position, kOpen, 'y'},
-        WordMeaning{Word, "r_1 r_0", Length, Position}, // the vector of the frame in a vector loop, to the slider
-        WordMeaning{Filler, "o_2 o_4"},                 // the crank pivot of "distance O2B"
-        WordMeaning{Word, "l_4", Length, Position, Slider},
-        // Variables of Modelica and Simscape.
-        WordMeaning{Symbol, ".s .p", Length, Position},
-        WordMeaning{Symbol, ".v", Length, Velocity},
-        WordMeaning{Symbol, ".a", kOpen, Acceleration},
-        WordMeaning{Symbol, ".phi .q", Angle, Position},
-        WordMeaning{Symbol, ".w", Angle, Velocity},
-        WordMeaning{Symbol, ".r_0[1] .r[1] .s[1]", Length, Position, kOpen, 'x'},
-        WordMeaning{Symbol, ".r_0[2] .r[2]", Length, Position, kOpen, 'y'},
-        WordMeaning{Symbol, ".v_0[1] .v[1]", Length, Velocity, kOpen, 'x'},
-        WordMeaning{Symbol, ".a_0[1] .a[1]", Length, Acceleration, kOpen, 'x'},
-        // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
-        WordMeaning{Index, "b c k s", kOpen, kOpen, Slider},
-        WordMeaning{Index, "oa ob oc ao bo co", kOpen, kOpen, Crank},
-        WordMeaning{Index, "ab ba ac ca ap pa bc cb bd db bp pb cd dc cp pc"},
-        // Centres of mass.
-        WordMeaning{.words = "g_2", .body = Crank, .isCentre = true},
-        WordMeaning{Word, "rx_3", Length, Position, Coupler, 'x', true},
-        WordMeaning{Word, "ry_3", Length, Position, Coupler, 'y', true},
-        WordMeaning{.words = "g_3", .body = Coupler, .isCentre = true},
-        WordMeaning{.words = "g_4", .body = Slider, .isCentre = true},
-        WordMeaning{.use = Filler, .words = "centre center centroid midpoint cg cog cm com", .isCentre = true},
-        // Derivatives.
-        WordMeaning{Derivative,
-                    "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung "
-                    "first_derivative st_derivative st_deriv dt",
-                    kOpen, Velocity},
-        WordMeaning{Derivative,
-                    "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
-                    "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative "
-                    "nd_derivative nd_deriv segunda_derivada zweite_ableitung dd pp dtdt dt_2",
-                    kOpen, Acceleration},
-        WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
-        WordMeaning{Filler,
-                    "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
-                    "component comp field out output instantaneous relative measured z open crossed o pin obrotu "
-                    "поворота повороту"},
-        WordMeaning{
-            OtherQuantity,
-            "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
-            "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
-            "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint "
-            "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
-            "сила 力 torque par couple coppia moment momento drehmoment pressure presion pression "
-            "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
-            "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
-            "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
-            "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
-            "drift backlash holgura level count limit tilt"},
-        WordMeaning{Label, "body part joint pin gelenk point punkt punto node marker of de del von du di do"},
-    };
-    return kRows;
-}
+using enum WordUse;
+using enum Dimension;
+using enum Order;
+using enum Body;
+constexpr std::nullopt_t kOpen = std::nullopt;
+constexpr std::array kRows{
+    // Quantities.
+    WordMeaning{Word,
+                "position posicion posizione posicao posicio positie polozenie lage pos displacement disp posn "
+                "displ desloc degistirme despl depl spost versch lvdt encoder transducer "
+                "transductor potentiometer wegaufnehmer laser pot poti sonar ultrasonic dist location "
+                "ubicacion avance avanzamento avanco ascissa abscissa abscisa yol yolu reading lectura "
+                "lecture lettura leitura stellung ablesung desplazamiento deplacement spostamento "
+                "deslocamento desplacament verplaatsing przemieszczenie verschiebung weg auslenkung abscisse "
+                "pose konum pozitie poloha draha droga motion movimiento "
+                "mouvement movimento bewegung beweging 변위 위치 deplasare posisjon forskyvning "
+                "helyzet elmozdulas paikka asema qpos положение перемещение 位置 位移 変位",
+                kOpen, Position},
+    WordMeaning{Word,
+                "coordinate coordenada coordonnee distance distancia distanza abstand strok glissement "
+                "longueur longitud lunghezza comprimento translation traslacion traslazione translacao stroke "
+                "carrera course corsa curso cursa hub travel recorrido slag skok zdvih lopmozgas length hub_h "
+                "координата ход",
+                Length, Position},
+    WordMeaning{Word,
+                "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw "
+                "veloc snelheid predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
+                "velocities predk snelh qvel sebesseg nopeus 속도 скорость 速度",
+                kOpen, Velocity},
+    WordMeaning{Word,
+                "acceleration aceler acceler przysp versn aceleracion accelerazione aceleracao acceleracio "
+                "accelerometer accel acel acc beschleunigung beschl versnelling przyspieszenie zrychleni "
+                "acceleratie ivme ivmesi acceleratia akselerasjon gyorsulas kiihtyvyys qacc 가속도 "
+                "ускорение 加速度",
+                kOpen, Acceleration},
+    WordMeaning{Word,
+                "angle angulo angolo rotation rot rotacion rotazione rotacao giro orientation winkel hoek kat "
+                "vinkel uhel unghi aci acisi inclination inclinacion neigung revolutions revolution szog "
+                "kulma uhol 각도 угол 角度 转角",
+                Angle, Position},
+    WordMeaning{Word,
+                "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe "
+                "katowy uhlova uhlove unghiulara угловая угловое угловой 角",
+                Angle},
+    WordMeaning{Word, "gyroscope gyro giroscopio gyroskop", Angle, Velocity},
+    WordMeaning{Word,
+                "linear lineal lineaire lineare translational trans prismatic prismatico prismatica "
+                "prismatique prismatisch schub",
+                Length},
+    WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
+    WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
+    WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
+    WordMeaning{Word, kTurnsPerSecond, Angle, Velocity, Crank},
+    // Bodies. A wheel with a pin is a crank.
+    WordMeaning{Word,
+                "crank motor moteur motore shaft welle eccentric excentrica exzenter input antrieb "
+                "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
+                "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
+                "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
+                "kluky klukoveho 크랭크 кривошип 曲柄 クランク link_2 glied_2 eslabon_2 barra_2 membro_2",
+                kOpen, kOpen, Crank},
+    WordMeaning{Word, "ca cad kw kurbelw atdc drehwinkel", Angle, Position, Crank},
+    WordMeaning{Word,
+                "coupler coup rod conrod connecting biela bielle biella bielei acoplador pleuel pleuelstange koppel "
+                "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
+                "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki kiertokangen шатун "
+                "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3",
+                kOpen, kOpen, Coupler},
+    WordMeaning{Word,
+                "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera "
+                "deslizador deslizante corredora corredissa embolo carro carrito cursore cursor pattino "
+                "coulisseau coulissant surgu abtrieb glissiere crosshead block bloque kolben "
+                "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak wodzik крейцкопф "
+                "tlok tloka kolv kolven sliden glid gliden piestu smykadla patina "
+                "culisei 슬라이더 피스톤 pist pistu wrist gudgeon ram plunger corsoio corredica pistonului stempel "
+                "stemplets dugattyu manta mannan luisti ariete stossel ползун поршень поршня 滑块 活塞 "
+                "スライダ スライダー ピストン link_4 glied_4 eslabon_4",
+                kOpen, kOpen, Slider},
+    WordMeaning{Word, "schwenkwinkel obliquity", Angle, Position, Coupler},
+    // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
+    WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
+    WordMeaning{Symbol, "y", Length, kOpen, kOpen, 'y'},
+    WordMeaning{Symbol, "s d r", Length},
+    WordMeaning{Symbol, "q"}, // a generalized coordinate
+    WordMeaning{Symbol, "v", kOpen, Velocity},
+    WordMeaning{Symbol, "a", kOpen, Acceleration},
+    WordMeaning{Symbol, "theta th tita phi fi psi psiz beta", Angle},
+    WordMeaning{Symbol, "omega om w", Angle, Velocity},
+    WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
+    WordMeaning{Symbol, "px", Length, Position, kOpen, 'x'},
+    WordMeaning{Symbol, "py", Length, Position, kOpen, 'y'},
+    WordMeaning{Word, "r_1 r_0", Length, Position}, // the vector of the frame in a vector loop, to the slider
+    WordMeaning{Filler, "o_2 o_4"},                 // the crank pivot of "distance O2B"
+    WordMeaning{Word, "l_4", Length, Position, Slider},
+    // Variables of Modelica and Simscape.
+    WordMeaning{Symbol, ".s .p", Length, Position},
+    WordMeaning{Symbol, ".v", Length, Velocity},
+    WordMeaning{Symbol, ".a", kOpen, Acceleration},
+    WordMeaning{Symbol, ".phi .q", Angle, Position},
+    WordMeaning{Symbol, ".w", Angle, Velocity},
+    WordMeaning{Symbol, ".r_0[1] .r[1] .s[1]", Length, Position, kOpen, 'x'},
+    WordMeaning{Symbol, ".r_0[2] .r[2]", Length, Position, kOpen, 'y'},
+    WordMeaning{Symbol, ".v_0[1] .v[1]", Length, Velocity, kOpen, 'x'},
+    WordMeaning{Symbol, ".a_0[1] .a[1]", Length, Acceleration, kOpen, 'x'},
+    // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
+    WordMeaning{Index, "b c k s", kOpen, kOpen, Slider},
+    WordMeaning{Index, "oa ob oc ao bo co", kOpen, kOpen, Crank},
+    WordMeaning{Index, "ab ba ac ca ap pa bc cb bd db bp pb cd dc cp pc"},
+    // Centres of mass.
+    WordMeaning{.words = "g_2", .body = Crank, .isCentre = true},
+    WordMeaning{Word, "rx_3", Length, Position, Coupler, 'x', true},
+    WordMeaning{Word, "ry_3", Length, Position, Coupler, 'y', true},
+    WordMeaning{.words = "g_3", .body = Coupler, .isCentre = true},
+    WordMeaning{.words = "g_4", .body = Slider, .isCentre = true},
+    WordMeaning{.use = Filler, .words = "centre center centroid midpoint cg cog cm com", .isCentre = true},
+    // Derivatives.
+    WordMeaning{Derivative,
+                "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung "
+                "first_derivative st_derivative st_deriv dt",
+                kOpen, Velocity},
+    WordMeaning{Derivative,
+                "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
+                "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative "
+                "nd_derivative nd_deriv segunda_derivada zweite_ableitung dd pp dtdt dt_2",
+                kOpen, Acceleration},
+    WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
+    WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
+                        "component comp field out output instantaneous relative measured z open crossed o pin obrotu "
+                        "поворота повороту"},
+    WordMeaning{OtherQuantity,
+                "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
+                "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
+                "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint "
+                "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
+                "сила 力 torque par couple coppia moment momento drehmoment pressure presion pression "
+                "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
+                "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
+                "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
+                "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
+                "drift backlash holgura level count limit tilt"},
+    WordMeaning{Label, "body part joint pin gelenk point punkt punto node marker of de del von du di do"},
+};
+
+} // namespace vocabulary
 
 /// Returns whether a byte is a letter of ASCII or a part of a character outside ASCII, which counts as a letter.
 bool isLetter(char c)
@@ -238,7 +234,7 @@ const WordMeaning *findWord(std::string_view word, WordUse use)
 {
     static const std::unordered_multimap<std::string_view, const WordMeaning *> kEntries = [] {
         std::unordered_multimap<std::string_view, const WordMeaning *> entries;
-        for (const WordMeaning &entry : vocabulary()) {
+        for (const WordMeaning &entry : vocabulary::kRows) {
             for (std::string_view rest = entry.words; !rest.empty();) {
                 entries.emplace(takeUntil(' ', rest), &entry);
             }
