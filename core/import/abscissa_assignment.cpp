@@ -108,7 +108,7 @@ bool mayBeTime(const RawColumn &column)
 }
 
 /// Returns whether the column may be the crank angle by its name and values.
-bool turns(const RawColumn &column)
+bool mayBeCrankAngle(const RawColumn &column)
 {
     return column.meaning.kind == Kind::Quantity && column.meaning.channel == Channel{Theta3, Order::Position} &&
            isTurningAngle(column);
@@ -141,7 +141,7 @@ RawColumn *findSameHeading(std::span<RawColumn> columns, const RawColumn &abscis
 bool mayLead(const RawColumn &column, bool hasCrankAngle)
 {
     const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
-    const bool isCount = hasCrankAngle && !turns(column) && countsRows(column);
+    const bool isCount = hasCrankAngle && !mayBeCrankAngle(column) && countsRows(column);
     return !isChosen(column) && !isConstant(column) && !isCount && (!isNumber || mayBeTime(column));
 }
 
@@ -166,7 +166,7 @@ void guessAbscissa(RawTable &table, const TableFile &file)
         return setAbscissa(table, *chosen, ColumnRole::CrankAngle, ColumnReason::Chosen);
     }
     RawColumn *const named = findElement(columns, isNamedCrankAngle);
-    const bool hasCrankAngle = named || findElement(columns, turns);
+    const bool hasCrankAngle = named || findElement(columns, mayBeCrankAngle);
     RawColumn *const leading =
         findElement(columns, [&](const RawColumn &column) { return mayLead(column, hasCrankAngle); });
     RawColumn *const leadingNumbers = findElement(columns, [&](const RawColumn &column) {
@@ -176,7 +176,7 @@ void guessAbscissa(RawTable &table, const TableFile &file)
         setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
     } else if (named) {
         setAbscissa(table, *named, ColumnRole::CrankAngle, named->meaning.reason);
-    } else if (leadingNumbers && turns(*leadingNumbers)) {
+    } else if (leadingNumbers && mayBeCrankAngle(*leadingNumbers)) {
         setAbscissa(table, *leadingNumbers, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     }
 }

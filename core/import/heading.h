@@ -43,6 +43,7 @@ bool beginsWithSymbol(const Heading &heading);
 ///     Velocity (cm/s)   X-comp   Y-comp     PMKS+ writes the magnitude of a vector before its components
 ///     slider.s   slider.a   crank.phi       Modelica: m, rad and s are implied
 ///     x   xp   xpp                          xp is a derivative, because xpp can be nothing else
+///     x   y   x   y                         Tracker: two points, of which one may be the slider
 void interpretHeadings(std::vector<Heading> &row);
 
 } // namespace slidercrank

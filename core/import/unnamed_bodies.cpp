@@ -304,8 +304,9 @@ std::set<std::string> pointsWithPath(const std::vector<RawColumn *> &candidates,
     return owners;
 }
 
-/// Finds the slider among points with x and y: it is the only one whose y does not change. Removes the others, those
-/// whose paths are curved, and those that only the path could tell.
+/// Finds the slider among points with x and y: it is the only one whose y does not change, and this becomes the reason
+/// of its columns. Removes the other points; if there is no such slider, those whose paths are curved, and those that
+/// only a path could tell from the slider.
 void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
 {
     const std::string part = onlyPart(candidates);
