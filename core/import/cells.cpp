@@ -201,6 +201,9 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
         number.fault.reset();
         return number;
     }
+    if (const std::size_t end = text.find("±"); end != 0 && end != text.npos) {
+        return parseNumber(trimmed(text.substr(0, end)), DecimalSign::Point);
+    }
     number = parsePlain(withoutSeparators(text));
     if (number.fault == RowFault::NotANumber && looksNumeric(text) && text.find(',') != text.npos) {
         number.fault = decimalSign == DecimalSign::Comma ? RowFault::PointForComma : RowFault::CommaForPoint;

@@ -61,6 +61,8 @@ const std::vector<ReadRow> kRead{
      "time 0 1 2; R4_x 1234.5 -1234.5 1234.5; skipped 5:2 12 34,5 (not a number)"},
     {"a blank behind the sign, and the brackets of accountants", "time;R4_x\n0;- 1.5\n1;(2.5)\n2;(-3)\n3;-(3)\n",
      "time 0 1; R4_x -1.5 -2.5; skipped 4:2 (-3) (not a number); skipped 5:2 -(3) (not a number)"},
+    {"uncertainties behind the numbers", "time;R4_x\n0;1,5 ± 0,1\n1;2,5 ±0,1\n2;± 0,1\n",
+     "time 0 1; R4_x 1.5 2.5; skipped 4:2 ± 0,1 (not a number)"},
     {"vertical bars", "|time|R4_x|\n|---|---|\n|0|1|\n|1|2|\n", "time 0 1; R4_x 1 2"},
     {"padding after the text", QByteArray("time,R4_x\n0,1\n1,2\n\x1A\0\0\0", 22), "time 0 1; R4_x 1 2"},
     // Clocks.
