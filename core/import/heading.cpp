@@ -54,32 +54,47 @@ std::string_view unitBeforeRemark(std::string_view text)
     return text;
 }
 
+/// Returns whether the content of brackets is a unit that suits no quantity: "(%)", "(×π rad)", "(px)".
+bool isUnitOfNoQuantity(std::string_view content)
+{
+    return wordsOf(content).empty() || content.starts_with("×") || isAmong(content, "px pixel pixels");
+}
+
+/// Returns whether the content of round brackets, which is no known unit, is a remark: "(filtered)", "(exp)".
+bool isRemarkInBrackets(std::string_view content)
+{
+    constexpr std::size_t kShortestRemark = 6; // bytes: "(bar)" is a unit
+    const bool isLong = content.size() >= kShortestRemark && content.find('/') == content.npos;
+    return isLong || abbreviatesMethod(wordsOf(content));
+}
+
+/// Returns whether brackets that begin at `begin` belong to the name: it has a meaning with them, as "x(B)", or they
+/// contain an index, as in "P[3.1]".
+bool areBracketsOfName(std::string_view text, std::size_t begin, std::string_view content)
+{
+    const NameMeaning whole = meaningOf(text, {});
+    const bool isIndex = (text[begin] == '[' && looksNumeric(content)) || (begin == 1 && content == "A"); // "x(A)"
+    return isIndex || (whole.kind != Kind::Nothing && !whole.hasUnknownWords);
+}
+
 /// Returns the unit in the brackets from `begin` to `end`, which may be empty or unknown; nullopt if what they contain
 /// is a part of the name or a remark. A remark may follow a unit that suits a known name: "Crank angle (deg,
-/// unwrapped)". What is no unit is a part of the name if the name has a meaning with it, as "x(B)", or if it is an
-/// index, "P[3.1]"; but "(%)" and "(×π rad)" are units that suit no quantity.
+/// unwrapped)". An unknown unit is only at the end of the heading.
 std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_t begin, std::size_t end)
 {
-    constexpr std::size_t kShortestRemark = 6; // bytes: "(filtered)", but "(bar)" is a unit
     const std::string_view name = trimmed(text.substr(0, begin));
     const std::string_view content = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)), name);
-    const bool isUnitOfNone =
-        wordsOf(content).empty() || content.starts_with("×") || isAmong(content, "px pixel pixels");
-    if (parseUnit(content) || isUnitOfNone) {
+    if (parseUnit(content) || isUnitOfNoQuantity(content)) {
         return content;
     }
     const std::string unit(unitBeforeRemark(content));
-    const NameMeaning before = meaningOf(name, unit);
-    if (unit.size() < content.size() && !before.hasUnknownWords && suits(before, unit)) {
+    const NameMeaning meaning = meaningOf(name, unit);
+    if (unit.size() < content.size() && !meaning.hasUnknownWords && suits(meaning, unit)) {
         return content.substr(0, unit.size());
     }
-    const NameMeaning whole = meaningOf(text, {});
-    const bool isKnown = whole.kind != Kind::Nothing && !whole.hasUnknownWords;
-    const bool isIndex = (text[begin] == '[' && looksNumeric(content)) || (begin == 1 && content == "A"); // "x(A)"
-    const bool isLong = content.size() >= kShortestRemark && content.find('/') == content.npos;
-    const bool isRemark = text[begin] == '(' && (isLong || abbreviatesMethod(wordsOf(content)));
-    const bool isUnknownUnit = end + 1 == text.size() && !isKnown && !isIndex && !isRemark && text[begin] != '<';
-    return isUnknownUnit ? std::optional(content) : std::nullopt;
+    const bool isRemark = text[begin] == '<' || (text[begin] == '(' && isRemarkInBrackets(content));
+    const bool isAtEnd = end + 1 == text.size();
+    return isAtEnd && !isRemark && !areBracketsOfName(text, begin, content) ? std::optional(content) : std::nullopt;
 }
 
 /// Searches the brackets of a heading from the last ones for a unit. If there is one, sets the unit, and the name
@@ -132,6 +147,23 @@ bool beginsWord(std::string_view text, std::size_t at)
     return isCapital(at) && (!isCapital(at - 1) || isBeforeSmall);
 }
 
+/// Returns the unit that the text behind a name denotes, "m/s2" also if it lacks the slash. It has to suit the name;
+/// but behind a name without a meaning, "ticks_ms", it may be a unit of time. Returns nullopt otherwise.
+std::optional<std::string> unitBehind(std::string_view name, std::string_view text)
+{
+    const std::array units{std::string(text), withSlash(text)};
+    for (const std::string &unit : units) {
+        const NameMeaning meaning = parseUnit(unit) ? meaningOf(name, unit) : NameMeaning();
+        if (suits(meaning, unit) && (unit == units[0] || !meaning.hasUnknownWords)) {
+            return unit;
+        }
+    }
+    const bool isTimeOfUnknown = text.size() > 1 && !text.ends_with(')') &&
+                                 parseColumnUnit(units[0], ColumnRole::Time, {}) &&
+                                 meaningOf(name, units[0]).kind == Kind::Nothing;
+    return isTimeOfUnknown ? std::optional(units[0]) : std::nullopt;
+}
+
 /// Sets name and unit of "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" if the unit suits the name. The
 /// longest one that does is the unit.
 void splitAtEnd(std::string_view text, Heading &heading)
@@ -148,17 +180,9 @@ void splitAtEnd(std::string_view text, Heading &heading)
         if (printed.empty() || (!isClear && isAmong(lowered(printed), kAlsoWords))) {
             continue;
         }
-        const std::array units{std::string(printed), withSlash(printed)};
-        const auto found = std::ranges::find_if(units, [&](const std::string &unit) {
-            const NameMeaning meaning = parseUnit(unit) ? meaningOf(name, unit) : NameMeaning();
-            return suits(meaning, unit) && (unit == units[0] || !meaning.hasUnknownWords);
-        });
-        const bool isTimeOfUnknown = // "ticks_ms"
-            printed.size() > 1 && !printed.ends_with(')') && parseColumnUnit(units[0], ColumnRole::Time, {}) &&
-            meaningOf(name, units[0]).kind == Kind::Nothing;
-        if (found != units.end() || isTimeOfUnknown) {
+        if (const std::optional<std::string> unit = unitBehind(name, printed)) {
             heading.name = name;
-            heading.use.unit = found != units.end() ? *found : units[0];
+            heading.use.unit = *unit;
             return;
         }
     }

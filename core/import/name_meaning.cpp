@@ -166,6 +166,14 @@ std::string ownerOf(const NameReading &name, const NamePath &path)
     return path.owner + name.joints;
 }
 
+/// Returns whether the quantity of a name can be a channel: the crank and the coupler have no lengths except those of
+/// their centres of mass.
+bool mayBeChannel(const NameReading &name, bool isAngle)
+{
+    const bool isOfTurningBody = name.body == Body::Crank || name.body == Body::Coupler;
+    return isAngle || !isOfTurningBody || (name.isCentre && name.axis != ' ');
+}
+
 /// Returns the channel or quantity of a name. Where no word is known, the unit tells the quantity.
 NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
 {
@@ -178,20 +186,17 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     if (isAngle && isAmong(name.unknown.text, kOtherAngles)) {
         return {};
     }
-    const std::optional<Order> knownOrder =
+    const std::optional<Order> order =
         saysQuantity(name, unit, path.parts.size() > 2) ? orderOf(name, unit) : std::nullopt;
-    const bool isOfTurningBody = (name.body == Body::Crank || name.body == Body::Coupler) && !isAngle;
-    const bool isCentre = name.isCentre && name.axis != ' '; // the only point of these bodies that has channels
-    if (!knownOrder || (isOfTurningBody && !isCentre)) {
-        const bool mayBeChannel = name.unknown.isAny() && name.order && !unit;
-        return {.reason = mayBeChannel ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
+    if (!order || !mayBeChannel(name, isAngle)) {
+        const bool isOfUnknownBody = name.unknown.isAny() && name.order && !unit;
+        return {.reason = isOfUnknownBody ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
     }
-    const Order order = *knownOrder;
     const bool isOfUnknown = isOfUnknownPoint(name, isAngle);
     const bool isKnownBody = namesBodyAndQuantity(name, unit, isAngle);
     const bool isCoordinateOfAnyKind = name.symbol == "q" && !unit && !name.isBodyNamed; // an angle or a length
     NameMeaning meaning{.kind = isKnownBody && !isOfUnknown ? Kind::Words : Kind::Quantity,
-                        .channel = {coordinateOf(name, isAngle), order},
+                        .channel = {coordinateOf(name, isAngle), *order},
                         .reason = isKnownBody ? ColumnReason::KnownName : ColumnReason::QuantityInName,
                         .owner = ownerOf(name, path),
                         .symbol = name.symbol,
