@@ -2,14 +2,14 @@
 #pragma once
 
 // Tables with one row for each enumerator of an enumeration. A row is a struct whose member `key` is the enumerator,
-// and whose other members are all that belongs to it: its name in files, its unit, its sentence.
+// and whose other members describe the enumerator: its name in files, its unit, its sentence.
 
 #include <cstddef>
 
 namespace slidercrank
 {
 
-/// Whether the table has one row for each enumerator from 0 to `last`, in their order. Meant for static_assert.
+/// Returns whether the table has one row for each enumerator from 0 to `last`, in their order. Meant for static_assert.
 template <typename Row, std::size_t count, typename Enum>
 consteval bool isCompleteTable(const Row (&rows)[count], Enum last)
 {

@@ -22,18 +22,44 @@ constexpr double Parameters::*memberFor(Parameter parameter)
     return &Parameters::theta20;
 }
 
+/// Returns the mechanism whose points have the opposite x.
+Parameters mirroredInY(Parameters parameters)
+{
+    parameters.omega2 = -parameters.omega2;
+    parameters.theta20 = std::numbers::pi - parameters.theta20;
+    return parameters;
+}
+
+/// Returns the mechanism whose points have the opposite y.
+Parameters mirroredInX(Parameters parameters)
+{
+    parameters.c = -parameters.c;
+    parameters.omega2 = -parameters.omega2;
+    parameters.theta20 = -parameters.theta20;
+    return parameters;
+}
+
+/// Returns the mechanism that is turned by half a revolution about the crank pivot.
+Parameters mirroredInBoth(Parameters parameters)
+{
+    parameters.c = -parameters.c;
+    parameters.theta20 = parameters.theta20 + std::numbers::pi;
+    return parameters;
+}
+
 } // namespace
 
-std::array<Parameters, 8> mirrorImages(const Parameters &p)
+std::array<Parameters, 8> mirrorImages(const Parameters &parameters)
 {
-    constexpr double kHalfTurn = std::numbers::pi;
     std::array<Parameters, 8> images;
     auto image = images.begin();
-    for (const Branch branch : {p.branch, oppositeBranch(p.branch)}) {
-        *image++ = {p.a, p.b, p.c, p.omega2, p.theta20, branch};
-        *image++ = {p.a, p.b, p.c, -p.omega2, kHalfTurn - p.theta20, branch};
-        *image++ = {p.a, p.b, -p.c, -p.omega2, -p.theta20, branch};
-        *image++ = {p.a, p.b, -p.c, p.omega2, p.theta20 + kHalfTurn, branch};
+    for (const Branch branch : {parameters.branch, oppositeBranch(parameters.branch)}) {
+        Parameters onBranch = parameters;
+        onBranch.branch = branch;
+        *image++ = onBranch;
+        *image++ = mirroredInY(onBranch);
+        *image++ = mirroredInX(onBranch);
+        *image++ = mirroredInBoth(onBranch);
     }
     return images;
 }
@@ -74,7 +100,10 @@ Mechanism::Mechanism(const Parameters &parameters)
 
 Mechanism withDrive(const Mechanism &mechanism, double omega2, double theta20)
 {
-    return Mechanism({mechanism.a(), mechanism.b(), mechanism.c(), omega2, theta20, mechanism.branch()});
+    Parameters parameters = mechanism.parameters();
+    parameters.omega2 = omega2;
+    parameters.theta20 = theta20;
+    return Mechanism(parameters);
 }
 
 std::string_view wordOf(Status status)

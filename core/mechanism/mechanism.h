@@ -149,7 +149,8 @@ enum class Status {
     Singular,       ///< the coupler is perpendicular to the slider's line (cos θ3 = 0): only the position exists
     IterationLimit, ///< Newton-Raphson reached its iteration limit with the residual above the tolerance
     NotAssemblable, ///< |c - a sin θ2| > b: the mechanism cannot be assembled
-    NotFinite       ///< the time, or the crank angle at that time, is not a finite number
+    NotFinite ///< the time or the crank angle is not a finite number or, for Newton-Raphson, the crank angle is too
+              ///< large to be resolved (kLargestDrive)
 };
 
 inline constexpr std::size_t kStatusCount = 5;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// All 12 coordinates at one time, as vectors. This header is separate from mechanism.h because most modules include
-// that one and do not need Eigen.
+// All 12 coordinates at one time, as vectors. This header is separate from mechanism.h because most modules that
+// include mechanism.h do not need Eigen.
 
 #include "core/mechanism/mechanism.h"
 

@@ -32,13 +32,13 @@ constexpr LinearTerm kJointTerms[] = {{GroundX, R1x},   {CrankPivotX, R2x}, {Cra
 constexpr LinearTerm kOtherTerms[] = {
     {GroundAngle, Theta1}, {SliderAngle, Theta4}, {SliderAngle, Theta1, -1.0}, {SliderLine, R4y}, {CrankDrive, Theta2}};
 
-/// The crank or the coupler. The vector from an end to the centre of mass occurs in the rows of both of its joints:
-/// with a positive sign at the crank pin, and with a negative sign at the other joint.
+/// The crank or the coupler. The vector half the length times u(θ) occurs in the rows of both joints of the link:
+/// positive at the crank pin A, negative at the other joint.
 struct Link {
     Coordinate angle;
     Constraint otherJointX;
 
-    /// Returns that vector: half the length times u(θ).
+    /// Returns half the length times u(θ).
     Eigen::Vector2d half(const Mechanism &mechanism, const Vector12 &q) const
     {
         const double length = angle == Theta2 ? mechanism.a() : mechanism.b();
@@ -96,7 +96,7 @@ Vector12 constraintTimeDerivative(const Mechanism &mechanism)
     return Ct;
 }
 
-// C_qt = 0 and C_tt = 0, which leaves -(C_q q̇)_q q̇. The terms of C_q q̇ that depend on q are those with u'(θ) θ̇, and
+// C_qt = 0 and C_tt = 0, which leaves -(C_q q̇)_q q̇. Only the terms u'(θ) θ̇ of C_q q̇ depend on q, and
 // u''(θ) = -u(θ): each term ±(r) u(θ) of C becomes ±(r) θ̇² u(θ) here.
 Vector12 quadraticVelocityTerm(const Mechanism &mechanism, const Vector12 &q, const Vector12 &qDot)
 {

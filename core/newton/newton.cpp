@@ -183,7 +183,8 @@ public:
     }
 
 private:
-    /// C_q is singular if the coupler is perpendicular to the slider's line: no iteration can start there.
+    /// Returns whether the iteration can start from the previous position. It cannot if there is none, or if the
+    /// coupler is perpendicular to the slider's line there, where C_q is singular.
     bool hasWarmStart() const
     {
         const Status status = m_timeStep.positionStatus;

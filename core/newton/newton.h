@@ -22,7 +22,7 @@ namespace slidercrank
 {
 
 /// The largest |ω2 t| + |θ20| (rad): q holds θ2 in one double, which resolves 0.001 rad up to it. The status of a time
-/// step beyond it is NotFinite.
+/// step with a larger value is NotFinite.
 inline constexpr double kLargestDrive = 8e12;
 
 /// A cold start needs up to 13 iterations, 29 at an exact toggle, so it has its own iteration limit. The
@@ -64,7 +64,7 @@ Vector12 coldStart(const Mechanism &mechanism, double t);
 void advance(const Mechanism &mechanism, double t, NewtonTimeStep &timeStep, const NewtonOptions &options = {},
              IterationHistory *history = nullptr);
 
-/// Does the same by value: returns the result at time t, starting from `start`.
+/// Returns the result at time t (s), starting from `start`, as advance() does.
 NewtonTimeStep solve(const Mechanism &mechanism, double t, const NewtonOptions &options = {}, NewtonTimeStep start = {},
                      IterationHistory *history = nullptr);
 

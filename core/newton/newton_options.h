@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The settings of Newton-Raphson (newton.h). The defaults are those of the reference report.
+// The settings of Newton-Raphson (newton.h).
 
 namespace slidercrank
 {

@@ -64,8 +64,9 @@ public:
     //     cos (θ + δ) = cos θ - (sin θ sin δ + cos θ (1 - cos δ)),
     //
     // where the terms in brackets are so small that only the sums round.
-    /// Evaluates C at a q that is probably the last iterate. If θ3 is close to that of the last moveTo(), its sine and
-    /// cosine are obtained by a rotation, which is faster than computing them and adds one rounding.
+    /// Evaluates C at a q that is probably the last iterate. If θ3 is close to that of the last moveTo(), |cos θ3| is
+    /// at least 0.125 there, and moveNear() has not been called since, the sine and cosine of θ3 are obtained by a
+    /// rotation, which is faster than computing them and adds one rounding. Otherwise equals moveTo().
     void moveNear(const Coordinates &q)
     {
         constexpr double kSmallTurn = 0x1p-11; // rad; δ⁵/120, the first neglected term, is then below 3e-19
