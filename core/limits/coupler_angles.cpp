@@ -25,15 +25,16 @@ struct Elevation {
     AngleExtreme minimum;
 };
 
-/// Returns the extremes of φ, with the crank angles at which they occur. `s` and `t`: as above.
+/// Returns the extremes of φ, with the crank angles at which they occur. `s` and `t`: the roots defined above.
 Elevation elevationExtremes(const MotionConstants &k, double s, double t, const std::vector<CrankEnd> &ends)
 {
     const double nearest = k.side * kQuarterTurn; // the crank angle with x = 1
     const AngleExtreme smallest{std::atan2(k.C - k.a, t), {nearest}};
     if (ends.empty()) {
-        return {{std::atan2(k.C + k.a, s), {-nearest}}, smallest};
+        return {.maximum = {std::atan2(k.C + k.a, s), {-nearest}}, .minimum = smallest};
     }
-    Elevation elevation{{kQuarterTurn, {}}, {-kQuarterTurn, {}}}; // the coupler is perpendicular at the ends
+    // The coupler is perpendicular to the slider's line at the ends.
+    Elevation elevation{.maximum = {.angle = kQuarterTurn}, .minimum = {.angle = -kQuarterTurn}};
     for (const CrankEnd &end : ends) {
         (end.isBeyondPin ? elevation.maximum : elevation.minimum).places.push_back(end.theta2);
     }
@@ -76,14 +77,15 @@ double swing(const MotionConstants &k, double s, double t, bool isFullTurn, cons
     return std::atan2(sine, s * t + (k.C - k.a) * (k.C + k.a));
 }
 
+/// Returns the extreme of -φ, at the same crank angles.
 AngleExtreme negative(AngleExtreme extreme)
 {
     extreme.angle = -extreme.angle;
     return extreme;
 }
 
-/// Returns the same places with the angle π - φ.
-AngleExtreme crossed(AngleExtreme extreme)
+/// Returns the extreme for the crossed assembly: the coupler angle becomes π - φ, at the same crank angles.
+AngleExtreme forCrossedBranch(AngleExtreme extreme)
 {
     extreme.angle = std::numbers::pi - extreme.angle;
     return extreme;
@@ -102,10 +104,10 @@ CouplerAngles couplerAngles(const MotionConstants &k, const std::vector<CrankEnd
     angles.maximumTransmissionAngle = maximumTransmissionAngle(k, t, elevation);
     angles.swing = swing(k, s, t, isFullTurn, elevation);
     if (k.side < 0.0) {
-        elevation = {negative(elevation.minimum), negative(elevation.maximum)};
+        elevation = {.maximum = negative(elevation.minimum), .minimum = negative(elevation.maximum)};
     }
     if (k.branch < 0.0) {
-        elevation = {crossed(elevation.minimum), crossed(elevation.maximum)};
+        elevation = {.maximum = forCrossedBranch(elevation.minimum), .minimum = forCrossedBranch(elevation.maximum)};
     }
     angles.maximumTheta3 = elevation.maximum;
     angles.minimumTheta3 = elevation.minimum;

@@ -16,7 +16,7 @@ namespace slidercrank
 /// The smallest or largest value of an angle, and the crank angles at which it occurs, within [-π, π).
 struct AngleExtreme {
     double angle = 0.0;
-    std::vector<double> places;
+    std::vector<double> places = {};
 };
 
 struct CouplerAngles {

@@ -25,10 +25,10 @@ struct ScaledFunction {
 std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, Coordinate coordinate)
 {
     switch (coordinate) {
-    case R2x: return ScaledFunction{CrankFunction::PinX, 0.5};
-    case R2y: return ScaledFunction{CrankFunction::PinY, 0.5};
+    case R2x: return ScaledFunction{.function = CrankFunction::PinX, .factor = 0.5};
+    case R2y: return ScaledFunction{.function = CrankFunction::PinY, .factor = 0.5};
     case R3x: return ScaledFunction{CrankFunction::CouplerCentreX};
-    case R3y: return ScaledFunction{CrankFunction::PinY, 0.5, 0.5 * mechanism.c()};
+    case R3y: return ScaledFunction{.function = CrankFunction::PinY, .factor = 0.5, .constant = 0.5 * mechanism.c()};
     case Theta3: return ScaledFunction{CrankFunction::CouplerAngle};
     case R4x: return ScaledFunction{CrankFunction::SliderPosition};
     case R1x:
@@ -49,7 +49,8 @@ std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, Derived
     case DerivedQuantity::PinY: return ScaledFunction{CrankFunction::PinY};
     case DerivedQuantity::Displacement: {
         const MotionConstants k(mechanism);
-        return ScaledFunction{CrankFunction::SliderPosition, -k.branch, std::sqrt(k.reach * k.gamma)};
+        return ScaledFunction{
+            .function = CrankFunction::SliderPosition, .factor = -k.branch, .constant = std::sqrt(k.reach * k.gamma)};
     }
     case DerivedQuantity::TransmissionAngle: break;
     }
@@ -67,15 +68,16 @@ std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, const O
 /// Returns the critical points of the channel for ω2 = 1 rad/s and a crank acceleration, each of them once.
 CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction &scaled, Order order, double alpha2)
 {
-    constexpr double kPlaceTolerance = 1e-10; // rad
+    constexpr double kAngleTolerance = 1e-10; // rad
     constexpr double kValueTolerance = 1e-12; // relative
-    const std::array curve{CrankCurve{scaled.function, order, order == Order::Acceleration ? alpha2 : 0.0}};
+    const CrankCurve curve{
+        .function = scaled.function, .order = order, .accelerationRatio = order == Order::Acceleration ? alpha2 : 0.0};
     CriticalPoints points;
-    const std::vector<CriticalPoints> found = findCriticalPoints(mechanism, curve);
-    for (CriticalPoint point : found.front()) {
+    const std::vector<CriticalPoints> pointsOfCurves = findCriticalPoints(mechanism, std::span(&curve, 1));
+    for (CriticalPoint point : pointsOfCurves.front()) { // there is one curve
         point.value = scaled.factor * point.value + (order == Order::Position ? scaled.constant : 0.0);
         const bool isRepeated = !points.empty() && point.kind == points.back().kind &&
-                                point.theta2 - points.back().theta2 < kPlaceTolerance &&
+                                point.theta2 - points.back().theta2 < kAngleTolerance &&
                                 std::abs(point.value - points.back().value) <= kValueTolerance * std::abs(point.value);
         if (!isRepeated) {
             points.push_back(point);
@@ -84,14 +86,14 @@ CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction
     return points;
 }
 
-/// Sorts the crank angles and removes repeated ones. At a toggle, the motion before it and the motion after it have the
-/// same solution, except for rounding.
-void sortOut(std::vector<double> &angles)
+/// Sorts the crank angles and removes repeated ones. A solution at a toggle is found twice, with angles that differ by
+/// rounding: in the motion before the toggle and in the motion after it.
+void sortWithoutRepetition(std::vector<double> &angles)
 {
-    constexpr double kSameAngle = 1e-14; // rad
+    constexpr double kAngleTolerance = 1e-14; // rad
     std::ranges::sort(angles);
-    const auto areSame = [](double x, double y) { return y - x < kSameAngle; };
-    angles.erase(std::unique(angles.begin(), angles.end(), areSame), angles.end());
+    const auto areEqual = [](double x, double y) { return y - x < kAngleTolerance; };
+    angles.erase(std::unique(angles.begin(), angles.end(), areEqual), angles.end());
 }
 
 /// Solves channel(θ2) = value for ω2 = 1 rad/s and a crank acceleration.
@@ -128,7 +130,7 @@ public:
                 solutions.push_back(wrapToPi(bisect(point, next)));
             }
         }
-        sortOut(solutions);
+        sortWithoutRepetition(solutions);
         return solutions;
     }
 
@@ -145,7 +147,7 @@ private:
                differenceAt(valueAt(std::midpoint(from.theta2, to.theta2))) == 0.0;
     }
 
-    /// Returns a value minus the wanted one; 0 if that is only rounding.
+    /// Returns a value minus the wanted one, or 0 if the difference is only a rounding error.
     double differenceAt(double value) const
     {
         constexpr double kRounding = 8.0 * kEpsilon;
@@ -186,8 +188,9 @@ std::vector<double> solutionsOf(const Mechanism &mechanism, const OutputChannel 
         .solve(criticalPointsOf(mechanism, scaled, orderOf(channel), alpha2));
 }
 
-/// On either side of the position in which the coupler is parallel to the slider's line, the transmission angle is
-/// π/2 minus or plus the angle φ = asin(h/b), where φ is θ3 on the open branch and π - θ3 on the crossed one.
+/// Returns the solutions for the transmission angle, or a derivative of it. On either side of the position in which the
+/// coupler is parallel to the slider's line, it is π/2 minus or plus the angle φ = asin(h/b), where φ is θ3 on the open
+/// branch and π - θ3 on the crossed one.
 std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order order, double value, double alpha2)
 {
     const bool isPosition = order == Order::Position;
@@ -208,7 +211,7 @@ std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order orde
             }
         }
     }
-    sortOut(solutions);
+    sortWithoutRepetition(solutions);
     return solutions;
 }
 

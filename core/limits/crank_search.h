@@ -29,7 +29,8 @@ struct ChannelRange {
     double least = 0.0;
     double greatest = 0.0;
 
-    /// Whether the range is finite and the value is beyond it. A rocker also misses some values within its range.
+    /// Returns whether the range is finite and the value is beyond it. A rocker also misses some values within the
+    /// range.
     bool excludes(double value) const
     {
         return std::isfinite(least) && std::isfinite(greatest) && (value < least || value > greatest);

@@ -172,7 +172,8 @@ private:
         }
         const double value = place.at(high).value(m_curves[curve]);
         if (std::isfinite(value)) {
-            m_points[curve].push_back({place.theta2(high), value, CriticalPoint::Kind::Extremum});
+            m_points[curve].push_back(
+                {.theta2 = place.theta2(high), .value = value, .kind = CriticalPoint::Kind::Extremum});
         }
     }
 
@@ -186,8 +187,9 @@ private:
                 m_curves[k].function == CrankFunction::PinX || m_curves[k].function == CrankFunction::PinY;
             const bool isFinite = place.isToggle() || isOfCrank || m_curves[k].order == Order::Position;
             const double value = rates.value(m_curves[k]);
-            m_points[k].push_back({theta2, isFinite ? value : std::copysign(kInfinity, value),
-                                   u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End});
+            m_points[k].push_back({.theta2 = theta2,
+                                   .value = isFinite ? value : std::copysign(kInfinity, value),
+                                   .kind = u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End});
         }
     }
 
@@ -220,7 +222,8 @@ std::array<CriticalPoints, kPlottedChannels.size()> findCriticalPoints(const Mec
     std::array<CrankCurve, kPlottedChannels.size()> curves;
     std::ranges::transform(kPlottedChannels, curves.begin(), [](Channel channel) {
         const bool isCoupler = channel.coordinate == Theta3;
-        return CrankCurve{isCoupler ? CrankFunction::CouplerAngle : CrankFunction::SliderPosition, channel.order};
+        return CrankCurve{.function = isCoupler ? CrankFunction::CouplerAngle : CrankFunction::SliderPosition,
+                          .order = channel.order};
     });
     std::array<CriticalPoints, kPlottedChannels.size()> points;
     std::ranges::move(findCriticalPoints(mechanism, curves), points.begin());

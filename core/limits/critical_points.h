@@ -41,7 +41,7 @@ enum class CrankFunction {
 };
 inline constexpr std::size_t kCrankFunctionCount = 5;
 
-/// Such a function f, or its first or second derivative by the crank angle, f' or f''.
+/// A function f of the crank angle, or its first or second derivative by the crank angle, f' or f''.
 struct CrankCurve {
     CrankFunction function = CrankFunction::CouplerAngle;
     Order order = Order::Position;

@@ -23,7 +23,7 @@
 //
 //     1 <= r <= cot² p
 //
-// There is such an r if p < 45°, that is Q < 3; and then b >= a + |c|: the crank makes full turns. The minimum
+// There is an r in this range if p < 45°, that is Q < 3; and then b >= a + |c|: the crank makes full turns. The minimum
 // transmission angle μ follows from
 //
 //     cos μ = (a + |c|) / b = (1 + sin p (r² - 1) / √(1 + k² r²)) / r        k = tan p
@@ -70,9 +70,10 @@ double transmissionAngleBound(double p)
 /// ratio.
 double largestTimeRatio(double transmissionAngle)
 {
+    constexpr double kTolerance = 1e-9;
     double low = 1.0;
     double high = kTimeRatioBound;
-    while (high - low > 1e-9) {
+    while (high - low > kTolerance) {
         const double middle = 0.5 * (low + high);
         (transmissionAngleBound(halfDeadCentreAngle(middle)) >= transmissionAngle ? low : high) = middle;
     }

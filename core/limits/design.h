@@ -55,14 +55,14 @@ struct DesignFault {
     enum class Reason {
         StrokeNotPositive,
         TimeRatioOutOfRange,       ///< not in (1/3, 3)
-        TransmissionAngleTooLarge, ///< `bound` is the largest that the time ratio allows
+        TransmissionAngleTooLarge, ///< `bound` is the largest angle that the time ratio allows
         CouplerTooShort,           ///< with given a and b: b must be longer than a
         TimeRatioTooLarge          ///< with given a and b: `bound` is the upper bound of the time ratio
     };
     Reason reason = Reason::StrokeNotPositive;
     double bound = 0.0;
-    double timeRatioBound =
-        kTimeRatioBound; ///< TransmissionAngleTooLarge: the largest time ratio with that transmission angle
+    /// TransmissionAngleTooLarge: the largest time ratio with the requested transmission angle.
+    double timeRatioBound = kTimeRatioBound;
 };
 
 /// Returns the mechanism with the largest minimum transmission angle. Its coupler is longer than kLongestCoupler only
@@ -70,7 +70,7 @@ struct DesignFault {
 std::variant<Lengths, DesignFault> design(const DesignRequest &request);
 
 /// Returns the mechanism with these lengths of crank and coupler (mm) whose offset c gives the time ratio; c has the
-/// sign that findLengths() gives it.
+/// same sign as in findLengths().
 std::variant<Lengths, DesignFault> designOffset(double a, double b, double timeRatio);
 
 } // namespace slidercrank

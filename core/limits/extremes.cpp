@@ -17,14 +17,14 @@ namespace
 std::vector<PeakPlace> largestPlaces(const CriticalPoints &points, double largest)
 {
     constexpr double kValueTolerance = 1e-12; // relative
-    constexpr double kPlaceTolerance = 1e-10; // rad
+    constexpr double kAngleTolerance = 1e-10; // rad
     std::vector<PeakPlace> places;
     for (const CriticalPoint &point : points) {
         const auto isNear = [&point](const PeakPlace &place) {
-            return std::abs(std::remainder(place.theta2 - point.theta2, kTurn)) < kPlaceTolerance;
+            return std::abs(std::remainder(place.theta2 - point.theta2, kTurn)) < kAngleTolerance;
         };
         if (std::abs(point.value) >= largest * (1.0 - kValueTolerance) && std::ranges::none_of(places, isNear)) {
-            places.push_back({point.theta2, point.value});
+            places.push_back({.theta2 = point.theta2, .value = point.value});
         }
     }
     return places;
@@ -39,22 +39,23 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
     const bool turnsUniformly = mechanism.a() == mechanism.b() && mechanism.c() == 0.0; // θ3 is ±θ2 or differs by π/2
     for (const Channel channel : {Channel{R4x, Order::Velocity}, Channel{R4x, Order::Acceleration},
                                   Channel{Theta3, Order::Velocity}, Channel{Theta3, Order::Acceleration}}) {
-        CriticalPoints &ofChannel =
+        CriticalPoints &channelPoints =
             points[static_cast<std::size_t>(std::ranges::find(kPlottedChannels, channel) - kPlottedChannels.begin())];
-        if (ofChannel.empty()) {
+        if (channelPoints.empty()) {
             return {};
         }
-        Peak peak{channel, 0.0, {}};
-        for (CriticalPoint &point : ofChannel) { // an acceleration is unbounded where the velocity jumps
-            const bool jumps = point.kind != CriticalPoint::Kind::Extremum && peak.channel.order == Order::Acceleration;
-            point.value = jumps || std::isinf(point.value) ? kInfinity : point.value;
+        Peak peak{.channel = channel};
+        for (CriticalPoint &point : channelPoints) { // an acceleration is unbounded where the velocity jumps
+            const bool isJump =
+                point.kind != CriticalPoint::Kind::Extremum && peak.channel.order == Order::Acceleration;
+            point.value = isJump || std::isinf(point.value) ? kInfinity : point.value;
             peak.magnitude = std::max(peak.magnitude, std::abs(point.value));
         }
         const bool isConstant = turnsUniformly && peak.channel == Channel{Theta3, Order::Velocity};
         if (isConstant || mechanism.omega2() == 0.0) {
             peak.magnitude = std::abs(mechanism.omega2());
         } else {
-            peak.places = largestPlaces(ofChannel, peak.magnitude);
+            peak.places = largestPlaces(channelPoints, peak.magnitude);
         }
         peaks.push_back(peak);
     }

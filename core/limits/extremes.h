@@ -18,7 +18,7 @@ struct PeakPlace {
 };
 
 struct Peak {
-    Channel channel;
+    Channel channel = {};
 
     /// The largest |value|. Infinite if the motion reaches a limit position of a rocker; for accelerations also if it
     /// passes an exact toggle, where the velocity jumps.
@@ -27,7 +27,7 @@ struct Peak {
     /// All crank angles at which the peak occurs or the value is unbounded, ascending. Symmetric motions have several.
     /// A velocity that is largest next to an exact toggle attains its peak only in the limit. Empty if the value is
     /// constant: zero for ω2 = 0, and |ω2| for the coupler of a = b, c = 0.
-    std::vector<PeakPlace> places;
+    std::vector<PeakPlace> places = {};
 };
 
 /// Returns the peaks of the slider's velocity and acceleration, then those of the coupler; empty if the mechanism

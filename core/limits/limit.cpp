@@ -26,7 +26,7 @@ class LimitList
 public:
     void add(LimitKind kind, double value, std::optional<double> theta2 = {})
     {
-        m_limits.push_back({kind, value, theta2});
+        m_limits.push_back({.kind = kind, .value = value, .theta2 = theta2});
     }
 
     void add(LimitKind kind, const AngleExtreme &extreme)
@@ -105,10 +105,10 @@ std::vector<Limit> findLimits(const Mechanism &mechanism, const MotionLimits &mo
         limits.add(Stroke, *motion.stroke);
     }
     if (motion.timeRatio) {
-        limits.addStroke({ForwardAngle, ForwardTime, MeanForwardSpeed}, *motion.angleOutwards, *motion.stroke,
-                         mechanism.omega2());
-        limits.addStroke({ReturnAngle, ReturnTime, MeanReturnSpeed}, *motion.angleInwards, *motion.stroke,
-                         mechanism.omega2());
+        limits.addStroke({.angle = ForwardAngle, .time = ForwardTime, .meanSpeed = MeanForwardSpeed},
+                         *motion.angleOutwards, *motion.stroke, mechanism.omega2());
+        limits.addStroke({.angle = ReturnAngle, .time = ReturnTime, .meanSpeed = MeanReturnSpeed}, *motion.angleInwards,
+                         *motion.stroke, mechanism.omega2());
         limits.add(TimeRatio, *motion.timeRatio);
     }
     if (motion.mobility != Mobility::Impossible) {

@@ -42,7 +42,7 @@ enum class LimitKind {
 
 struct LimitDescription {
     LimitKind kind;
-    std::string_view key; ///< name in JSON and CSV; empty for what only tables show
+    std::string_view key; ///< name in JSON and CSV; empty if only tables show the limit
     Measure measure;
 };
 

@@ -72,20 +72,20 @@ SliderPosition positionAt(DeadCentre deadCentre, const Mechanism &mechanism, dou
     const bool isRight = (mechanism.branch() == Branch::Open) == (isOuter || pointsAway);
     const double R4x = isRight ? distance : -distance;
     const double theta2 = pointsAway ? std::atan2(-mechanism.c(), -R4x) : std::atan2(mechanism.c(), R4x);
-    return {wrapToPi(theta2), R4x};
+    return {.theta2 = wrapToPi(theta2), .R4x = R4x};
 }
 
 /// Returns the ends of the ranges, once each. With x = sin θ2 (-sin θ2 for c < 0), the ends are at x = (C - b)/a, where
-/// CrankEnd::isBeyondPin is true, and if there are two arcs also at x = (C + b)/a. The direction in which x grows tells
-/// them apart, because with a very short coupler the two angles are equal except for rounding.
+/// CrankEnd::isBeyondPin is true, and if there are two arcs also at x = (C + b)/a. The direction in which x rises tells
+/// the two apart, because with a very short coupler the two angles are equal except for rounding.
 std::vector<CrankEnd> findCrankEnds(const MotionConstants &k, Mobility mobility, const std::vector<CrankRange> &ranges)
 {
     std::vector<CrankEnd> ends;
     for (const CrankRange &range : mobility == Mobility::FullTurn ? std::vector<CrankRange>() : ranges) {
         const bool hasOneArc = k.beta >= 0.0;
-        const bool grows = k.side * std::cos(0.5 * (range.from + range.to)) > 0.0;
-        ends.push_back({wrapToPi(range.from), hasOneArc || grows});
-        ends.push_back({wrapToPi(range.to), hasOneArc || !grows});
+        const bool rises = k.side * std::cos(0.5 * (range.from + range.to)) > 0.0;
+        ends.push_back({.theta2 = wrapToPi(range.from), .isBeyondPin = hasOneArc || rises});
+        ends.push_back({.theta2 = wrapToPi(range.to), .isBeyondPin = hasOneArc || !rises});
     }
     if (mobility == Mobility::Locked) {
         ends.pop_back(); // both limits are the only position
@@ -100,7 +100,7 @@ std::vector<SliderPosition> findCrankLimits(const MotionConstants &k, const std:
     std::vector<SliderPosition> limits;
     for (const CrankEnd &end : ends) {
         const double distance = std::sqrt(end.isBeyondPin ? -k.epsilon * k.gamma : -k.beta * k.reach);
-        limits.push_back({end.theta2, std::copysign(distance, std::cos(end.theta2))});
+        limits.push_back({.theta2 = end.theta2, .R4x = std::copysign(distance, std::cos(end.theta2))});
     }
     return limits;
 }
@@ -122,9 +122,8 @@ std::vector<SliderPosition> findReversals(const MotionLimits &limits)
 ///
 ///     full turn   D - I = (L γ - ε β) / (D + I) = 4ab / (D + I)
 ///     one arc     D + e, from an end on one side of O2 to the outer dead centre on the other
-///     two arcs    D - f = L (γ + β) / (D + f) = 2bL / (D + f) in the arc with the outer dead centre, which is more
-///     than
-///                 e - I in the other arc, because (D + I)² - (e + f)² = 4b²
+///     two arcs    D - f = L (γ + β) / (D + f) = 2bL / (D + f) in the arc with the outer dead centre. It is larger
+///                 than e - I, the stroke in the other arc, because (D + I)² - (e + f)² = 4b²
 double findStroke(const MotionConstants &k, Mobility mobility)
 {
     const double outer = std::sqrt(k.reach * k.gamma);
@@ -171,8 +170,8 @@ std::vector<CrankRange> forbiddenRanges(const MotionLimits &limits)
         return {{-std::numbers::pi, std::numbers::pi}};
     }
     std::vector<CrankRange> forbidden;
-    for (std::size_t i = 0; i < ranges.size(); ++i) { // from the end of each to the start of the next
-        const double next = i + 1 < ranges.size() ? ranges[i + 1].from : ranges[0].from + kTurn;
+    for (std::size_t i = 0; i < ranges.size(); ++i) { // from the end of each range to the start of the next
+        const double next = i + 1 < ranges.size() ? ranges[i + 1].from : ranges.front().from + kTurn;
         if (ranges[i].to < next) {
             forbidden.push_back(normalized(ranges[i].to, next));
         }
@@ -199,7 +198,7 @@ std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double thet
     if (ends.empty()) {
         return std::nullopt;
     }
-    for (SliderPosition &end : ends) { // the next time that the crank passes it
+    for (SliderPosition &end : ends) { // the next crank angle at which it is passed
         end.theta2 = inside + wrapToTwoPi(end.theta2 - inside);
     }
     auto [to, from] = std::ranges::minmax(ends, {}, &SliderPosition::theta2);

@@ -65,7 +65,7 @@ struct MotionLimits {
     CouplerAngles coupler; ///< not valid if Impossible
 };
 
-/// Computes all of the above.
+/// Computes mobility, ranges, dead centres, strokes and coupler angles.
 MotionLimits motionLimits(const Mechanism &mechanism);
 
 /// Returns the crank angles at which the mechanism cannot be assembled: the gaps between the ranges, or the full circle

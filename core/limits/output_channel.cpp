@@ -69,7 +69,7 @@ std::string inPlainLetters(std::string_view symbol)
     return plain;
 }
 
-/// Names by quantity and order.
+/// The names in files, by quantity and order.
 constexpr std::array<std::array<std::string_view, 3>, kDerivedQuantities.size()> kDerivedNames{
     {{"transmission_angle", "transmission_angle_diff", "transmission_angle_diff2"},
      {"displacement", "displacement_diff", "displacement_diff2"},
@@ -79,7 +79,9 @@ constexpr std::array<std::array<std::string_view, 3>, kDerivedQuantities.size()>
 /// Returns a multiple of a coordinate's motion.
 QuantityMotion multiple(const State &state, Coordinate coordinate, double factor)
 {
-    return {factor * state.q[coordinate], factor * state.qDot[coordinate], factor * state.qDDot[coordinate]};
+    return {.position = factor * state.q[coordinate],
+            .velocity = factor * state.qDot[coordinate],
+            .acceleration = factor * state.qDDot[coordinate]};
 }
 
 QuantityMotion transmissionAngle(const Mechanism &mechanism, const State &state, double adjacent)
@@ -194,9 +196,10 @@ const QuantityMotion &DerivedState::of(DerivedQuantity quantity) const
 
 DerivedState derivedState(const Mechanism &mechanism, const State &state, double adjacent)
 {
-    return {transmissionAngle(mechanism, state, adjacent), displacement(mechanism, state),
-            multiple(state, R2x, 2.0), // R2 is the midpoint of O2-A
-            multiple(state, R2y, 2.0)};
+    return {.transmissionAngle = transmissionAngle(mechanism, state, adjacent),
+            .displacement = displacement(mechanism, state),
+            .pinX = multiple(state, R2x, 2.0), // R2 is the midpoint of O2-A
+            .pinY = multiple(state, R2y, 2.0)};
 }
 
 double OutputState::valueOf(const OutputChannel &channel) const

@@ -4,7 +4,6 @@
 #include "core/limits/output_channel.h"
 
 #include <cmath>
-#include <utility>
 
 namespace slidercrank
 {
@@ -18,23 +17,27 @@ PlaneVector scaled(double factor, const PlaneVector &vector)
 }
 
 /// Returns the vector product of an angular velocity or acceleration with a vector in the plane.
-PlaneVector crossed(double rate, const PlaneVector &vector)
+PlaneVector crossProduct(double rate, const PlaneVector &vector)
 {
     return {-rate * vector.y, rate * vector.x};
 }
 
-/// Places the vectors one after the other, and the last one at the pole.
-std::vector<PlacedVector> placed(const std::vector<std::pair<PolygonVector, PlaneVector>> &chain,
-                                 const std::pair<PolygonVector, PlaneVector> &sum)
+struct NamedVector {
+    PolygonVector name = PolygonVector::PinVelocity;
+    PlaneVector vector;
+};
+
+/// Places the vectors of the chain one after the other, and their sum at the pole.
+std::vector<PlacedVector> placed(const std::vector<NamedVector> &chain, const NamedVector &sum)
 {
     std::vector<PlacedVector> polygon;
     PlaneVector end;
     for (const auto &[name, vector] : chain) {
         const PlaneVector next{end.x + vector.x, end.y + vector.y};
-        polygon.push_back({name, end, next});
+        polygon.push_back({.vector = name, .from = end, .to = next});
         end = next;
     }
-    polygon.push_back({sum.first, {}, sum.second});
+    polygon.push_back({.vector = sum.name, .from = {}, .to = sum.vector});
     return polygon;
 }
 
@@ -53,13 +56,14 @@ Polygons polygonsAt(const Mechanism &mechanism, double t, double alpha2)
     const double alpha3 = state.qDDot[Theta3];
     const PlaneVector pin{output.derived.pinX.position, output.derived.pinY.position};
     const PlaneVector coupler{mechanism.b() * std::cos(state.q[Theta3]), mechanism.b() * std::sin(state.q[Theta3])};
-    return {placed({{PinVelocity, crossed(omega2, pin)}, {CouplerVelocity, crossed(omega3, coupler)}},
-                   {SliderVelocity, {state.qDot[R4x], 0.0}}),
-            placed({{PinNormal, scaled(-omega2 * omega2, pin)},
-                    {PinTangential, crossed(alpha2, pin)},
-                    {CouplerNormal, scaled(-omega3 * omega3, coupler)},
-                    {CouplerTangential, crossed(alpha3, coupler)}},
-                   {SliderAcceleration, {state.qDDot[R4x], 0.0}})};
+    return {.velocity =
+                placed({{PinVelocity, crossProduct(omega2, pin)}, {CouplerVelocity, crossProduct(omega3, coupler)}},
+                       {SliderVelocity, {state.qDot[R4x], 0.0}}),
+            .acceleration = placed({{PinNormal, scaled(-omega2 * omega2, pin)},
+                                    {PinTangential, crossProduct(alpha2, pin)},
+                                    {CouplerNormal, scaled(-omega3 * omega3, coupler)},
+                                    {CouplerTangential, crossProduct(alpha3, coupler)}},
+                                   {SliderAcceleration, {state.qDDot[R4x], 0.0}})};
 }
 
 } // namespace slidercrank

@@ -27,15 +27,18 @@ ParameterRanges parameterRanges(const Parameters &parameters, Parameter paramete
     switch (parameter) {
     case Parameter::A: {
         const double shortest = std::max(kShortestLink, c - b);
-        return {{shortest, kLargestParameter}, {shortest, b - c}};
+        return {.assembled = {shortest, kLargestParameter}, .fullTurn = {shortest, b - c}};
     }
-    case Parameter::B: return {{std::max(kShortestLink, c - a), kLargestParameter}, {a + c, kLargestParameter}};
-    case Parameter::C: return {{-(a + b), a + b}, {a - b, b - a}};
+    case Parameter::B:
+        return {.assembled = {std::max(kShortestLink, c - a), kLargestParameter},
+                .fullTurn = {a + c, kLargestParameter}};
+    case Parameter::C: return {.assembled = {-(a + b), a + b}, .fullTurn = {a - b, b - a}};
     case Parameter::Omega2:
     case Parameter::Theta20: break;
     }
-    const ParameterRange all{-kLargestParameter, kLargestParameter};
-    return {all, b >= a + c ? all : ParameterRange{1.0, -1.0}};
+    constexpr ParameterRange kAllValues{-kLargestParameter, kLargestParameter};
+    constexpr ParameterRange kEmpty{.lower = 1.0, .upper = -1.0};
+    return {.assembled = kAllValues, .fullTurn = b >= a + c ? kAllValues : kEmpty};
 }
 
 } // namespace slidercrank

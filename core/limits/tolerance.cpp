@@ -36,7 +36,7 @@ KindValues valuesAt(const Parameters &parameters, const Point &lengths)
     return values;
 }
 
-/// Returns the values of one length that are tried: the ends of its range, the nominal value, and c = 0.
+/// Returns the values that are tried for one length: the ends of its range, the nominal value, and c = 0.
 std::vector<double> valuesOfLength(double nominal, double tolerance, Length length)
 {
     if (tolerance == 0.0) {

@@ -3,9 +3,9 @@
 
 // Computes how much the limits of a motion change while the lengths vary within their tolerances. Lengths in mm.
 //
-// To first order the change of a limit f is ±(|∂f/∂a| δa + |∂f/∂b| δb + |∂f/∂c| δc). That fails where f is stationary,
-// such as the time ratio at c = 0, which can only grow. Therefore the range is the exact one: almost always f is
-// largest and smallest at corners of the box of lengths, else on its faces, at c = 0, or at a vertex between them,
+// To first order the change of a limit f is ±(|∂f/∂a| δa + |∂f/∂b| δb + |∂f/∂c| δc). This estimate fails where f is
+// stationary, such as the time ratio at c = 0, which can only grow. Therefore the range is the exact one: almost always
+// f is largest and smallest at corners of the box of lengths, else on its faces, at c = 0, or at a vertex between them,
 // which is refined.
 
 #include "core/limits/limit.h"
