@@ -17,7 +17,7 @@ namespace
 constexpr double kArithmetic = 1e-12; ///< allowance for rounding errors of the computation, relative to the value
 constexpr Channel kCouplerAngle{Theta3, Order::Position};
 
-/// Returns the angle after which two values of the channel mean the same, or 0 if there is none.
+/// Returns the period of the channel: values that differ by it are the same angle. Returns 0 if there is none.
 double periodOf(const OutputChannel &channel)
 {
     if (channel == OutputChannel(kCouplerAngle)) {
@@ -38,13 +38,13 @@ bool isWithinRounding(const GivenValue &given, double deviation)
     return std::abs(deviation) <= given.halfStep + kArithmetic * std::abs(given.value);
 }
 
-/// Returns whether a value rounds to the given one. Every angle would round to one whose rounding is half of its period
-/// or more, such as 1e6°: that says nothing.
+/// Returns whether a value rounds to the given one. Returns false for a given angle that is rounded to half of its
+/// period or more, such as 1e6°, because every angle would round to it.
 bool roundsTo(const GivenValue &given, double value)
 {
     const double period = periodOf(given.channel);
-    const bool saysNothing = period > 0.0 && given.halfStep >= 0.5 * period;
-    return !saysNothing && isWithinRounding(given, difference(given.channel, given.value, value));
+    const bool coversPeriod = period > 0.0 && given.halfStep >= 0.5 * period;
+    return !coversPeriod && isWithinRounding(given, difference(given.channel, given.value, value));
 }
 
 /// Returns whether the slip gives this value. In the wrong unit an angle has no period: the number itself counts.
@@ -60,7 +60,7 @@ CheckedValue checkValue(const CrankPosition &position, const GivenValue &typed, 
     const auto cleaned = [&](double value) {
         return withoutNoise(value, typed.channel, position.mechanism, position.alpha2);
     };
-    const GivenValue given{typed.channel, cleaned(typed.value), typed.halfStep};
+    const GivenValue given{.channel = typed.channel, .value = cleaned(typed.value), .halfStep = typed.halfStep};
     const double exact = cleaned(computed);
     CheckedValue checked;
     checked.deviation = difference(given.channel, given.value, exact);
@@ -79,25 +79,25 @@ bool isOfSlider(const OutputChannel &channel)
 }
 
 /// The given channels whose values are wrong, and those whose values are right.
-struct JudgedChannels {
+struct ChannelsByVerdict {
     std::vector<OutputChannel> wrong;
     std::vector<OutputChannel> right;
 };
 
-JudgedChannels judgedChannels(std::span<const GivenValue> given, std::span<const CheckedValue> checked)
+ChannelsByVerdict channelsByVerdict(std::span<const GivenValue> given, std::span<const CheckedValue> checked)
 {
-    JudgedChannels judged;
+    ChannelsByVerdict channels;
     for (std::size_t i = 0; i < given.size(); ++i) {
-        (checked[i].isRight ? judged.right : judged.wrong).push_back(given[i].channel);
+        (checked[i].isRight ? channels.right : channels.wrong).push_back(given[i].channel);
     }
-    return judged;
+    return channels;
 }
 
-/// Returns whether a slip is considered for these values. Several slips give some values that a simpler slip gives as
-/// well; they are considered only for values in which they differ from it.
-bool isConsidered(Slip slip, const JudgedChannels &judged)
+/// Returns whether a slip is considered for these channels. A slip that differs from a simpler one in some channels
+/// only is considered only if it is given a channel in which the two differ.
+bool isConsidered(Slip slip, const ChannelsByVerdict &channels)
 {
-    const auto &[wrong, right] = judged;
+    const auto &[wrong, right] = channels;
     const auto isOfOrder = [](Order order) {
         return [order](const OutputChannel &channel) { return orderOf(channel) == order; };
     };
@@ -108,8 +108,9 @@ bool isConsidered(Slip slip, const JudgedChannels &judged)
     case Slip::HarmonicMotion:
     case Slip::FromOuterDeadCentre: return isSliderWrong; // θ3 alone is only measured clockwise (CouplerAngleSign)
     case Slip::TwoHarmonics:
-        return isSliderWrong || isVelocityWrong || isAccelerationWrong; // as above; its ω3 and α3 are approximations
-    case Slip::SecondHarmonicDouble: return isVelocityWrong;            // everything else is that of TwoHarmonics
+        return isSliderWrong || isVelocityWrong ||
+               isAccelerationWrong;                          // its ω3 and α3 are approximations, its θ3 is not
+    case Slip::SecondHarmonicDouble: return isVelocityWrong; // all other values are those of TwoHarmonics
     case Slip::CouplerAngleEnd:
         return std::ranges::count(right, OutputChannel(kCouplerAngle)) > 0; // otherwise it may be OtherAssembly
     default: return true;
@@ -147,10 +148,10 @@ struct Comparison {
 std::vector<Comparison> compareSlips(const CrankPosition &position, const OutputState &exact,
                                      std::span<const GivenValue> given, std::span<const CheckedValue> checked)
 {
-    const JudgedChannels judged = judgedChannels(given, checked);
+    const ChannelsByVerdict channels = channelsByVerdict(given, checked);
     std::vector<Comparison> comparisons;
     for (const SlipOutcome &outcome : slipOutcomes(position, exact)) {
-        if (!isConsidered(outcome.slip, judged) || contradictsPositions(outcome, given, checked)) {
+        if (!isConsidered(outcome.slip, channels) || contradictsPositions(outcome, given, checked)) {
             continue;
         }
         Comparison comparison{outcome.slip};

@@ -49,7 +49,7 @@ struct Calculation {
     {
     }
 
-    /// b, or -b if the slider is to the left of A.
+    /// Returns b, or -b if the slider is to the left of A.
     double directedCoupler() const { return parameters.branch == Branch::Open ? parameters.b : -parameters.b; }
 };
 
@@ -87,17 +87,18 @@ void setSlider(Calculation &hand, const QuantityMotion &motion)
     state.qDDot[R4x] = motion.acceleration;
 }
 
-/// Sets the slider from its position and the first and second derivative of that by θ2, and the displacement from the
-/// outer dead centre of a mechanism without offset.
-void setSlider(Calculation &hand, double x, double slope, double curvature)
+/// Sets position, velocity and acceleration of the slider from x, dx/dθ2 and d²x/dθ2². Also sets the displacement from
+/// the outer dead centre, as for c = 0.
+void setSlider(Calculation &hand, double x, double firstDerivative, double secondDerivative)
 {
     const double omega2 = hand.parameters.omega2;
-    const double velocity = slope * omega2;
-    const double acceleration = curvature * omega2 * omega2 + slope * hand.alpha2;
+    const double velocity = firstDerivative * omega2;
+    const double acceleration = secondDerivative * omega2 * omega2 + firstDerivative * hand.alpha2;
     const double side = hand.directedCoupler() / hand.parameters.b;
-    setSlider(hand, {x, velocity, acceleration});
-    hand.values.derived.displacement = {hand.parameters.a + hand.parameters.b - side * x, -side * velocity,
-                                        -side * acceleration};
+    setSlider(hand, {.position = x, .velocity = velocity, .acceleration = acceleration});
+    hand.values.derived.displacement = {.position = hand.parameters.a + hand.parameters.b - side * x,
+                                        .velocity = -side * velocity,
+                                        .acceleration = -side * acceleration};
 }
 
 /// Sets the slider to the harmonic motion x = middle + a cos θ2.
@@ -148,8 +149,8 @@ void omitSquareOfSpeed(Calculation &hand)
 {
     State &state = hand.values.state;
     const double omega2 = hand.parameters.omega2;
-    const Vector12 slopeTerm = state.qDot / omega2 * hand.alpha2;
-    state.qDDot = (state.qDDot - slopeTerm) / omega2 + slopeTerm;
+    const Vector12 alpha2Term = state.qDot / omega2 * hand.alpha2;
+    state.qDDot = (state.qDDot - alpha2Term) / omega2 + alpha2Term;
 }
 
 void scale(QuantityMotion &motion, double factor)
@@ -303,14 +304,14 @@ std::span<const SlipRow> allSlips()
         {FromOuterDeadCentre, Measurement, [](Hand &hand) { setSlider(hand, hand.values.derived.displacement); }},
         {FromOuterDeadCentre, Measurement, measureTowardsCrank},
         {FromInnerDeadCentre, Measurement, measureFromInnerDeadCentre},
-        {Inches, Result, [](Hand &hand) { scaleLengths(hand, kInch); }},
-        {Inches, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kInch); }},
-        {Inches, Result, [](Hand &hand) { scaleLengths(hand, 0.1 * kInch); }},
-        {Inches, Result, [](Hand &hand) { scaleLengths(hand, 10.0 / kInch); }},
-        {Metres, Result, [](Hand &hand) { scaleLengths(hand, 1000.0); }},
-        {Metres, Result, [](Hand &hand) { scaleLengths(hand, 0.001); }},
-        {Centimetres, Result, [](Hand &hand) { scaleLengths(hand, 10.0); }},
-        {Centimetres, Result, [](Hand &hand) { scaleLengths(hand, 0.1); }},
+        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, kInch); }},
+        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kInch); }},
+        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 0.1 * kInch); }},
+        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 10.0 / kInch); }},
+        {MetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 1000.0); }},
+        {MetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 0.001); }},
+        {CentimetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 10.0); }},
+        {CentimetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 0.1); }},
         {ValueInRadians, Result, takeRadiansAsDegrees<-2>},
         {ValueInRadians, Result, takeRadiansAsDegrees<-1>},
         {ValueInRadians, Result, takeRadiansAsDegrees<0>},
@@ -366,9 +367,9 @@ constexpr SlipName kNames[] = {{Slip::OtherAssembly, "other-assembly"},
                                {Slip::CouplerCentre, "coupler-centre"},
                                {Slip::FromOuterDeadCentre, "from-outer-dead-centre"},
                                {Slip::FromInnerDeadCentre, "from-inner-dead-centre"},
-                               {Slip::Inches, "inches"},
-                               {Slip::Metres, "metres"},
-                               {Slip::Centimetres, "centimetres"},
+                               {Slip::InchesAsMetricUnits, "inches"},
+                               {Slip::MetresAsMillimetres, "metres"},
+                               {Slip::CentimetresAsMillimetres, "centimetres"},
                                {Slip::ValueInRadians, "value-in-radians"},
                                {Slip::PressureAngle, "pressure-angle"},
                                {Slip::ObtuseAngle, "obtuse-angle"},
@@ -403,12 +404,12 @@ std::vector<SlipOutcome> slipOutcomes(const CrankPosition &position, const Outpu
         }
         if (stage == Stage::Formula) {
             solveSlider(hand);
-            outcomes.push_back({slip, hand.values, false});
+            outcomes.push_back({.slip = slip, .values = hand.values, .changesPositionsFirst = false});
             solveCoupler(hand);
             solveSlider(hand);
         }
-        const bool changesPositionsFirst = stage == Stage::Input || stage == Stage::Measurement;
-        outcomes.push_back({slip, hand.values, changesPositionsFirst});
+        const bool changesPositions = stage == Stage::Input || stage == Stage::Measurement;
+        outcomes.push_back({.slip = slip, .values = hand.values, .changesPositionsFirst = changesPositions});
     }
     return outcomes;
 }

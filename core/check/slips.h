@@ -31,38 +31,38 @@ enum class Slip {
     CrankAccelerationSign,
     CrankAccelerationOmitted,
     CrankAngleSign,
-    CrankAngleUnit,       ///< degrees taken as radians in sin θ2 and cos θ2, or the reverse
-    CrankSpeedInRpm,      ///< rpm taken as rad/s, or the reverse
-    CrankSpeedInDegrees,  ///< °/s taken as rad/s, or the reverse
-    LinksExchanged,       ///< a and b exchanged
-    DiameterForRadius,    ///< a doubled or halved
-    CouplerAngleSign,     ///< measured clockwise
-    CrankSineForCosine,   ///< sin θ2 and cos θ2 exchanged
-    CouplerSineForCosine, ///< sin θ3 and cos θ3 exchanged
-    CrankSpeedNotSquared, ///< ω2 for ω2² in the accelerations
-    CrankNormalOmitted,   ///< the centripetal term a ω2²
-    CouplerNormalOmitted, ///< the centripetal term b ω3²
-    NormalsOmitted,       ///< both of them
-    HarmonicMotion,       ///< of the crank pin A, which is simple harmonic motion, instead of the wrist pin B
-    CouplerAngleEnd,      ///< θ3 at A in a formula for the angle at B, or the reverse
-    TwoHarmonics,         ///< the approximation x ≈ a cos θ2 + b - a²/4b (1 - cos 2θ2)
-    SecondHarmonicDouble, ///< sin 2θ2 / n instead of sin 2θ2 / 2n in the velocity of TwoHarmonics, n = b/a
-    CouplerCentre,        ///< the midpoint of A-B instead of the wrist pin B
-    FromOuterDeadCentre,  ///< x counted from the outer dead centre towards the crank
-    FromInnerDeadCentre,  ///< x, or the displacement, counted from the inner dead centre outwards
-    Inches,               ///< inches taken as mm or cm, or the reverse
-    Metres,               ///< m taken as mm, or the reverse
-    Centimetres,          ///< cm taken as mm, or the reverse
-    ValueInRadians,       ///< a value in radians given as degrees, or the reverse
-    PressureAngle,        ///< 90° - μ instead of the transmission angle μ
-    ObtuseAngle,          ///< 180° - μ instead of the transmission angle μ, which is acute
-    CouplerAngleRounded   ///< θ3 rounded to three digits before it was used
+    CrankAngleUnit,           ///< degrees taken as radians in sin θ2 and cos θ2, or the reverse
+    CrankSpeedInRpm,          ///< rpm taken as rad/s, or the reverse
+    CrankSpeedInDegrees,      ///< °/s taken as rad/s, or the reverse
+    LinksExchanged,           ///< a and b exchanged
+    DiameterForRadius,        ///< a doubled or halved
+    CouplerAngleSign,         ///< measured clockwise
+    CrankSineForCosine,       ///< sin θ2 and cos θ2 exchanged
+    CouplerSineForCosine,     ///< sin θ3 and cos θ3 exchanged
+    CrankSpeedNotSquared,     ///< ω2 for ω2² in the accelerations
+    CrankNormalOmitted,       ///< the centripetal term a ω2²
+    CouplerNormalOmitted,     ///< the centripetal term b ω3²
+    NormalsOmitted,           ///< both of them
+    HarmonicMotion,           ///< the simple harmonic motion of the crank pin A, taken for that of the wrist pin B
+    CouplerAngleEnd,          ///< θ3 at A in a formula for the angle at B, or the reverse
+    TwoHarmonics,             ///< the approximation x ≈ a cos θ2 + b - a²/4b (1 - cos 2θ2)
+    SecondHarmonicDouble,     ///< sin 2θ2 / n instead of sin 2θ2 / 2n in the velocity of TwoHarmonics, n = b/a
+    CouplerCentre,            ///< the midpoint of A-B instead of the wrist pin B
+    FromOuterDeadCentre,      ///< x counted from the outer dead centre towards the crank
+    FromInnerDeadCentre,      ///< x, or the displacement, counted from the inner dead centre outwards
+    InchesAsMetricUnits,      ///< inches taken as mm or cm, or the reverse
+    MetresAsMillimetres,      ///< m taken as mm, or the reverse
+    CentimetresAsMillimetres, ///< cm taken as mm, or the reverse
+    ValueInRadians,           ///< a value in radians given as degrees, or the reverse
+    PressureAngle,            ///< 90° - μ instead of the transmission angle μ
+    ObtuseAngle,              ///< 180° - μ instead of the transmission angle μ, which is acute
+    CouplerAngleRounded       ///< θ3 rounded to three digits before it was used
 };
 
 /// Returns the name of a slip in JSON: "crank-speed-sign".
 std::string_view nameOf(Slip slip);
 
-/// What a slip makes of the values. A value that does not exist with the slip is NaN.
+/// The values that a slip leads to. A value that does not exist with the slip is NaN.
 struct SlipOutcome {
     Slip slip;
     OutputState values;
