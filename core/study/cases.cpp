@@ -17,42 +17,47 @@ namespace
 
 using enum Branch;
 
-/// A mechanism with a crank of 20 mm that makes one revolution per second.
+// The lengths of the mechanism in the sample file (mm), from which most cases differ in one or two lengths.
+constexpr double kCrank = 20.0;
+constexpr double kCoupler = 60.0;
+constexpr double kOffset = 25.0;
+
+/// A mechanism with a crank of kCrank that makes one revolution per second. Lengths in mm.
 struct Row {
     const char *name;
     double b;
-    double c = 25.0;
+    double c = kOffset;
     Branch branch = Open;
 };
 
 /// Returns a coupler length that exceeds the shortest for full turns by the relative `gap`.
-constexpr double toggle(double gap, double c = 25.0)
+constexpr double toggle(double gap, double c = kOffset)
 {
-    return (20.0 + (c < 0.0 ? -c : c)) * (1.0 + gap);
+    return (kCrank + (c < 0.0 ? -c : c)) * (1.0 + gap);
 }
 
 const std::vector<Row> kNominal = {
     {"initial mechanism", 65.0},
-    {"b = 60, sample file", 60.0},
-    {"b = 60, crossed", 60.0, 25.0, Crossed},
-    {"c = 0", 60.0, 0.0},
-    {"c = 0, crossed", 60.0, 0.0, Crossed},
-    {"c < 0", 60.0, -25.0},
-    {"c < 0, crossed", 60.0, -25.0, Crossed},
+    {"b = 60, sample file", kCoupler},
+    {"b = 60, crossed", kCoupler, kOffset, Crossed},
+    {"c = 0", kCoupler, 0.0},
+    {"c = 0, crossed", kCoupler, 0.0, Crossed},
+    {"c < 0", kCoupler, -kOffset},
+    {"c < 0, crossed", kCoupler, -kOffset, Crossed},
     {"b/a = 10", 200.0},
 };
 
 const std::vector<Row> kHard{
-    {"toggle gap 1e-4, crossed", toggle(1e-4), 25.0, Crossed},
-    {"toggle gap 1e-8, crossed", toggle(1e-8), 25.0, Crossed},
+    {"toggle gap 1e-4, crossed", toggle(1e-4), kOffset, Crossed},
+    {"toggle gap 1e-8, crossed", toggle(1e-8), kOffset, Crossed},
     {"exact toggle, c > 0", toggle(0.0)},
-    {"exact toggle, c < 0", toggle(0.0), -25.0},
-    {"exact toggle, crossed", toggle(0.0), 25.0, Crossed},
-    {"change point, a = b and c = 0", 20.0, 0.0},
-    {"change point, crossed", 20.0, 0.0, Crossed},
+    {"exact toggle, c < 0", toggle(0.0), -kOffset},
+    {"exact toggle, crossed", toggle(0.0), kOffset, Crossed},
+    {"change point, a = b and c = 0", kCrank, 0.0},
+    {"change point, crossed", kCrank, 0.0, Crossed},
     {"rocker, one arc", 40.0},
-    {"rocker, one arc, c < 0", 40.0, -25.0},
-    {"rocker, one arc, crossed", 40.0, 25.0, Crossed},
+    {"rocker, one arc, c < 0", 40.0, -kOffset},
+    {"rocker, one arc, crossed", 40.0, kOffset, Crossed},
     {"rocker, two arcs", 10.0, 5.0},
     {"rocker, two arcs, crossed", 10.0, 5.0, Crossed},
     {"rocker, two arcs, c = 0", 10.0, 0.0},
@@ -69,20 +74,33 @@ void addToggles(const char *suffix, double c, std::initializer_list<int> exponen
 {
     for (const int exponent : exponents) {
         const std::string gap = "1e-" + std::to_string(exponent);
-        cases.push_back({"toggle gap " + gap + suffix, {20.0, toggle(std::stod(gap), c), c}});
+        cases.push_back({.name = "toggle gap " + gap + suffix,
+                         .parameters = {.a = kCrank, .b = toggle(std::stod(gap), c), .c = c}});
     }
 }
 
-void add(const std::vector<Row> &rows, std::vector<Case> &cases)
+void addCases(const std::vector<Row> &rows, std::vector<Case> &cases)
 {
     for (const Row &row : rows) {
-        cases.push_back({row.name, {20.0, row.b, row.c, kTurn, 0.0, row.branch}});
+        cases.push_back(
+            {.name = row.name,
+             .parameters = {
+                 .a = kCrank, .b = row.b, .c = row.c, .omega2 = kTurn, .theta20 = 0.0, .branch = row.branch}});
     }
 }
 
+/// Returns the mechanism of the sample file with all lengths multiplied by the factor.
 Parameters scaled(double factor)
 {
-    return {20.0 * factor, 60.0 * factor, 25.0 * factor};
+    return {.a = kCrank * factor, .b = kCoupler * factor, .c = kOffset * factor};
+}
+
+/// Returns the case of one second in a few steps, with the relative `gap` to a toggle.
+Case fewSteps(int steps, const std::string &gap)
+{
+    return {.name = std::to_string(steps) + " steps a turn, gap " + gap,
+            .parameters = {.a = kCrank, .b = toggle(std::stod(gap)), .c = kOffset},
+            .sampling = {.steps = steps}};
 }
 
 } // namespace
@@ -90,30 +108,33 @@ Parameters scaled(double factor)
 std::vector<Case> nominalCases()
 {
     std::vector<Case> cases;
-    add(kNominal, cases);
-    cases.push_back({"omega2 < 0", {20.0, 60.0, 25.0, -kTurn}});
-    cases.push_back({"theta20 = 1 rad", {20.0, 60.0, 25.0, kTurn, 1.0}});
+    addCases(kNominal, cases);
+    cases.push_back({.name = "omega2 < 0", .parameters = {.a = kCrank, .b = kCoupler, .c = kOffset, .omega2 = -kTurn}});
+    cases.push_back({.name = "theta20 = 1 rad",
+                     .parameters = {.a = kCrank, .b = kCoupler, .c = kOffset, .omega2 = kTurn, .theta20 = 1.0}});
     return cases;
 }
 
 std::vector<Case> hardCases()
 {
     std::vector<Case> cases;
-    addToggles(", c > 0", 25.0, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, cases);
+    addToggles(", c > 0", kOffset, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, cases);
     addToggles(", c = 0", 0.0, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
-    addToggles(", c < 0", -25.0, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
-    add(kHard, cases);
+    addToggles(", c < 0", -kOffset, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
+    addCases(kHard, cases);
     for (const int steps : {2, 3, 4, 5, 8}) {
-        cases.push_back(
-            {std::to_string(steps) + " steps a turn, gap 1e-1", {20.0, toggle(1e-1), 25.0}, {0.0, 1.0, steps}});
+        cases.push_back(fewSteps(steps, "1e-1"));
     }
-    cases.push_back({"5 steps a turn, gap 1e-2", {20.0, toggle(1e-2), 25.0}, {0.0, 1.0, 5}});
-    cases.push_back({"8 steps a turn, gap 1e-3", {20.0, toggle(1e-3), 25.0}, {0.0, 1.0, 8}});
-    cases.push_back({"lengths x 1e-9", scaled(1e-9)});
-    cases.push_back({"lengths x 1e9", scaled(1e9)});
-    cases.push_back({"t near 1e9 s", scaled(1.0), {1e9, 1.0, 200}});
-    cases.push_back({"omega2 = 0", {20.0, 60.0, 25.0, 0.0, 1.0}});
-    cases.push_back({"omega2 = 1e6 rad/s", {20.0, 60.0, 25.0, 1e6}, {0.0, 6.25e-6, 200}});
+    cases.push_back(fewSteps(5, "1e-2"));
+    cases.push_back(fewSteps(8, "1e-3"));
+    cases.push_back({.name = "lengths x 1e-9", .parameters = scaled(1e-9)});
+    cases.push_back({.name = "lengths x 1e9", .parameters = scaled(1e9)});
+    cases.push_back({.name = "t near 1e9 s", .parameters = scaled(1.0), .sampling = {.start = 1e9}});
+    cases.push_back({.name = "omega2 = 0",
+                     .parameters = {.a = kCrank, .b = kCoupler, .c = kOffset, .omega2 = 0.0, .theta20 = 1.0}});
+    cases.push_back({.name = "omega2 = 1e6 rad/s",
+                     .parameters = {.a = kCrank, .b = kCoupler, .c = kOffset, .omega2 = 1e6},
+                     .sampling = {.duration = 6.25e-6}}); // about one revolution
     return cases;
 }
 

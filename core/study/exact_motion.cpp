@@ -59,11 +59,11 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
     return kappa;
 }
 
-Judged judge(const Parameters &parameters, double t)
+ExactValues exactValues(const Parameters &parameters, double t)
 {
     thread_local const ConstantsOfThread constants;
     const ExactState exact = exactState(ExactInput(parameters, t));
-    Judged judged{exact.status, static_cast<double>(exact.clearance), {}, {}};
+    ExactValues result{.status = exact.status, .clearance = static_cast<double>(exact.clearance)};
     std::array<double, kChannelCount> kappa{};
     if (exact.status == Status::Solved) {
         kappa = conditioning(parameters, t);
@@ -71,10 +71,10 @@ Judged judge(const Parameters &parameters, double t)
     for (std::size_t k = 0; k < kPlottedChannels.size(); ++k) {
         const std::size_t index = indexOf(kPlottedChannels[k]);
         const auto hi = static_cast<double>(exact.values[index]);
-        judged.values[k] = {hi, static_cast<double>(exact.values[index] - hi)};
-        judged.kappa[k] = kappa[index];
+        result.values[k] = {hi, static_cast<double>(exact.values[index] - hi)};
+        result.kappa[k] = kappa[index];
     }
-    return judged;
+    return result;
 }
 
 } // namespace slidercrank

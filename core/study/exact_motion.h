@@ -6,7 +6,7 @@
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
-#include "core/study/judge.h"
+#include "core/study/exact_values.h"
 
 #include <array>
 #include <mpreal.h>

@@ -4,7 +4,7 @@
 // Compares methods of the study with the exact motion of one mechanism, and times them, in pieces of a few
 // milliseconds.
 
-#include "core/study/judge.h"
+#include "core/study/exact_values.h"
 #include "core/study/study_methods.h"
 
 #include <array>
@@ -15,30 +15,31 @@
 namespace slidercrank
 {
 
-/// A method that is run at some time stamps.
-struct Contender {
+/// A method with the time stamps at which it is run, its output there and the times that it takes.
+struct TimedMethod {
     const StudyMethod *method = nullptr;
     std::vector<double> timeStamps{};
     StudyRun run{};
-    StudyAnswers answers{};
+    StudyOutput output{};
     long long repeats = 1;
     std::vector<double> nanoseconds{}; ///< per state, one value for each round
 };
 
-/// The exact motion at some time stamps, and the sizes with which errors are compared.
-struct JudgedMotion {
-    std::map<double, Judged> exact{}; ///< by time stamp
-    std::array<double, kPlottedChannels.size()>
-        sizes{}; ///< rad, mm: the peak, or naturalSize() where that is 0; positive
+/// The exact motion at some time stamps, and the size of each channel, relative to which errors are stated.
+struct ExactMotion {
+    std::map<double, ExactValues> values{}; ///< by time stamp
+
+    /// By kPlottedChannels (rad, mm, s): the peak or, if the peak is 0, naturalSize(). Positive.
+    std::array<double, kPlottedChannels.size()> sizes{};
 };
 
 class Measurement
 {
 public:
-    /// `timeStamps`: where the answers are compared with the exact motion.
+    /// `timeStamps`: where the methods are compared with the exact motion.
     Measurement(const Parameters &parameters, std::vector<double> timeStamps);
 
-    /// Adds a method at these time stamps, unless it does not apply to the mechanism.
+    /// Adds a method, to be run at these time stamps, if it applies to the mechanism.
     void add(const StudyMethod &method, const std::vector<double> &timeStamps);
 
     /// Does the next piece. Returns false if everything is done.
@@ -47,7 +48,7 @@ public:
     /// Returns the part that is done, 0 … 1.
     double progress(const StudyRequest &request) const;
 
-    /// Returns a row for each method, when everything is done.
+    /// Returns a row for each method. Requires that advance() has returned false.
     std::vector<MethodResult> results();
 
     const std::vector<double> &timeStamps() const { return m_timeStamps; }
@@ -57,11 +58,11 @@ private:
 
     Parameters m_parameters;
     std::vector<double> m_timeStamps;
-    std::vector<Contender> m_contenders;
-    JudgedMotion m_motion;
-    std::size_t m_judged = 0;   ///< number of time stamps whose exact motion is known
-    std::size_t m_prepared = 0; ///< number of methods that have been prepared
-    std::size_t m_timed = 0;    ///< number of rounds that have been timed
+    std::vector<TimedMethod> m_methods;
+    ExactMotion m_motion;
+    std::size_t m_exactCount = 0;    ///< number of time stamps whose exact motion is known
+    std::size_t m_preparedCount = 0; ///< number of methods that have been prepared
+    std::size_t m_timedRounds = 0;   ///< number of rounds that have been timed
 };
 
 /// Returns the worst status among those that occur. NotAssemblable is a property of the mechanism, the others are

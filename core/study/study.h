@@ -30,10 +30,10 @@ namespace slidercrank
 struct StudyRequest {
     std::vector<Case> cases;
 
-    /// Each round times every method once, so that other load on the machine affects all of them.
+    /// Each round times every method once, so that a load on the machine affects all methods.
     int rounds = 15;
 
-    /// How long a method is repeated in one round: well above the resolution of the clock.
+    /// The time for which a method is repeated in one round, well above the resolution of the clock.
     double secondsPerRound = 150e-6;
 };
 

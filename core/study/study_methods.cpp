@@ -20,49 +20,49 @@ namespace
 /// One value for each of kPlottedChannels.
 using Values = std::array<double, kPlottedChannels.size()>;
 
-void put(StudyAnswers &answers, std::size_t i, const Values &values, Status status)
+void put(StudyOutput &output, std::size_t i, const Values &values, Status status)
 {
     for (std::size_t k = 0; k < values.size(); ++k) {
-        answers.values[k][i] = values[k];
+        output.values[k][i] = values[k];
     }
-    answers.status[i] = status;
+    output.status[i] = status;
 }
 
-void put(StudyAnswers &answers, std::size_t i, const State &state)
+void put(StudyOutput &output, std::size_t i, const State &state)
 {
-    put(answers, i,
+    put(output, i,
         {state.q[Theta3], state.q[R4x], state.qDot[Theta3], state.qDot[R4x], state.qDDot[Theta3], state.qDDot[R4x]},
         state.status);
 }
 
 StudyRun newton(const NewtonOptions &options, const Mechanism &mechanism, std::span<const double> timeStamps)
 {
-    return [=](StudyAnswers &answers) {
+    return [=](StudyOutput &output) {
         NewtonTimeStep last;
-        answers.iterations = 0;
+        output.iterations = 0;
         for (std::size_t i = 0; i < timeStamps.size(); ++i) {
             advance(mechanism, timeStamps[i], last, options);
-            answers.iterations += last.iterations;
-            put(answers, i, last.state);
+            output.iterations += last.iterations;
+            put(output, i, last.state);
         }
     };
 }
 
 StudyRun closedForm(const Mechanism &mechanism, std::span<const double> timeStamps)
 {
-    return [closedForm = ClosedForm(mechanism), timeStamps](StudyAnswers &answers) {
+    return [closedForm = ClosedForm(mechanism), timeStamps](StudyOutput &output) {
         for (std::size_t i = 0; i < timeStamps.size(); ++i) {
-            put(answers, i, closedForm.stateAt(timeStamps[i]));
+            put(output, i, closedForm.stateAt(timeStamps[i]));
         }
     };
 }
 
 StudyRun closedFormBatch(const Mechanism &mechanism, std::span<const double> timeStamps)
 {
-    return [batch = ClosedForm(mechanism), timeStamps](StudyAnswers &answers) {
+    return [batch = ClosedForm(mechanism), timeStamps](StudyOutput &output) {
         PlottedColumns columns{};
-        std::ranges::transform(answers.values, columns.begin(), [](auto &values) { return values.data(); });
-        batch.evaluate(timeStamps, columns, answers.status);
+        std::ranges::transform(output.values, columns.begin(), [](auto &values) { return values.data(); });
+        batch.evaluate(timeStamps, columns, output.status);
     };
 }
 
@@ -81,11 +81,11 @@ StudyRun finiteDifference(const Mechanism &mechanism, std::span<const double> ti
     sampled.insert(sampled.end(), timeStamps.begin(), timeStamps.end());
     sampled.push_back(timeStamps.back() + step);
     std::vector<Motion> motions(sampled.size());
-    return [closedForm = ClosedForm(mechanism), step, sampled, motions](StudyAnswers &answers) mutable {
+    return [closedForm = ClosedForm(mechanism), step, sampled, motions](StudyOutput &output) mutable {
         for (std::size_t i = 0; i < sampled.size(); ++i) {
             motions[i] = closedForm.motionAt(sampled[i]);
         }
-        for (std::size_t i = 0; i < answers.status.size(); ++i) {
+        for (std::size_t i = 0; i < output.status.size(); ++i) {
             const Motion &here = motions[i + 1];
             const auto differences = [&](double Motion::*position) {
                 const double rise = motions[i + 2].*position - here.*position;
@@ -100,7 +100,7 @@ StudyRun finiteDifference(const Mechanism &mechanism, std::span<const double> ti
             } else if (std::isnan(R4xDDot)) {
                 status = Status::Singular;
             }
-            put(answers, i, {here.theta3, here.R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot}, status);
+            put(output, i, {here.theta3, here.R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot}, status);
         }
     };
 }
@@ -110,10 +110,10 @@ StudyRun harmonics(int count, const Mechanism &mechanism, std::span<const double
     if (motionLimits(mechanism).mobility != Mobility::FullTurn) {
         return {};
     }
-    return [series = HarmonicSeries(mechanism, count), timeStamps](StudyAnswers &answers) {
+    return [series = HarmonicSeries(mechanism, count), timeStamps](StudyOutput &output) {
         for (std::size_t i = 0; i < timeStamps.size(); ++i) {
             const auto [theta3, R4x] = series.at(timeStamps[i]);
-            put(answers, i,
+            put(output, i,
                 {theta3.position, R4x.position, theta3.velocity, R4x.velocity, theta3.acceleration, R4x.acceleration},
                 Status::Solved);
         }

@@ -16,15 +16,15 @@
 namespace slidercrank
 {
 
-/// The results of a method at its time stamps. Values by kPlottedChannels (mm, rad, s).
-struct StudyAnswers {
+/// What a method computes at its time stamps. Values by kPlottedChannels (mm, rad, s).
+struct StudyOutput {
     std::array<std::vector<double>, kPlottedChannels.size()> values;
     std::vector<Status> status;
     long long iterations = 0;
 };
 
-/// Fills the answers, whose vectors have the size of its time stamps. Can be called repeatedly.
-using StudyRun = std::function<void(StudyAnswers &)>;
+/// Fills the output, whose vectors have one element for each time stamp. Can be called repeatedly.
+using StudyRun = std::function<void(StudyOutput &)>;
 
 struct StudyMethod {
     MethodName name{};

@@ -174,15 +174,15 @@ private slots:
         for (int i = 0; i < 24; ++i) {
             times.push_back(0.1 * i);
         }
-        StudyAnswers answers;
-        answers.values.fill(times);
-        answers.status.resize(times.size());
+        StudyOutput output;
+        output.values.fill(times);
+        output.status.resize(times.size());
         const auto isHarmonic2 = [](const StudyMethod &method) { return nameOf(method.name) == "harmonic-2"; };
-        std::ranges::find_if(studyMethods(), isHarmonic2)->prepare(Mechanism(parameters), times)(answers);
+        std::ranges::find_if(studyMethods(), isHarmonic2)->prepare(Mechanism(parameters), times)(output);
         for (std::size_t i = 0; i < times.size(); ++i) {
             const double angle = 3.0 * times[i];
             const double expected = -20.0 * 9.0 * (std::cos(angle) + ratio * std::cos(2.0 * angle));
-            QCOMPARE_LT(std::abs(answers.values[5][i] - expected), 20.0 * 9.0 * ratio * ratio * ratio);
+            QCOMPARE_LT(std::abs(output.values[5][i] - expected), 20.0 * 9.0 * ratio * ratio * ratio);
         }
     }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes the exact motion, by which the study judges its methods.
+// Computes the exact motion, with which the study compares its methods.
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
@@ -17,16 +17,16 @@ inline constexpr double kUnitRoundoff = 0.5 * kEpsilon; // 2^-53
 /// Values below this fraction of naturalSize() are zero except for the rounding of the exact motion.
 inline constexpr double kExactZero = 1e-36;
 
-/// The exact motion at one time stamp, by kPlottedChannels, in rad and mm. The values are in two parts, so that
+/// The exact motion at one time stamp, by kPlottedChannels (rad, mm, s). The values are in two parts, so that
 /// comparing with them takes no many-digit arithmetic.
-struct Judged {
+struct ExactValues {
     Status status = Status::Solved;
     double clearance = 0.0; ///< (b - |h|)/b
-    std::array<TwoPart, kPlottedChannels.size()> values;
+    std::array<TwoPart, kPlottedChannels.size()> values{};
     std::array<double, kPlottedChannels.size()> kappa{}; ///< see conditioning() in exact_motion.h
 };
 
 /// Computes the exact motion at time t (s).
-Judged judge(const Parameters &parameters, double t);
+ExactValues exactValues(const Parameters &parameters, double t);
 
 } // namespace slidercrank
