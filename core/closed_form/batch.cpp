@@ -19,8 +19,8 @@ namespace HWY_NAMESPACE
 
 /// Computes a block of at most kBlock time stamps, a multiple of kMaxLanes. All vectors go through one stage before
 /// the next begins: stages are short enough for a processor to overlap several vectors, which it cannot do when each
-/// vector is carried from its time stamp to its last channel. The numbers are valid where `roots` is positive; returns
-/// whether that is everywhere.
+/// vector is carried from its time stamp to its last channel. The numbers are valid where `roots` is positive. Returns
+/// whether all of them are valid.
 bool evaluateBlock(const MotionConstants &constants, const double *times, std::size_t count,
                    const PlottedColumns &columns, double *roots)
 {
@@ -36,12 +36,12 @@ bool evaluateBlock(const MotionConstants &constants, const double *times, std::s
         cosine.store(cosines + i);
     }
     const auto [theta3, R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot] = columns;
-    bool allOrdinary = true;
+    bool areAllOrdinary = true;
     for (std::size_t i = 0; i < count; i += lanes) {
         const Clearance<Lanes> at = clearance(k, Lanes::load(sines + i), Lanes::load(cosines + i));
         const Lanes root = sqrt(at.p * at.m);
         const Lanes::Mask ordinary = isOrdinary(k, at, root);
-        allOrdinary = allOrdinary && hn::AllTrue(Lanes::Tag(), ordinary);
+        areAllOrdinary = areAllOrdinary && hn::AllTrue(Lanes::Tag(), ordinary);
         select(ordinary, root, 0.0).store(roots + i);
         at.h.store(heights + i);
         const Lanes inverse = k.branch / root;
@@ -66,7 +66,7 @@ bool evaluateBlock(const MotionConstants &constants, const double *times, std::s
     for (std::size_t i = 0; theta3 != nullptr && i < count; i += lanes) {
         couplerAngle(k, Lanes::load(heights + i), Lanes::load(roots + i)).store(theta3 + i);
     }
-    return allOrdinary;
+    return areAllOrdinary;
 }
 
 } // namespace HWY_NAMESPACE
@@ -97,9 +97,9 @@ void ClosedForm::evaluate(std::span<const double> times, const PlottedColumns &c
         for (double *&column : target) {
             column = column == nullptr ? nullptr : column + from;
         }
-        const bool allOrdinary =
+        const bool areAllOrdinary =
             !isShort && HWY_DYNAMIC_DISPATCH(evaluateBlock)(m_constants, times.data() + from, count, target, roots);
-        for (std::size_t i = 0; i < count && !allOrdinary; ++i) {
+        for (std::size_t i = 0; i < count && !areAllOrdinary; ++i) {
             if (roots[i] > 0.0) {
                 continue;
             }

@@ -34,8 +34,7 @@ HWY_INLINE void setLinks(const MotionConstants &k, const Clearance &at, double r
     motion.R4xDDot = second.R4x;
 }
 
-/// Returns p for gapSide = 1 and m for gapSide = -1, that is b - g h and its mirror image (x → -x, C → -C), with a
-/// single rounding.
+/// Returns p = b - g h for gapSide = 1, or its mirror image m = b + g h for gapSide = -1, with a single rounding.
 double fineGap(const MotionConstants &k, double gapSide, TwoPart theta2)
 {
     const double sign = gapSide * k.side;

@@ -66,8 +66,8 @@ public:
     void evaluate(std::span<const double> times, const PlottedColumns &columns, std::span<Status> statuses) const;
 
 private:
-    /// Computes the time stamps that the vector code cannot: without a full solution, near a limit position of a
-    /// rocker, or with a very large crank angle.
+    /// Returns the motion at a time stamp that the vector code cannot compute: one without a full solution, near a
+    /// limit position of a rocker, or with a very large crank angle.
     Motion difficultMotionAt(double t) const;
 
     Mechanism m_mechanism;

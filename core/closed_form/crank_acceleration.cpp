@@ -8,8 +8,8 @@ namespace slidercrank
 
 Vector12 kinematicCoefficients(const Mechanism &mechanism, double t)
 {
-    // At the speed of 1 rad/s the time derivatives are those by the crank angle. The two parts of the angle become the
-    // initial angle and the time, so that no digit is lost.
+    // At the speed of 1 rad/s, the time derivatives equal the derivatives by the crank angle. The two parts of the
+    // angle become the initial angle and the time, so that no digit is lost.
     const TwoPart angle = crankAngle(mechanism.omega2(), t, mechanism.theta20());
     if (!(std::abs(angle.hi) <= kLargestParameter)) {
         return Vector12::Constant(kNone);

@@ -25,7 +25,7 @@ struct MotionConstants {
     double C;    ///< |c|
     double side; ///< g: +1 for c >= 0, -1 for c < 0
 
-    // Each is rounded only once.
+    // Sums of the lengths, each of which is rounded only once.
     double epsilon; ///< ε, negative for a rocker
     double beta;    ///< β, negative for a rocker with two arcs
     double gamma;   ///< γ, negative if the mechanism cannot be assembled
@@ -37,7 +37,7 @@ struct MotionConstants {
     double branch;        ///< +1 open, -1 crossed
     double straightAngle; ///< θ3 of a coupler along the slider's line: 0 open, π crossed
 
-    // Products of the above.
+    // Products.
     double epsilonReach; ///< ε L
     double betaGamma;    ///< β γ
     double aC;

@@ -18,11 +18,11 @@ namespace slidercrank
 namespace
 {
 
-/// Relative tolerance of a bound: decimal numbers are not exact in binary, so that a difference of exactly half a step
-/// may appear larger by some units in the last place.
+/// Relative tolerance of a bound. Decimal numbers are not exact in binary: a difference of exactly half a step may
+/// appear larger by some units in the last place.
 constexpr double kUlpSlack = 4.0 * kEpsilon;
 
-constexpr SolverSettings kExactly{.method = Method::ClosedForm, .newton = {}};
+constexpr SolverSettings kClosedFormSettings{.method = Method::ClosedForm, .newton = {}};
 
 constexpr std::size_t kMinTimeStampsForThreads = 50000; // with fewer, threads cost more than they save
 
@@ -81,15 +81,15 @@ struct RoundedTimeEffect {
     }
 };
 
-Verdict judge(const ChannelComparison &channel)
+Verdict verdictOf(const ChannelComparison &channel)
 {
     if (channel.count == 0 || channel.missingModel > 0 || channel.worstOver > kBoundsOfCloseness ||
         channel.excess > kExcessOfCloseness) {
         return Verdict::Differs;
     }
-    const bool mostWithin = 100 * channel.withinBound >= kPercentWithinBound * channel.count;
-    const bool noneFar = channel.worstOver <= kBoundsOfAgreement && channel.excess <= kExcessOfAgreement;
-    return mostWithin && noneFar ? Verdict::Agrees : Verdict::Close;
+    const bool areMostWithinBound = 100 * channel.withinBound >= kPercentWithinBound * channel.count;
+    const bool areAllClose = channel.worstOver <= kBoundsOfAgreement && channel.excess <= kExcessOfAgreement;
+    return areMostWithinBound && areAllClose ? Verdict::Agrees : Verdict::Close;
 }
 
 /// Updates the largest error and the largest percentage with the error of one value.
@@ -120,7 +120,8 @@ void updateVerdictMeasures(ChannelComparison &result, double error, double bound
     }
 }
 
-/// The magnitude of an error. Files may count crank angles from zero again after each turn.
+/// Returns the magnitude of the difference of two values in the unit of the file, of crank angles modulo a turn:
+/// files may count crank angles from zero again after each turn.
 double errorOf(Channel channel, double model, double value)
 {
     constexpr double kDegreesPerTurn = 360.0;
@@ -128,7 +129,7 @@ double errorOf(Channel channel, double model, double value)
     return std::abs(isCrankAngle ? std::remainder(model - value, kDegreesPerTurn) : model - value);
 }
 
-/// The rms error of a column, where both values exist.
+/// Returns the root-mean-square error of a column over the rows in which both values exist.
 double rmsError(const ReferenceSeries &series, std::span<const double> models)
 {
     double squares = 0.0;
@@ -183,7 +184,7 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
         bound += std::min(bound + largestHalfStep - halfStep, errorOfFit);
         updateVerdictMeasures(result, error, bound, scale.halfRange);
     }
-    result.verdict = judge(result);
+    result.verdict = verdictOf(result);
     if (series.rounding.rule != Rounding::Rule::Unknown && largestStep > 0.0) {
         result.roundingStep = largestStep;
     }
@@ -196,8 +197,8 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
     return result;
 }
 
-/// The effect of time stamps that were rounded or, if the clock shows no rounding, are exact in double precision;
-/// nullopt if the crank does not move in that time.
+/// Returns the effect of time stamps that were rounded or, if the clock shows no rounding, are exact in double
+/// precision. Returns nullopt if the crank does not move within the rounding of the time.
 std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism, const ReferenceData &reference,
                                                      const Clock &clock)
 {
@@ -216,8 +217,8 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
         return std::nullopt;
     }
     const ChannelSet channels = channelsOf(reference);
-    return RoundedTimeEffect{sample(mechanism, std::move(early), channels, kExactly),
-                             sample(mechanism, std::move(late), channels, kExactly)};
+    return RoundedTimeEffect{sample(mechanism, std::move(early), channels, kClosedFormSettings),
+                             sample(mechanism, std::move(late), channels, kClosedFormSettings)};
 }
 
 } // namespace
@@ -235,13 +236,13 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
     inParallel(
         result.size(), [&](std::size_t i) { result[i] = comparisonOf(i, shownEffect); }, isLong);
 
-    // A second attempt assumes that the time stamps were rounded although nothing shows it. It lowers an excess by at
-    // most kExcessOfCloseness, and with evenly spaced time stamps the best verdict is `close`.
-    const auto mayRise = [&](const ChannelComparison &channel) {
+    // A second comparison assumes that the time stamps were rounded, although the clock does not show it. It lowers an
+    // excess by at most kExcessOfCloseness. If the time stamps are evenly spaced, the best verdict is `Close`.
+    const auto canImprove = [&](const ChannelComparison &channel) {
         return channel.excess <= 2.0 * kExcessOfCloseness &&
                (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even));
     };
-    if (clock.rounded || std::ranges::none_of(result, mayRise)) {
+    if (clock.rounded || std::ranges::none_of(result, canImprove)) {
         return result;
     }
     Clock roundedClock = clock;
@@ -252,7 +253,7 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
     }
     assumedEffect->largestDrift = kExcessOfCloseness;
     const auto compareAgain = [&](std::size_t i) {
-        if (!mayRise(result[i])) {
+        if (!canImprove(result[i])) {
             return;
         }
         const ChannelComparison again = comparisonOf(i, assumedEffect);
@@ -288,7 +289,7 @@ void findRoundedTime(std::vector<ChannelComparison> &channels, const Mechanism &
 ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &reference, std::stop_token stop,
                                const FittedMechanism &fitted)
 {
-    Trajectory model = sample(mechanism, reference.time, channelsOf(reference), kExactly, std::move(stop));
+    Trajectory model = sample(mechanism, reference.time, channelsOf(reference), kClosedFormSettings, std::move(stop));
     return {compare(mechanism, model, reference, fitted), std::move(model.status)};
 }
 
@@ -299,13 +300,14 @@ MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other
     if (mechanism.omega2() == other.omega2() && mechanism.omega2() != 0.0) {
         duration = std::min(duration, kTurn / std::abs(mechanism.omega2())); // all turns are equal
     }
-    ReferenceData pinned;
-    pinned.time = Sampling{std::min(from, to), duration, kSteps}.timeStamps();
-    Trajectory motion = sample(other, pinned.time, plottedChannels(), kExactly);
+    const Sampling sampling{.start = std::min(from, to), .duration = duration, .steps = kSteps};
+    ReferenceData otherMotion;
+    otherMotion.time = sampling.timeStamps();
+    Trajectory motion = sample(other, otherMotion.time, plottedChannels(), kClosedFormSettings);
     for (const Channel channel : kPlottedChannels) {
-        pinned.series.push_back({channel, std::move(motion.values[indexOf(channel)]), Rounding()});
+        otherMotion.series.push_back({channel, std::move(motion.values[indexOf(channel)]), Rounding()});
     }
-    MotionDifference difference{compareExactly(mechanism, pinned).channels};
+    MotionDifference difference{compareExactly(mechanism, otherMotion).channels};
     difference.hasGaps = std::ranges::any_of(difference.channels, [](const ChannelComparison &channel) {
         return channel.channel.order == Order::Position && channel.count <= kSteps;
     });

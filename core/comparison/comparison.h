@@ -57,7 +57,7 @@ struct ChannelComparison {
     double timeOfMaxPercent = 0.0;
     std::size_t zeroReference = 0; ///< time stamps left out of maxPercent
 
-    double peak = 0.0; ///< the reference's largest magnitude
+    double peak = 0.0; ///< largest magnitude of the reference
 
     /// maxAbs as % of the peak.
     std::optional<double> percentOfPeak;
@@ -71,7 +71,8 @@ struct ChannelComparison {
     double worstOver = 0.0;
     double excess = 0.0;
 
-    /// The time stamps are evenly spaced, and the file is close only if they were rounded; the measures assume that.
+    /// The time stamps are evenly spaced, and the file is close only if they were rounded. The measures assume rounded
+    /// time stamps.
     bool clockIsRounded = false;
 
     Verdict verdict = Verdict::Differs;
@@ -94,8 +95,8 @@ struct FittedMechanism {
     std::size_t unknowns = 0; ///< 0: the mechanism was not fitted
     double values = 1.0;      ///< number of values that were fitted
 
-    /// Three standard errors of the motion in a column, from the rms of its errors. It enlarges a bound at most to
-    /// twice its size, because the fit of rounded values is no worse than the values.
+    /// Returns three standard errors of the motion in a column, from the rms of its errors. It enlarges a bound at most
+    /// to twice its size, because the fit of rounded values is no worse than the values.
     double errorOf(double rms) const { return 3.0 * rms * std::sqrt(static_cast<double>(unknowns) / values); }
 };
 
@@ -107,10 +108,10 @@ std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Traject
 /// Sets `isWithinRoundedTime` of the channels that differ. Requires `channels` to be the result of compare() for the
 /// same mechanism, trajectory and file.
 ///
-/// compare() limits the effect of time stamps that do not show whether they were rounded: without that limit, every
-/// mechanism would agree with coarse ones. Uneven time stamps, however, are often the rounded ones of a solver that
-/// chooses its steps. For these, this function finds whether errors of half a unit of their last digit, of whatever
-/// effect, explain the differences.
+/// compare() limits the effect of time stamps that do not show whether they were rounded: without a limit, every
+/// mechanism would agree with coarse time stamps. Uneven time stamps, however, are often the rounded ones of a solver
+/// that chooses its steps. For uneven time stamps, this function finds whether errors of half a unit of their last
+/// digit explain the differences, however large their effect is.
 void findRoundedTime(std::vector<ChannelComparison> &channels, const Mechanism &mechanism, const Trajectory &model,
                      const ReferenceData &reference);
 

@@ -12,11 +12,12 @@ namespace slidercrank
 namespace
 {
 
-/// Interpolates a column of positions between the rows i and i + 1: by the polynomial through these and those of their
-/// neighbours that have a value. Returns NaN if row i or row i + 1 has no value. Differences of angles are reduced to
-/// half a turn, because some programs print angles within one turn.
+/// Interpolates a column of positions between the rows i and i + 1, by the polynomial through both rows and the
+/// neighbouring rows i - 1 and i + 2 if they have a value. Returns NaN if row i or row i + 1 has no value. Differences
+/// of angles are reduced to half a turn, because some programs print angles within one turn.
 double interpolated(const ReferenceData &data, const ReferenceSeries &series, double time, std::size_t i)
 {
+    constexpr double kDegreesPerTurn = 360.0;
     const std::vector<double> &values = series.values;
     const auto isUsed = [&](std::size_t row) {
         return row == i || row == i + 1 || (row < values.size() && std::isfinite(values[row]));
@@ -24,7 +25,7 @@ double interpolated(const ReferenceData &data, const ReferenceSeries &series, do
     double change = 0.0;                                 // from row i
     for (std::size_t row = i - 1; row != i + 3; ++row) { // Lagrange's form
         double term = isUsed(row) ? values[row] - values[i] : 0.0;
-        term = isAngle(series.channel.coordinate) ? std::remainder(term, 360.0) : term;
+        term = isAngle(series.channel.coordinate) ? std::remainder(term, kDegreesPerTurn) : term;
         for (std::size_t other = i - 1; other != i + 3 && isUsed(row); ++other) {
             if (other != row && isUsed(other)) {
                 term *= (time - data.time[other]) / (data.time[row] - data.time[other]);
@@ -53,7 +54,7 @@ ReferencePose referencePoseAt(const ReferenceData &data, const Mechanism &mechan
     const double couplerY = mechanism.b() * std::sin(theta3);
     ReferencePose pose;
     if (!angle || !slider) {
-        // The time stamps of an angle-indexed file are those of its own drive.
+        // The time stamps of an angle-indexed file belong to the drive of the file.
         pose = referencePoseAt(data.crank ? withDrive(mechanism, data.crank->omega2, data.crank->theta20) : mechanism,
                                time);
     }

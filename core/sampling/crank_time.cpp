@@ -15,16 +15,16 @@ std::optional<double> timeAtCrankAngle(const Mechanism &mechanism, double theta2
     const double wanted = std::remainder(theta2, kTurn);
     const double angle = crankAngle(mechanism.omega2(), start, mechanism.theta20()).hi;
 
-    // The same angle entered in degrees and in radians differs by rounding. Without this tolerance a difference in the
+    // The same angle entered in degrees and in radians differs by rounding. Without the tolerance a difference in the
     // last digit would add a whole revolution.
-    const double same = 1e-12 + 4.0 * kEpsilon * std::abs(angle);
+    const double tolerance = 1e-12 + 4.0 * kEpsilon * std::abs(angle);
 
     if (mechanism.omega2() == 0.0) {
-        const bool hasAngle = std::abs(std::remainder(angle - wanted, kTurn)) <= same;
+        const bool hasAngle = std::abs(std::remainder(angle - wanted, kTurn)) <= tolerance;
         return hasAngle ? std::optional(start) : std::nullopt;
     }
     const double direction = mechanism.omega2() > 0.0 ? 1.0 : -1.0;
-    const double turns = std::ceil((direction * (angle - wanted) - same) / kTurn);
+    const double turns = std::ceil((direction * (angle - wanted) - tolerance) / kTurn);
     const double t = (wanted + direction * kTurn * turns - mechanism.theta20()) / mechanism.omega2();
     return std::isfinite(t) ? std::optional(std::max(t, start)) : std::nullopt;
 }

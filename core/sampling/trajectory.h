@@ -83,7 +83,7 @@ struct SampledChannels {
     }
     explicit SampledChannels(const std::vector<OutputChannel> &channels, double crankAcceleration = 0.0);
 
-    /// Whether only coordinates at constant speed are sampled.
+    /// Returns whether only coordinates at constant speed are sampled.
     bool isPlain() const { return derived.none() && alpha2 == 0.0; }
 };
 
