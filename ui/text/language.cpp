@@ -9,6 +9,8 @@
 #include <QString>
 #include <QTranslator>
 
+#include <algorithm>
+
 namespace slidercrank
 {
 
@@ -49,7 +51,9 @@ QLocale textLocale()
 {
     QLocale::Language spoken = QLocale::English; // the language of the sources
     for (const QTranslator *translator : QCoreApplication::instance()->findChildren<QTranslator *>(kTranslator)) {
-        if (QFileInfo(translator->filePath()).fileName().startsWith(kTexts)) { // the last one is the one in use
+        if (QFileInfo(translator->filePath())
+                .fileName()
+                .startsWith(kTexts)) { // the translator installed last is in use
             spoken = QLocale(translator->language()).language();
         }
     }
@@ -58,7 +62,9 @@ QLocale textLocale()
 
 Language chosenLanguage()
 {
-    return static_cast<Language>(QSettings().value(kKey).toInt());
+    const int stored = QSettings().value(kKey, 0).toInt();
+    const int last = static_cast<int>(Language::Spanish); // limits a damaged setting
+    return static_cast<Language>(std::clamp(stored, 0, last));
 }
 
 void storeLanguage(Language language)

@@ -20,7 +20,7 @@ void setLanguage(Language language);
 /// writes numbers, may name months in a different language: that of the system, if only LANGUAGE chose the texts.
 QLocale textLocale();
 
-/// Reads and stores the language in the settings.
+/// Read and store the language in the settings. A damaged setting is read as the nearest language.
 Language chosenLanguage();
 void storeLanguage(Language language);
 

@@ -39,6 +39,21 @@ private slots:
         QCOMPARE(chosenLanguage(), Language::Spanish);
     }
 
+    /// A former defect: the number was converted to an enumerator without a check.
+    void aDamagedSettingIsALanguage()
+    {
+        struct Row {
+            QVariant stored;
+            Language language;
+        };
+        const Row rows[] = {{-7, Language::System}, {0, Language::System},   {1, Language::English},
+                            {2, Language::Spanish}, {99, Language::Spanish}, {"Klingon", Language::System}};
+        for (const Row &row : rows) {
+            QSettings().setValue("language", row.stored);
+            QCOMPARE(chosenLanguage(), row.language);
+        }
+    }
+
     void theNewWindowSpeaksTheLanguageAndShowsTheSame()
     {
         const QString scene = m_settings.filePath("rig.json");
