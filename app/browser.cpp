@@ -77,7 +77,7 @@ public:
         , m_window(window)
     {
         qApp->installEventFilter(this);
-        connect(&window->session(), &Session::written, this,
+        connect(&window->session(), &Session::fileWritten, this,
                 [](const QString &path) { handOver(path.toUtf8(), QFileInfo(path).fileName().toUtf8()); });
         withholdWhatNeedsADesktop();
     }

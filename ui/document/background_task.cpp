@@ -36,7 +36,7 @@ BackgroundTask::~BackgroundTask()
     m_stop.request_stop();
 }
 
-/// Does the work. Returns a sentence if that fails, otherwise an empty text.
+/// Does the work. Returns a message on failure, otherwise an empty text.
 QString BackgroundTask::problemOf(const std::function<void()> &work)
 {
     try {

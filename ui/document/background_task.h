@@ -17,8 +17,8 @@
 namespace slidercrank
 {
 
-/// Runs one function at a time. Must be used in the GUI thread, and calls back in that thread. The destructor stops the
-/// function; after it nothing is called any more.
+/// Runs one function at a time. Must be used in the GUI thread, and calls back in that thread. The destructor asks the
+/// function to stop, without waiting for it; done() and failed() are not called afterwards.
 class BackgroundTask : public QObject
 {
     Q_OBJECT
@@ -29,7 +29,7 @@ public:
 
     /// Receives the fraction of the work that is done, 0 … 1, in ascending order.
     using Progress = std::function<void(double part)>;
-    using Failed = std::function<void(const QString &sentence)>;
+    using Failed = std::function<void(const QString &message)>;
 
     /// Discards what is running, and runs work(std::stop_token, const Progress &) in another thread. Then calls done()
     /// with the value that it returned, or failed() if it threw an exception.
@@ -43,8 +43,9 @@ public:
             [done, value] { done(std::as_const(**value)); }, failed);
     }
 
-    /// The same for work in small pieces, which a program without threads does between the events: calls
-    /// pieces->advance() until it returns false, and then done(*pieces). pieces->progress() is the part that is done.
+    /// Discards what is running, and does work in small pieces, which a program without threads does between the
+    /// events: calls pieces->advance() until it returns false, and then done(*pieces), or failed() if a piece threw an
+    /// exception. pieces->progress() is the part that is done.
     template <typename Work, typename Done>
     void startPieces(const std::shared_ptr<Work> &pieces, Done done, Failed failed)
     {
@@ -56,7 +57,7 @@ public:
     bool isRunning() const { return m_watcher; }
 
 public slots:
-    void discard(); ///< stops the work early; neither done() nor failed() is called
+    void discard(); ///< asks the work to stop, without waiting for it; done() and failed() are not called
 
 signals:
     void progressed(double part);

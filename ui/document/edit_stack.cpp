@@ -34,7 +34,7 @@ bool haveSameFile(const Choices &first, const Choices &second)
                                                : first.reference == second.reference;
 }
 
-/// Names the edit by what differs. An edit of the reference or of parameters may also change the time range.
+/// Names the edit by the choices that differ. An edit of the reference or of parameters may also change the time range.
 EditName nameEdit(const Choices &before, const Choices &after)
 {
     if (after.reference != before.reference) {
@@ -89,7 +89,7 @@ public:
     {
     }
 
-    /// Whether a reference file is opened or closed, which does not modify the scene.
+    /// Returns whether a reference file is opened or closed, which does not modify the scene.
     bool isOpening() const { return !haveSameFile(m_before, m_after); }
 
     const Choices &before() const { return m_before; }

@@ -22,7 +22,7 @@ class EditStack : public QUndoStack
 public:
     using Apply = std::function<void(const Choices &)>;
 
-    /// `apply` makes the choices of a command the current ones.
+    /// `apply` makes the choices that it receives the current ones.
     EditStack(const Apply &apply, QObject *parent);
 
     /// Makes `after` the current choices, as an edit that can be undone. Without a text, the edit is named by what
@@ -31,10 +31,10 @@ public:
 
     void setDragging(bool isDragging);
 
-    /// Replaces the steps by those of another session that has the same choices now, named in the present language.
+    /// Replaces the steps by those of another session that has the same choices now, named in the current language.
     void takeOver(const EditStack &other);
 
-    /// Whether anything but opening and closing files was done since the stack was clean.
+    /// Returns whether anything but opening and closing files was done since the stack was clean.
     bool isModified() const;
 
 private:

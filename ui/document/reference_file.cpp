@@ -28,7 +28,7 @@ struct ReferenceFileText {
 constexpr auto kMaxFileSize = static_cast<qint64>(kLargestReferenceFile); // bytes
 const QString kNameSeparator = " + ";                                     // between the names of joined files
 
-/// Whether the file is so long that its beginning is read first, which shows at once if it is no table.
+/// Returns whether the file is so long that its beginning is read first, which shows at once if it is no table.
 bool isLong(const QString &path)
 {
     constexpr qint64 kLong = 1 << 24; // bytes
@@ -207,26 +207,27 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
     return reference;
 }
 
-std::optional<ReferenceSource> overCrankAngle(const Reference &reference)
+std::optional<ReferenceSource> sourceOverCrankAngle(const Reference &reference)
 {
     const FileLayout &layout = reference.data.layout;
     ReferenceSource source = reference.source;
     bool hasTime = false;
     bool hasCrankAngle = false;
-    const auto choose = [&source](std::size_t column, ColumnRole role) {
+    const auto setRole = [&source](std::size_t column, ColumnRole role) {
         const auto chosen = std::ranges::find(source.columns, column, &ColumnChoice::column);
-        ColumnChoice choice = chosen == source.columns.end() ? ColumnChoice{column} : *chosen; // keeps its unit
+        ColumnChoice choice =
+            chosen == source.columns.end() ? ColumnChoice{.column = column} : *chosen; // keeps its unit
         choice.role = role;
-        choice.channel = kCrankAngle;
         source.columns.push_back(choice); // the last choice for a column applies
-        return true;
     };
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {
         const FileColumn &column = layout.columns[i];
         if (column.role == ColumnRole::Time) {
-            hasTime = choose(i, ColumnRole::Ignored);
+            hasTime = true;
+            setRole(i, ColumnRole::Ignored);
         } else if (column.role == ColumnRole::Channel && column.channel == kCrankAngle) {
-            hasCrankAngle = choose(i, ColumnRole::CrankAngle);
+            hasCrankAngle = true;
+            setRole(i, ColumnRole::CrankAngle);
         }
     }
     return layout.files.empty() && hasTime && hasCrankAngle ? std::optional(std::move(source)) : std::nullopt;

@@ -22,9 +22,9 @@ namespace slidercrank
 
 /// Everything that is needed to read reference data again: one file, or several files of one motion that are joined.
 struct ReferenceSource {
-    QStringList paths;                   ///< as given; "-" is standard input
-    std::vector<ColumnChoice> columns;   ///< the columns whose meaning the user chose
-    std::vector<Convention> conventions; ///< are applied to the data, in this order
+    QStringList paths;                        ///< as given; "-" is standard input
+    std::vector<ColumnChoice> columns = {};   ///< the columns whose meaning the user chose
+    std::vector<Convention> conventions = {}; ///< are applied to the data, in this order
 
     friend bool operator==(const ReferenceSource &, const ReferenceSource &) = default;
 };
@@ -62,9 +62,9 @@ std::shared_ptr<const Reference> applied(const Convention &convention, const std
 
 /// Returns how to read a file that contains both the time and θ2 as a table over the crank angle, as needed for a crank
 /// whose speed is not constant. Returns nullopt if it does not contain both, or if several files are joined.
-std::optional<ReferenceSource> overCrankAngle(const Reference &reference);
+std::optional<ReferenceSource> sourceOverCrankAngle(const Reference &reference);
 
-/// The names of joined files in messages.
+/// Returns the names of joined files for messages.
 QString displayName(const QStringList &paths);
 
 /// Returns a sentence such as "results.csv, line 3, column 2 ("abc"): …". `files`: the names of the files in messages.
@@ -73,7 +73,7 @@ QString readErrorText(const ReadError &error, const QStringList &files);
 /// Returns the first lines of each file, for a preview; empty for a pipe, and for a file that cannot be read.
 QByteArrayList readBeginnings(const QStringList &paths);
 
-/// Reads these bytes as if they were the content, or the beginning, of the files at `paths`.
+/// Reads `bytes` as if they were the content, or the beginning, of the files at `paths`.
 std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const QByteArrayList &bytes,
                                                  const ReadOptions &options = {});
 

@@ -15,7 +15,7 @@ namespace
 
 constexpr int kMaxStoredSteps = 100'000; // samples of longer motions in closed form are computed when they are needed
 
-/// The summary of a motion in closed form whose samples are not stored.
+/// Returns the summary of a motion in closed form whose samples are not stored.
 SamplingSummary summarize(const Choices &choices, std::stop_token stop)
 {
     SamplingSummary summary;

@@ -23,7 +23,7 @@ struct Pose {
     double time = 0.0; ///< s
     Motion motion{};
 
-    /// Whether the mechanism can be assembled at this time.
+    /// Returns whether the mechanism can be assembled at this time.
     bool exists() const { return motion.status == Status::Solved || motion.status == Status::Singular; }
 };
 
@@ -59,7 +59,7 @@ struct Result {
     /// How far the model is from the motion that was pinned last; nullopt if there is a reference.
     std::optional<MotionDifference> difference;
 
-    /// Whether the model is compared with a file or with a pinned motion.
+    /// Returns whether the model is compared with a file or with a pinned motion.
     bool isCompared() const { return reference || difference; }
 
     // If there is a reference: the model at the time stamps of the file, and the comparison of each series of the file.
@@ -86,7 +86,7 @@ Parameters mechanismToUse(const Identification &found);
 /// Computes the result. Returns null if stopped. May run in any thread.
 std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop);
 
-/// Whether computing the result takes so long that it has to run in the background.
+/// Returns whether computing the result takes so long that it has to run in the background.
 bool takesLong(const Choices &choices);
 
 } // namespace slidercrank

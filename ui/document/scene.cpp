@@ -27,7 +27,7 @@ struct SceneText {
 constexpr int kVersion = 1;
 constexpr double kLargestTime = DBL_MAX;
 
-/// Returns the path relative to the folder if the file is in or below the folder. Returns other paths, and those of the
+/// Returns the path relative to the folder if the file is in or below the folder. Returns other paths, and paths of the
 /// program's resources, unchanged.
 QString relativePath(const QDir &folder, const QString &path)
 {
@@ -120,16 +120,16 @@ QByteArray sceneToJson(Scene scene, const QString &path)
 
 std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &path)
 {
-    const QString shown = displayName(path);
+    const QString shownName = displayName(path);
     QJsonParseError error;
     const QJsonDocument document = QJsonDocument::fromJson(json, &error);
     if (error.error != QJsonParseError::NoError) {
         const qsizetype line = json.first(std::min<qsizetype>(error.offset, json.size())).count('\n') + 1;
         return SceneText::tr("%1, line %2: this is not JSON (%3). Correct it there, or open another scene.")
-            .arg(shown, QString::number(line), error.errorString());
+            .arg(shownName, QString::number(line), error.errorString());
     }
     const QJsonObject object = document.object();
-    if (const auto sentence = versionFault(object.value("version"), shown)) {
+    if (const auto sentence = versionFault(object.value("version"), shownName)) {
         return *sentence;
     }
     auto scene = fromJson<Scene>(object);
@@ -141,7 +141,7 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
     }
     if (!faults.isEmpty()) {
         return SceneText::tr("%1: “%2” is missing, or its value is not valid. Correct it there, or open another scene.")
-            .arg(shown, faults.first().mid(1));
+            .arg(shownName, faults.first().mid(1));
     }
     return scene;
 }

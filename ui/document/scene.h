@@ -63,11 +63,12 @@ struct Scene {
 /// Returns the scene as JSON text for a file at `path`, which the path of the reference is relative to.
 QByteArray sceneToJson(Scene scene, const QString &path);
 
-/// These return the scene, or a sentence that says what is wrong, where, and what to do.
+/// Return the scene, or a sentence that says what is wrong, where, and what to do.
 std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &path);
 std::variant<Scene, QString> readScene(const QString &path); ///< of a file, or in a link (scene_link.h)
 
-/// Whether the name of the file ends in .slidercrank or .json, as that of a scene does, or is a link with a scene.
+/// Returns whether the name of the file ends in .slidercrank or .json, as that of a scene does, or is a link with a
+/// scene.
 bool isNamedAsScene(const QString &path);
 
 /// Writes the file completely or not at all. Returns a sentence if it cannot be written.

@@ -5,9 +5,9 @@
 //
 //     slidercrank.html#a=40&b=120&c=20&omega2=60rpm&theta20=30deg
 //
-// It contains the mechanism, and those settings of α₂, the time steps, the method and the view that are not the initial
-// ones of the window. It contains no reference, pinned motions or zoom. Numbers may have units; without one they are in
-// the unit of scene files, except that angles other than 0 need one.
+// It contains the mechanism, and the settings of α₂, the time steps, the method and the view that differ from the
+// initial settings of the window. It contains no reference, pinned motions or zoom. Numbers may have units; without a
+// unit they are in the unit of scene files, except that angles other than 0 need one.
 
 #include "ui/document/scene.h"
 
@@ -18,7 +18,7 @@
 namespace slidercrank
 {
 
-/// Whether the text is such a link, with or without an address before "#", and not the name of a file.
+/// Returns whether the text is a link with a scene, with or without an address before "#", and not the name of a file.
 bool isSceneLink(const QString &text);
 
 /// Returns the link with which parseSceneLink() gives the same settings, to the last bit.

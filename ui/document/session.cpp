@@ -23,7 +23,7 @@ namespace
 
 constexpr std::chrono::milliseconds kSettlingTime{200}; // longer than the time between two edits of a drag
 
-/// Returns the range from the first of these time stamps to the last, or `sampling` if that is not a valid range.
+/// Returns the range from the first time stamp to the last, or `sampling` if that is not a valid range.
 Sampling rangeOf(const std::vector<double> &times, const Sampling &sampling)
 {
     const double start = times.empty() ? kNone : times.front();
@@ -32,7 +32,7 @@ Sampling rangeOf(const std::vector<double> &times, const Sampling &sampling)
     return isUsable ? Sampling{start, span > 0.0 ? span : sampling.duration, sampling.steps} : sampling;
 }
 
-/// Whether the range of `outer` contains the range of `inner`, within rounding errors.
+/// Returns whether the range of `outer` contains the range of `inner`, within rounding errors.
 bool contains(const Sampling &outer, const Sampling &inner)
 {
     const double slack = 1e-9 * outer.duration;
@@ -131,9 +131,9 @@ void Session::edit(const Choices &choices, const QString &name, TimeRange timeRa
     if (choices.reference) {
         // If the time range is that of the file, it remains so: a new ω₂ changes the time stamps of an angle-indexed
         // file.
-        const Reference *shown = m_result->reference.get();
-        const bool isOfFile = shown && shown->source.paths == choices.reference->source.paths &&
-                              choices.sampling == rangeOf(shown->data.time, choices.sampling);
+        const Reference *shownReference = m_result->reference.get();
+        const bool isOfFile = shownReference && shownReference->source.paths == choices.reference->source.paths &&
+                              choices.sampling == rangeOf(shownReference->data.time, choices.sampling);
         const auto &reference = std::get<std::shared_ptr<const Reference>>(timed);
         const Sampling range = rangeOf(reference->data.time, choices.sampling);
         const bool isReplaced = timeRange == TimeRange::OfReference && !contains(choices.sampling, range);
@@ -275,19 +275,26 @@ void Session::loadReference(const QStringList &paths)
         emit referenceRefused(
             paths, tr("%1 is a pipe or a device: save the data in a file, and open that.").arg(displayName(*pipe)));
     } else {
-        read({paths, {}, {}}, Asker::User);
+        read({.paths = paths}, Asker::User);
     }
+}
+
+/// Returns choices for the same motion whose result is computed at once: in closed form, with the default number of
+/// time steps, and without a reference.
+static Choices quickChoices(const Choices &choices)
+{
+    return {.parameters = choices.parameters,
+            .sampling = {.start = choices.sampling.start, .duration = choices.sampling.duration},
+            .solver = with(choices.solver, &SolverSettings::method, Method::ClosedForm),
+            .reference = nullptr};
 }
 
 void Session::open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source)
 {
     m_reading.discard();
     m_edits.clear();
-    if (takesLong(choices)) { // otherwise the result of the previous scene would be shown meanwhile
-        applyChoices({choices.parameters,
-                      {choices.sampling.start, choices.sampling.duration},
-                      with(choices.solver, &SolverSettings::method, Method::ClosedForm),
-                      nullptr});
+    if (takesLong(choices)) { // shows a quick result first, instead of that of the previous scene
+        applyChoices(quickChoices(choices));
     }
     applyChoices(choices);
     setTime(seconds);
@@ -326,7 +333,7 @@ void Session::useFoundMechanism()
         choices.reference = with;
         edit(choices, EditStack::tr("use of the file's mechanism"), TimeRange::OfReference);
     };
-    const std::optional<ReferenceSource> angleIndexed = found.drive ? overCrankAngle(*reference) : std::nullopt;
+    const std::optional<ReferenceSource> angleIndexed = found.drive ? sourceOverCrankAngle(*reference) : std::nullopt;
     if (!angleIndexed) {
         use(reference);
         return;
@@ -380,7 +387,7 @@ void Session::reportWritten(const QString &path, const std::optional<QString> &p
     if (problem) {
         emit failed(*problem);
     } else {
-        emit written(path);
+        emit fileWritten(path);
         emit confirmed(tr("Exported to %1").arg(displayName(path)));
     }
 }

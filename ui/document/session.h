@@ -41,8 +41,8 @@ public:
     const std::shared_ptr<const Reference> &reference() const { return m_choices.reference; }
     const std::vector<Parameters> &pinned() const { return m_choices.pinned; }
 
-    /// Null until a reference file has been identified. While the parameters change, this is the identification for
-    /// earlier parameters (ReferenceIdentification::parameters).
+    /// Returns null until a reference file has been identified. While the parameters change, this is the identification
+    /// for earlier parameters (ReferenceIdentification::parameters).
     const std::shared_ptr<const ReferenceIdentification> &identification() const { return m_identification; }
 
     QUndoStack &undoStack() { return m_edits; }
@@ -51,10 +51,10 @@ public:
     /// one.
     void takeOverSteps(const Session &other) { m_edits.takeOver(other.m_edits); }
 
-    /// Whether a file is being read.
+    /// Returns whether a file is being read.
     bool isReading() const { return m_reading.isRunning(); }
 
-    /// Whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
+    /// Returns whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
     bool isModified() const { return m_edits.isModified(); }
 
     /// Replaces all choices and the time, which cannot be undone. If they take long to compute, the result is first
@@ -74,7 +74,8 @@ public slots:
 
     void setTime(double seconds); ///< clamped to the time range
 
-    /// Reads a file, or joins several files, in the background. Uses the column choices that are saved for such files.
+    /// Reads a file, or joins several files, in the background. Uses the column choices that are saved for
+    /// files with the same headings (column_choices.h).
     /// Emits referenceLoaded() or referenceRefused(). If the time range does not contain the data, it is replaced by
     /// that of the data.
     void loadReference(const QString &path) { loadReference(QStringList(path)); }
@@ -93,7 +94,7 @@ public slots:
 
     void readAsPrinted(); ///< removes the conventions from the reference data
 
-    /// Edits of parameters between these two calls are undone in one step.
+    /// Edits of parameters between the two calls are undone in one step.
     void beginDrag() { m_edits.setDragging(true); }
     void endDrag() { m_edits.setDragging(false); }
 
@@ -120,7 +121,7 @@ signals:
     void referenceRefused(const QStringList &paths, const QString &sentence); ///< nothing has changed
     void problemFound(const QString &sentence);                               ///< nothing has changed
     void failed(const QString &sentence);    ///< a file could not be opened, written or copied
-    void written(const QString &path);       ///< a file that the user asked for: a scene or an export
+    void fileWritten(const QString &path);   ///< a file that the user asked for: a scene or an export
     void confirmed(const QString &sentence); ///< a file was written or copied
     void progressed(double part);            ///< 0 … 1 of a background task
     void busyChanged(bool busy);             ///< emitted when a background task starts or ends
@@ -133,7 +134,7 @@ private:
     };
     enum class Asker { User, Scene };
 
-    /// Without a name, the edit is named by what it changes.
+    /// Applies the choices as one step that can be undone. Without a name, the step is named by what it changes.
     void edit(const Choices &choices, const QString &name = {}, TimeRange timeRange = TimeRange::Kept);
     void editReference(const std::shared_ptr<const Reference> &reference, TimeRange timeRange);
     void applyChoices(const Choices &choices);

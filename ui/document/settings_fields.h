@@ -25,7 +25,8 @@ void readOrWrite(MechanismSettings &settings, JsonNode &node);
 void readOrWrite(OutputChannel &channel, JsonNode &node);
 void readOrWrite(MotionTableSettings &table, JsonNode &node);
 
-/// The name of a column's meaning in files and options: "ignored", "time", "crank-angle", or that of the channel.
+/// Returns the name of a column's meaning in files and options: "ignored", "time", "crank-angle", or that of the
+/// channel.
 QString meaningName(ColumnRole role, Channel channel);
 
 /// Sets the role and the channel of a column by a name that meaningName() returns. With any other name, the column
@@ -51,7 +52,7 @@ QJsonValue toJson(Settings settings)
 template <typename Settings>
 Settings fromJson(const QJsonValue &json)
 {
-    JsonNode node{true, json};
+    JsonNode node{.isReading = true, .value = json};
     Settings settings;
     readOrWrite(settings, node);
     return settings;

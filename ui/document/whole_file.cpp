@@ -65,8 +65,8 @@ bool WholeFile::open()
 
 bool WholeFile::write(const QByteArray &bytes)
 {
-    // If a full disk accepts only a part of the bytes, QFile reports no error: the reason is the last one of the
-    // system.
+    // If a full disk accepts only a part of the bytes, QFile reports no error, so the reason is taken from the last
+    // error of the operating system.
     return m_reason.isEmpty() && (m_file.write(bytes) == bytes.size() || fail(qt_error_string()));
 }
 

@@ -21,12 +21,13 @@ class WholeFile
 public:
     explicit WholeFile(const QString &path);
 
-    /// These return false after a failure. Then reason() says why, and nothing more is written.
+    /// Open the file and write to it. Return false after a failure: then reason() gives the reason, and nothing more is
+    /// written.
     bool open();
     bool write(const QByteArray &bytes);
     bool commit(const std::stop_token &stop = {}); ///< also returns false if stopped
 
-    /// Why writing failed, as part of a sentence, without a full stop.
+    /// Returns why writing failed, as part of a sentence, without a full stop.
     QString reason() const { return m_reason; }
 
 private:
@@ -45,10 +46,10 @@ std::optional<QString> writeWhole(const QString &path, const QByteArray &bytes);
 /// Removes the full stop that Windows adds to the error texts of the system.
 QString withoutFullStop(QString reason);
 
-/// Whether the path is "-", which stands for standard input.
+/// Returns whether the path is "-", which stands for standard input.
 bool isStandardInput(const QString &path);
 
-/// Whether the path exists, and is neither a file nor a folder.
+/// Returns whether the path exists, and is neither a file nor a folder.
 bool isPipeOrDevice(const QFileInfo &file);
 
 /// Returns the name of a file in messages, without control characters.

@@ -61,7 +61,7 @@ void showMessages(MainWindow *window, MessageBar *bar)
         bar->showMessage({kConfirmation, Message::Kind::Hint, sentence});
     });
     // "Saved" and "cannot be written" are never shown together.
-    QObject::connect(session, &Session::written, bar, [bar] { bar->removeMessage(kProblem); });
+    QObject::connect(session, &Session::fileWritten, bar, [bar] { bar->removeMessage(kProblem); });
     QObject::connect(session, &Session::failed, bar, [bar](const QString &sentence) {
         bar->removeMessage(kConfirmation);
         bar->showMessage({kProblem, Message::Kind::Problem, sentence});

@@ -204,7 +204,7 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
     m_session->undoStack().setClean();
     rememberFiles({m_path});
     emit changed();
-    emit m_session->written(m_path);
+    emit m_session->fileWritten(m_path);
     emit m_session->confirmed(tr("Saved: %1").arg(displayName(m_path)));
     if (proceed) {
         proceed();
