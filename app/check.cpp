@@ -47,7 +47,7 @@ NamedValue readValue(const OptionReader &options, const QString &argument)
             CommandLine::tr("%1 has no value: write it after the = without a space, such as %1=9.74.").arg(name)};
     }
     const TypedValue typed = readTypedValue(number, channel, readUnits(options));
-    if (typed.written.fault) {
+    if (typed.parsed.fault) {
         throw UsageError{QString("%1: %2").arg(name, faultText(typed))};
     }
     return {name, typed};
@@ -107,11 +107,11 @@ QJsonObject valueJson(const NamedValue &value, const CheckedValue &checked)
     const auto &[name, typed] = value;
     const double deviation = typed.fromCore(checked.deviation);
     return {{"name", name},
-            {"given", typed.written.value},
-            {"exact", jsonNumber(typed.written.value - deviation)},
+            {"given", typed.parsed.value},
+            {"exact", jsonNumber(typed.parsed.value - deviation)},
             {"deviation", jsonNumber(deviation)},
             {"unit", typed.unitName},
-            {"digits", typed.written.digits},
+            {"digits", typed.parsed.digits},
             {"verdict", checked.isRight ? "right" : "wrong"},
             {"convention", checked.isMeasuredAtB ? QJsonValue("measured-at-B") : QJsonValue()}};
 }

@@ -47,7 +47,7 @@ Answer compareOne(const Mechanism &mechanism, const SolverSettings &solver, cons
     QJsonValue jsonExplanation;
     if (verdict == Verdict::Differs) {
         const Identification found = identify(data, mechanism);
-        explanation = textsOf(explanationsOf(found, mechanism.parameters(), data.layout));
+        explanation = textsOf(explainDifferences(found, mechanism.parameters(), data.layout));
         jsonExplanation = QJsonObject{{"sentence", explanation.join(' ')},
                                       {"mechanism", jsonMechanism(found.hasMechanism(), found.parameters)},
                                       {"conventions", jsonConventions(found.conventions)}};

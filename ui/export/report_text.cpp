@@ -193,7 +193,7 @@ QString comparisonText(const ReportContent &content)
     QString html = heading(Report::tr("Errors: model against reference")) + fileText(*result.reference) +
                    QStringLiteral("<b>%1</b>").arg(paragraph(summaryText(result.comparison)));
     for (const Explanation &explanation :
-         explanationsOf(found, result.mechanism.parameters(), result.reference->data.layout)) {
+         explainDifferences(found, result.mechanism.parameters(), result.reference->data.layout)) {
         html += paragraph(explanation.text);
     }
     if (found.hasMechanism()) {

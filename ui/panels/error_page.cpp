@@ -221,7 +221,7 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceIdentificat
     std::vector<Finding> findings;
     if (belongsToCurrentFile(identification, result) && ErrorPage::worstVerdict(result.comparison) != Verdict::Agrees) {
         const auto &[reference, given, found] = *identification;
-        for (const Explanation &explanation : explanationsOf(found, given, reference->data.layout)) {
+        for (const Explanation &explanation : explainDifferences(found, given, reference->data.layout)) {
             if (explanation.cause == Explanation::Cause::Mechanism && found.change) {
                 continue; // the page of the reference shows it
             }

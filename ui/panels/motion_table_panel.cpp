@@ -412,7 +412,7 @@ TableRow MotionTablePanel::myValues()
         cell.text = typedHere->byColumn.at(columnName(channel));
         const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
         const TypedValue typed = readTypedValue(number, channel, units);
-        if (typed.written.fault) {
+        if (typed.parsed.fault) {
             hasUnreadable = true;
             cell.tone = Tone::Bad;
             sentences << QStringLiteral("%1: %2").arg(symbolOf(channel), faultText(typed));

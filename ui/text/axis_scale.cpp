@@ -15,7 +15,8 @@ Interval roundedOutwards(const Interval &range)
     // A relative difference below this limit is a rounding error.
     constexpr double kMinRangeFraction = 1e-12;
     if (!(range.length() > kMinRangeFraction * largest)) {
-        const double half = largest > 0.0 ? 0.1 * largest : 1.0;
+        constexpr double kHalfFraction = 0.1; // of the value
+        const double half = largest > 0.0 ? kHalfFraction * largest : 1.0;
         const double middle = 0.5 * range.lower + 0.5 * range.upper;
         return roundedOutwards({middle - half, middle + half});
     }

@@ -82,14 +82,14 @@ QString channelMeaning(Channel channel)
 /// Says that lengths without a unit may be in metres, and the option for it, if the stroke is that short.
 QStringList hintsOfMetres(const ReferenceData &data)
 {
-    constexpr double kShortestStroke = 1.0; // mm: a smaller one is probably in metres
+    constexpr double kShortestStroke = 1.0; // mm: a smaller stroke is probably in metres
     const ReferenceSeries *const x = data.find({R4x, Order::Position});
     const double stroke = x ? rangeOf(x->values).width() : 0.0;
     std::vector<ColumnChoice> inMetres;
     for (const FileColumn &column : data.layout.columns) {
         const bool isLength = column.role == ColumnRole::Channel && !isAngle(column.channel.coordinate);
         if (isLength && !column.unit.empty()) {
-            return {}; // then the others are not in metres either
+            return {}; // then the other columns are not in metres either
         }
         if (isLength && !column.heading.empty()) {
             const std::string unit = std::string(fileUnit(column.channel)).substr(1); // "mm/s" without "m"

@@ -20,7 +20,7 @@ QString headingAlone(const FileLayout &layout, std::size_t column);
 /// Returns the heading, followed by the name of the file if several files are joined: "Value (b.csv)".
 QString headingText(const FileLayout &layout, std::size_t column);
 
-/// Returns true if the column only repeats the time stamps of another joined file.
+/// Returns whether files are joined and the column only repeats time stamps that another column already gives.
 bool repeatsTimeStamps(const FileLayout &layout, std::size_t column);
 
 /// Returns the line number of a skipped row: "12", or "12 (b.csv)" if several files are joined.
@@ -30,7 +30,7 @@ QString lineText(const FileLayout &layout, const SkippedRow &row);
 QStringList ignoredHeadings(const FileLayout &layout);
 
 /// Returns a sentence each about the rows that were skipped, numbers that could be thousands, the columns that are not
-/// used, and those whose meaning was guessed.
+/// used, and the columns whose meaning was guessed.
 QStringList doubtTexts(const ReferenceData &data);
 
 /// Returns sentences with the options of the command line that would change what is doubtful: lengths without a unit
@@ -43,7 +43,8 @@ QString meaningText(const FileColumn &column);
 /// Returns the unit of a column: "rad/s", or "° (none given)" if the file does not state it.
 QString unitText(const FileColumn &column);
 
-/// Returns the reason for the meaning of a column, as a clause. The first function does not name other columns.
+/// Returns the reason for the meaning of a column, as a clause. The version without a layout names no other
+/// column.
 QString reasonText(ColumnReason reason);
 QString reasonText(const FileLayout &layout, std::size_t column);
 

@@ -66,11 +66,14 @@ std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> chan
          ComparisonText::tr("rms"), ComparisonText::tr("% of peak"), ComparisonText::tr("max. relative error [%]"),
          ComparisonText::tr("rounding step"), ComparisonText::tr("verdict")}};
     for (const ChannelComparison &channel : channels) {
-        const auto shown = [&channel](std::optional<double> error) { return shownDifference(channel.channel, error); };
+        const auto inShownUnit = [&channel](std::optional<double> error) {
+            return shownDifference(channel.channel, error);
+        };
         rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), shownUnit(channel.channel)),
-                        errorText(shown(channel.maxAbs)), placeText(channel, file), errorText(shown(channel.rms)),
-                        errorText(channel.percentOfPeak), errorText(channel.maxPercent),
-                        numberText(shown(channel.roundingStep), 3), verdictText(channel)});
+                        errorText(inShownUnit(channel.maxAbs)), placeText(channel, file),
+                        errorText(inShownUnit(channel.rms)), errorText(channel.percentOfPeak),
+                        errorText(channel.maxPercent), numberText(inShownUnit(channel.roundingStep), 3),
+                        verdictText(channel)});
     }
     return rows;
 }

@@ -171,7 +171,7 @@ QString findingText(const ConventionFinding &finding)
                      .arg(explanation, errorText(finding.before), errorText(finding.after));
 }
 
-QString differenceSentence(const FileLayout &layout)
+QString finiteDifferenceSentence(const FileLayout &layout)
 {
     std::vector<Channel> channels;
     for (const FileColumn &column : layout.columns) {

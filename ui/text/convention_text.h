@@ -14,13 +14,14 @@
 namespace slidercrank
 {
 
-/// The name of a kind of convention in files and JSON: "angle-unit".
+/// Returns the name of a kind of convention in files and JSON: "angle-unit".
 const char *conventionName(Convention::Kind kind);
 
-/// The kind with that name, or nullopt.
+/// Returns the kind with the name, or nullopt.
 std::optional<Convention::Kind> conventionNamed(const QString &name);
 
-/// The unit of the amount of a convention in JSON: "°"; empty for a factor, nullopt if the convention has no amount.
+/// Returns the unit of the amount of a convention in JSON: "°"; empty for a factor, nullopt if the convention has no
+/// amount.
 std::optional<QString> amountUnit(const Convention &convention);
 
 /// Explains a convention: "theta3: in radians, but read as degrees."
@@ -32,6 +33,6 @@ QString findingText(const ConventionFinding &finding);
 
 /// Returns a sentence that names the columns that contain finite differences instead of derivatives: "R4_x_diff: finite
 /// differences, not the time derivative." Returns an empty string if there are none.
-QString differenceSentence(const FileLayout &layout);
+QString finiteDifferenceSentence(const FileLayout &layout);
 
 } // namespace slidercrank

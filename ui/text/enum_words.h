@@ -85,6 +85,7 @@ constexpr const char *wordFor(Enum key)
     return rowOf(EnumWords<Enum>::rows, key).word;
 }
 
+/// Returns the words of the enumerators, separated by "|", with a null character at the end.
 template <auto... keys>
 consteval auto joinWords()
 {

@@ -19,7 +19,7 @@ struct ExplanationText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::ExplanationText)
 };
 
-/// Says that the file agrees with the model, apart from the other explanations.
+/// Returns the sentence that the file agrees with the model, apart from the other explanations.
 QString agreementText(const Identification &found)
 {
     if (found.drive) {
@@ -32,22 +32,27 @@ QString agreementText(const Identification &found)
 
 } // namespace
 
-std::vector<Explanation> explanationsOf(const Identification &found, const Parameters &given, const FileLayout &layout)
+std::vector<Explanation> explainDifferences(const Identification &found, const Parameters &given,
+                                            const FileLayout &layout)
 {
     std::vector<Explanation> explanations;
     const auto add = [&explanations](const QString &text, Cause cause, Action action = Action::None) {
         if (!text.isEmpty()) {
-            explanations.push_back({text, cause, action});
+            explanations.push_back({.text = text, .cause = cause, .action = action});
         }
     };
     for (const ConventionFinding &finding : found.conventions) {
-        explanations.push_back({findingText(finding), Cause::Convention, Action::Apply, finding.convention});
+        explanations.push_back({.text = findingText(finding),
+                                .cause = Cause::Convention,
+                                .action = Action::Apply,
+                                .convention = finding.convention});
     }
-    if (!found.hasMechanism() || found.leftOut.empty()) { // otherwise the result names these columns, too
-        add(differenceSentence(layout), Cause::LeftOut);
+    // Otherwise summaryText() or leftOutText() already names the columns of finite differences.
+    if (!found.hasMechanism() || found.leftOut.empty()) {
+        add(finiteDifferenceSentence(layout), Cause::LeftOut);
     }
     if (!found.agreesWithGiven) {
-        add(changeText(found, given), Cause::Length, Action::UseMechanism);
+        add(singleLengthExplanation(found, given), Cause::Length, Action::UseMechanism);
         add(summaryText(found), Cause::Mechanism, found.hasMechanism() ? Action::UseMechanism : Action::None);
         return explanations;
     }

@@ -35,10 +35,11 @@ struct Explanation {
 };
 
 /// Returns the explanations of the difference between a file and the given mechanism, in the order in which they should
-/// be read. `found` is the result of identifying the mechanism of the file, and `layout` that of the file.
-std::vector<Explanation> explanationsOf(const Identification &found, const Parameters &given, const FileLayout &layout);
+/// be read. `found`: the result of identifying the mechanism of the file; `layout`: the layout of the file.
+std::vector<Explanation> explainDifferences(const Identification &found, const Parameters &given,
+                                            const FileLayout &layout);
 
-/// Returns their texts.
+/// Returns the texts of the explanations.
 QStringList textsOf(const std::vector<Explanation> &explanations);
 
 } // namespace slidercrank

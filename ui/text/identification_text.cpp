@@ -110,7 +110,7 @@ static_assert(isCompleteTable(IdentificationText::kRejections, Rejection::Cannot
 static_assert(isCompleteTable(IdentificationText::kSymmetries, Symmetry::OtherAssembly));
 static_assert(isCompleteTable(IdentificationText::kReasons, Reason::Unknown));
 
-/// Whether the value of the parameter follows from the data, if necessary together with the given a or ω₂.
+/// Returns whether the value of the parameter follows from the data, if necessary together with the given a or ω₂.
 bool isMeasured(Parameter parameter, const Identification &found)
 {
     const bool isCrank = parameter == Parameter::A;
@@ -215,7 +215,8 @@ QString excludedText(const std::vector<std::size_t> &lines)
         .arg(QString::number(lines.size()), texts.join(", "));
 }
 
-/// Returns what has to be said about a mechanism beside its parameters. Some of the sentences are empty.
+/// Returns the sentences that follow the parameters of a mechanism, from its residuals to the rows that were excluded.
+/// Some of the sentences are empty.
 QStringList reservations(const Identification &found)
 {
     QStringList sentences{residualText(found)};
@@ -318,7 +319,7 @@ QString summaryText(const Identification &found)
     if (!found.hasMechanism()) {
         return text.arg(found.outcome == Outcome::Insufficient ? insufficientText(found) : rejectionText(found));
     }
-    const QStringList mechanism = measuredEquations(found) << withNoun(found.parameters.branch);
+    const QStringList mechanism = measuredEquations(found) << assemblyPhrase(found.parameters.branch);
     QStringList sentences = reservations(found);
     sentences.prepend(text.arg(mechanism.join(", ")));
     sentences.removeAll(QString());
@@ -340,7 +341,7 @@ QString roundNumbersText(const Identification &found)
     return IdentificationText::tr("Rounded values that fit equally well: %1.").arg(equations.join(", "));
 }
 
-QString changeText(const Identification &found, const Parameters &given)
+QString singleLengthExplanation(const Identification &found, const Parameters &given)
 {
     if (!found.change) {
         return {};

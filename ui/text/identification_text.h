@@ -15,13 +15,13 @@
 namespace slidercrank
 {
 
-/// The name of an outcome in JSON: "identified".
+/// Returns the name of an outcome in JSON: "identified".
 const char *outcomeName(Identification::Outcome outcome);
 
-/// The name of a symmetry in JSON: "mirror-image".
+/// Returns the name of a symmetry in JSON: "mirror-image".
 const char *symmetryName(AlternativeMechanism::Symmetry symmetry);
 
-/// The name of the reason why a column was left out, in JSON: "finite-differences".
+/// Returns the name of the reason why a column was left out, in JSON: "finite-differences".
 const char *reasonName(LeftOutColumn::Reason reason);
 
 /// Returns the notation of the sentences about an identification: that of the window, but with lengths in the unit of
@@ -37,12 +37,13 @@ QString measuredText(Parameter parameter, const Identification &found, const Not
 /// followed by reservations; or the reason why none was identified, and what would help.
 QString summaryText(const Identification &found);
 
-/// Returns "Rounded values that fit equally well: a = 20 mm, …", or an empty string if they do not.
+/// Returns "Rounded values that fit equally well: a = 20 mm, …", or an empty string if no
+/// rounded values do.
 QString roundNumbersText(const Identification &found);
 
 /// Returns "With b = 60 mm instead of 65 mm, this mechanism agrees with the file.", or an empty string if the change of
 /// a single length of the given mechanism does not explain the file.
-QString changeText(const Identification &found, const Parameters &given);
+QString singleLengthExplanation(const Identification &found, const Parameters &given);
 
 /// Lists the columns that were not used, with their reasons and deviations, or returns an empty string.
 QString leftOutText(const Identification &found);
@@ -50,7 +51,8 @@ QString leftOutText(const Identification &found);
 /// Returns a table of the residuals of each column. The first row contains the headings.
 std::vector<QStringList> residualTable(const std::vector<ColumnResidual> &residuals);
 
-/// Returns "The crank speed varies from 5 to 15 rad/s.", or an empty string if it is constant or unknown.
+/// Returns "The crank speed varies from 5 to 15 rad/s.", or an empty string if it is constant or unknown. If the speed
+/// changes evenly, the sentence also gives α₂.
 QString driveText(const Identification &found);
 
 /// Returns what the window shows of a drive that is not constant, which is not modelled, or an empty string if it is

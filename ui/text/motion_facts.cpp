@@ -83,7 +83,7 @@ public:
 };
 static_assert(MotionFacts::isInOrder());
 
-/// The coupler length and a bound of it, with enough digits to distinguish them.
+/// The coupler length and its bound, with enough digits to distinguish them.
 struct LengthAndBound {
     QString length;
     QString bound;
@@ -150,9 +150,9 @@ QString peakRemark(const Limit &limit)
 QString atLeastText(double limit)
 {
     constexpr double kSlack = 1e-6; // fraction of the last digit: 0.1 + 0.2 equals 0.3 except for rounding
-    const double shown = shownValue(Measure::Length, limit, notation().units);
-    const double unit = shown == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(shown))));
-    return withUnit(numberText(std::ceil(shown * unit - kSlack) / unit), shownUnit(Measure::Length));
+    const double shownLimit = shownValue(Measure::Length, limit, notation().units);
+    const double unit = shownLimit == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(shownLimit))));
+    return withUnit(numberText(std::ceil(shownLimit * unit - kSlack) / unit), shownUnit(Measure::Length));
 }
 
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)

@@ -42,7 +42,7 @@ struct DerivedNames {
     }
 };
 
-/// Names the derivatives of a quantity that has no velocity in the usual sense of the word.
+/// Returns the names of a quantity whose derivatives are not called velocity and acceleration.
 DerivedNames withDerivatives(const QString &name)
 {
     return {name, NotationText::tr("%1, first derivative").arg(name),
@@ -107,7 +107,7 @@ void setNotation(const Notation &notation)
 ShownScale shownScale(const OutputChannel &channel, Branch branch, const Notation &chosen)
 {
     const Measure measure = measureOf(channel);
-    ShownScale scale{fromFileUnit(measure, 1.0, chosen.units), 0.0};
+    ShownScale scale{.factor = fromFileUnit(measure, 1.0, chosen.units)};
     if (chosen.symbols == Symbols::Textbook && channel == OutputChannel(Channel{Theta3, Order::Position})) {
         scale.offset = scale.factor * (branch == Branch::Open ? 180.0 : -180.0);
     }

@@ -35,7 +35,7 @@ struct Notation {
     friend bool operator==(const Notation &, const Notation &) = default;
 };
 
-/// The chosen notation. To be read and changed in the thread of the window only.
+/// Return and set the chosen notation. Must be called in the thread of the window only.
 const Notation &notation();
 void setNotation(const Notation &notation);
 
@@ -50,7 +50,7 @@ struct ShownScale {
 };
 ShownScale shownScale(const OutputChannel &channel, Branch branch, const Notation &chosen = notation());
 
-/// Converts a difference of two values of a channel from the unit of files to the one that is shown.
+/// Converts a difference of two values of a channel from the unit of files to the unit that is shown.
 std::optional<double> shownDifference(const OutputChannel &channel, std::optional<double> difference);
 
 /// Returns the value of a channel as it is shown, from the core's unit (mm, rad, s).
@@ -66,7 +66,9 @@ inline QString shownUnit(const OutputChannel &channel)
 /// Returns a length (mm) with its unit as it is shown: "65 mm", "2.5 in".
 QString lengthText(double length, int digits = 6);
 
-/// Returns the symbol of a channel: that of symbolText(Channel), "μ", "A_x".
+/// Returns the symbol of a channel. A coordinate has that of symbolText(Channel), except that the coupler's centre of
+/// mass has "G_x", "v_Gx", "a_Gx" (and y) in the notation of textbooks. Derived quantities have "μ", "dμ/dt",
+/// "d²μ/dt²"; "s", "ds/dt", "d²s/dt²"; "A_x", "v_Ax", "a_Ax"; "A_y", "v_Ay", "a_Ay".
 QString symbolOf(const OutputChannel &channel);
 
 /// Returns the name of a channel: "slider velocity", "transmission angle".

@@ -39,7 +39,7 @@ QStringList equationTexts(const Parameters &parameters, int digits = 6)
     for (const Parameter parameter : kAllParameters) {
         parts << equationText(parameter, valueOf(parameters, parameter), digits);
     }
-    return parts << withNoun(parameters.branch);
+    return parts << assemblyPhrase(parameters.branch);
 }
 
 } // namespace
@@ -64,7 +64,7 @@ QString assemblyText(Branch branch)
     return branch == Branch::Open ? ParameterText::tr("open") : ParameterText::tr("crossed");
 }
 
-QString withNoun(Branch branch)
+QString assemblyPhrase(Branch branch)
 {
     return ParameterText::tr("%1 assembly").arg(assemblyText(branch));
 }
@@ -109,10 +109,10 @@ QString mechanismText(const Mechanism &mechanism, int digits)
     return equationTexts(mechanism.parameters(), digits).join(", ");
 }
 
-QString pinnedText(const Parameters &pinned, const Parameters &present)
+QString pinnedText(const Parameters &pinned, const Parameters &current)
 {
     QStringList parts = equationTexts(pinned);
-    for (const QString &part : equationTexts(present)) {
+    for (const QString &part : equationTexts(current)) {
         parts.removeOne(part);
     }
     return parts.isEmpty() ? ParameterText::tr("pinned") : parts.join(", ");

@@ -24,7 +24,7 @@ const char *optionName(Parameter parameter);
 QString assemblyText(Branch branch);
 
 /// Returns "open assembly" or "crossed assembly".
-QString withNoun(Branch branch);
+QString assemblyPhrase(Branch branch);
 
 /// Returns the factor from the unit of the core to the displayed unit: 57.3 for θ₂₀ in degrees.
 double shownFactor(Parameter parameter, const Notation &shown = notation());
@@ -42,8 +42,8 @@ QString parameterText(Parameter parameter, double value, int digits = 6, const N
 /// Returns all parameters: "a = 20 mm, b = 60 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = 0°, open assembly".
 QString mechanismText(const Mechanism &mechanism, int digits = 6);
 
-/// Returns the parameters in which a pinned mechanism differs, with six digits: "b = 65 mm, crossed assembly", or
-/// "pinned" if none do.
-QString pinnedText(const Parameters &pinned, const Parameters &present);
+/// Returns the parameters in which a pinned mechanism differs from the current one, with six digits: "b = 65 mm,
+/// crossed assembly", or "pinned" if none do.
+QString pinnedText(const Parameters &pinned, const Parameters &current);
 
 } // namespace slidercrank

@@ -9,7 +9,8 @@ namespace slidercrank
 namespace
 {
 
-/// Whether the character changes the direction of the characters that follow it, so that a name can look like another.
+/// Returns whether the character changes the direction of the characters that follow it, so that a name can look like
+/// another.
 bool changesDirection(QChar character)
 {
     switch (character.direction()) {

@@ -24,7 +24,7 @@ QJsonObject jsonObject(const Record &record);
 /// Returns a line of keys and a line for each record. Numbers have as few digits as read back the same number.
 QByteArray csvText(const std::vector<Record> &records);
 
-/// Null if there is no value, or if it is not finite.
+/// Returns null if there is no value, or if it is not finite.
 QJsonValue jsonNumber(std::optional<double> value);
 
 /// Converts each element of a range by `toJson`.

@@ -72,7 +72,7 @@ double sizeDifference(const TypedValue &typed, double exact)
 
 GivenValue TypedValue::given() const
 {
-    return {channel, toCore(written.value), toCore(written.halfStep)};
+    return {channel, toCore(parsed.value), toCore(parsed.halfStep)};
 }
 
 double TypedValue::toCore(double value) const
@@ -100,13 +100,13 @@ TypedValue readTypedValue(const QString &text, const OutputChannel &channel, con
                   1.0 / fromFileUnit(measure, 1.0, units)};
     typed.unitName = unitText(measure, units);
     const std::string number = typed.text.toStdString();
-    typed.written = readWrittenValue(number, typed.unit);
+    typed.parsed = readWrittenValue(number, typed.unit);
     const std::string_view unit = unitBehindNumber(number);
     typed.hasUnit = !unit.empty();
-    if (!typed.written.fault && typed.hasUnit) {
+    if (!typed.parsed.fault && typed.hasUnit) {
         typed.unit = parseUnit(unit).value_or(typed.unit);
         typed.unitName = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
-        typed.written = readWrittenValue(number, typed.unit);
+        typed.parsed = readWrittenValue(number, typed.unit);
     }
     return typed;
 }
@@ -153,19 +153,19 @@ QString faultText(const TypedValue &typed)
                                   "as %2.")
             .arg(typed.text, numberText(computed.value, kDigits) + typed.unitBehind());
     }
-    return quantityFaultText(typed.text, *typed.written.fault, typed.unit);
+    return quantityFaultText(typed.text, *typed.parsed.fault, typed.unit);
 }
 
 QString exactText(const TypedValue &typed, const CheckedValue &checked)
 {
-    const double exact = typed.written.value - typed.fromCore(checked.deviation);
+    const double exact = typed.parsed.value - typed.fromCore(checked.deviation);
     return TypedValueText::tr("exact: %1")
-        .arg(shortNumber(exact, std::clamp(typed.written.digits + 1, 4, 17)) + typed.unitBehind());
+        .arg(shortNumber(exact, std::clamp(typed.parsed.digits + 1, 4, 17)) + typed.unitBehind());
 }
 
 QString verdictText(const TypedValue &typed, const CheckedValue &checked)
 {
-    return checkedValueText(checked, typed.written.digits, typed.fromCore(checked.deviation), typed.unitBehind());
+    return checkedValueText(checked, typed.parsed.digits, typed.fromCore(checked.deviation), typed.unitBehind());
 }
 
 } // namespace slidercrank

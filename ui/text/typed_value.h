@@ -18,14 +18,14 @@ namespace slidercrank
 struct TypedValue {
     OutputChannel channel;
     QString text;
-    WrittenValue written; ///< in `unit`, or why the text is no value
-    Unit unit;            ///< that of the text, or the expected one
+    WrittenValue parsed; ///< in `unit`, or why the text is no value
+    Unit unit;           ///< the unit in the text, or the expected unit
     QString unitName;
-    bool hasUnit = false; ///< the text has one
+    bool hasUnit = false; ///< whether the text has a unit
 
     GivenValue given() const;
 
-    /// Converts to the core's unit (mm, rad, s), and from it to `unit`.
+    /// Convert from `unit` to the core's unit (mm, rad, s), and from the core's unit to `unit`.
     double toCore(double value) const;
     double fromCore(double value) const;
 
@@ -39,14 +39,14 @@ TypedValue readTypedValue(const QString &text, const OutputChannel &channel, con
 /// Returns the values, of which angular ones without a unit may now be in the other unit of angles: textbooks give ω
 /// and α in rad/s beside angles in degrees. `units`: those of a number without a unit. A value changes its unit
 ///
-///  - if it is right in the other one only. An angle must be within a turn, and have enough digits that chance is
+///  - if it is right in the other unit only. An angle must be within a turn, and have enough digits that chance is
 ///    unlikely;
-///  - if it is a wrong ω or α, and a slip explains all wrong values in the other unit, but not in the expected one;
+///  - if it is a wrong ω or α, and a slip explains all wrong values in the other unit, but not in the expected unit;
 ///  - if it is a wrong ω or α that no slip explains, and is nearer in size to the exact value in the other unit.
 std::vector<TypedValue> inLikelyUnits(std::vector<TypedValue> values, const CrankPosition &position,
                                       const Units &units);
 
-/// Returns why the text of a value that has a fault is no value, and what to write instead.
+/// Returns why the typed text was not accepted, and what to write instead. Requires a fault.
 QString faultText(const TypedValue &typed);
 
 /// Returns the value and what is wrong with it: "exact: 9.792 mm" and "off by 0.00818 mm".

@@ -109,9 +109,9 @@ private slots:
                  QString("R4_x_diff: not the time derivative of the position column."));
 
         FileLayout layout;
-        QCOMPARE(differenceSentence(layout), QString());
+        QCOMPARE(finiteDifferenceSentence(layout), QString());
         layout.columns = {{.channel = kSlider}, {.channel = kSliderSpeed, .difference = Difference::Forward}};
-        QCOMPARE(differenceSentence(layout), QString("R4_x_diff: finite differences, not the time derivative."));
+        QCOMPARE(finiteDifferenceSentence(layout), QString("R4_x_diff: finite differences, not the time derivative."));
     }
 };
 

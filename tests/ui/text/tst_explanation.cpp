@@ -36,9 +36,9 @@ std::vector<Cause> causesOf(const std::vector<Explanation> &explanations)
     return causes;
 }
 
-std::vector<Explanation> explanationsOf(const Identification &found)
+std::vector<Explanation> explainDifferences(const Identification &found)
 {
-    return explanationsOf(found, Parameters(), FileLayout());
+    return explainDifferences(found, Parameters(), FileLayout());
 }
 
 class TestExplanation : public QObject
@@ -53,7 +53,7 @@ private slots:
         Identification found = mechanismFound();
         found.conventions = {kInDegrees};
         found.agreesWithGiven = true;
-        const std::vector<Explanation> explanations = explanationsOf(found);
+        const std::vector<Explanation> explanations = explainDifferences(found);
         QCOMPARE(causesOf(explanations), (std::vector{Cause::Convention, Cause::Agreement}));
         QCOMPARE(explanations[0].action, Action::Apply);
         QCOMPARE(explanations[0].convention, kInDegrees.convention);
@@ -66,7 +66,7 @@ private slots:
     {
         Identification found = mechanismFound();
         found.change = {Parameter::B, 60.0};
-        const std::vector<Explanation> explanations = explanationsOf(found);
+        const std::vector<Explanation> explanations = explainDifferences(found);
         QCOMPARE(causesOf(explanations), (std::vector{Cause::Length, Cause::Mechanism}));
         QCOMPARE(
             textsOf(explanations),
@@ -80,7 +80,7 @@ private slots:
     {
         Identification none;
         none.outcome = Outcome::None;
-        const std::vector<Explanation> explanations = explanationsOf(none);
+        const std::vector<Explanation> explanations = explainDifferences(none);
         QCOMPARE(textsOf(explanations), QStringList(summaryText(none)));
         QCOMPARE(explanations.front().action, Action::None);
     }
@@ -90,7 +90,7 @@ private slots:
         Identification found = mechanismFound();
         found.agreesWithGiven = true;
         found.leftOut = {{kSliderSpeed, LeftOutColumn::Reason::FiniteDifferences, 2.5}};
-        const std::vector<Explanation> explanations = explanationsOf(found);
+        const std::vector<Explanation> explanations = explainDifferences(found);
         QCOMPARE(causesOf(explanations), (std::vector{Cause::LeftOut, Cause::Agreement}));
         QCOMPARE(textsOf(explanations),
                  QStringList({leftOutText(found), "The other columns agree with this mechanism."}));
@@ -101,7 +101,7 @@ private slots:
         Identification found = mechanismFound();
         found.agreesWithGiven = true;
         found.drive = {5.0, 0.01, 4.0, 6.0, {}};
-        const std::vector<Explanation> explanations = explanationsOf(found);
+        const std::vector<Explanation> explanations = explainDifferences(found);
         QCOMPARE(causesOf(explanations), (std::vector{Cause::Drive, Cause::Agreement}));
         QCOMPARE(textsOf(explanations),
                  QStringList({driveText(found), "Over the crank angle, the file agrees with this mechanism."}));
@@ -114,17 +114,18 @@ private slots:
         layout.columns = {{.channel = kSlider}, {.channel = kSliderSpeed, .difference = Difference::Forward}};
         Identification none;
         none.outcome = Outcome::None;
-        QCOMPARE(causesOf(explanationsOf(none, Parameters(), layout)), (std::vector{Cause::LeftOut, Cause::Mechanism}));
+        QCOMPARE(causesOf(explainDifferences(none, Parameters(), layout)),
+                 (std::vector{Cause::LeftOut, Cause::Mechanism}));
         Identification found = mechanismFound();
         found.leftOut = {{kSliderSpeed, LeftOutColumn::Reason::FiniteDifferences, 2.5}};
-        QCOMPARE(textsOf(explanationsOf(found, Parameters(), layout)), QStringList(summaryText(found)));
+        QCOMPARE(textsOf(explainDifferences(found, Parameters(), layout)), QStringList(summaryText(found)));
     }
 
     void aFileThatAgreesNeedsNoExplanation()
     {
         Identification found = mechanismFound();
         found.agreesWithGiven = true;
-        QVERIFY(explanationsOf(found).empty());
+        QVERIFY(explainDifferences(found).empty());
     }
 };
 

@@ -47,12 +47,12 @@ constexpr const char *kMechanism = "a = 20.000001 ± 0.000003 mm, b = 60.00000 �
 
 /// Returns the text that a different value of one parameter explains the file. The given mechanism is that of Table 1,
 /// where b = 65 mm.
-QString changeTextFor(Parameter parameter, double value, Outcome outcome = Outcome::Identified)
+QString singleLengthExplanationFor(Parameter parameter, double value, Outcome outcome = Outcome::Identified)
 {
     Identification found;
     found.outcome = outcome;
     found.change = {parameter, value};
-    return changeText(found, Parameters());
+    return singleLengthExplanation(found, Parameters());
 }
 
 class TestIdentificationText : public QObject
@@ -256,18 +256,20 @@ private slots:
 
     void namesTheLengthThatExplainsTheDifference()
     {
-        QCOMPARE(changeText(Identification(), Parameters()), QString());
-        QCOMPARE(changeTextFor(Parameter::B, 59.9999987),
+        QCOMPARE(singleLengthExplanation(Identification(), Parameters()), QString());
+        QCOMPARE(singleLengthExplanationFor(Parameter::B, 59.9999987),
                  QString("With b = 60 mm instead of 65 mm, this mechanism agrees with the file."));
-        QCOMPARE(changeTextFor(Parameter::B, 60.0, Outcome::Approximate),
+        QCOMPARE(singleLengthExplanationFor(Parameter::B, 60.0, Outcome::Approximate),
                  QString("With b = 60 mm instead of 65 mm, this mechanism fits the file as well as any other."));
         Identification uneven = identified();
         uneven.change = {Parameter::B, 60.0};
         uneven.drive = {5.0, 0.1, 4.0, 6.0, {}};
-        QVERIFY(changeText(uneven, Parameters()).endsWith("the file. The crank speed of the file is not constant."));
-        QVERIFY(changeTextFor(Parameter::B, 65.00002).startsWith("With b = 65.00002 mm instead of 65 mm, "));
+        QVERIFY(singleLengthExplanation(uneven, Parameters())
+                    .endsWith("the file. The crank speed of the file is not constant."));
+        QVERIFY(
+            singleLengthExplanationFor(Parameter::B, 65.00002).startsWith("With b = 65.00002 mm instead of 65 mm, "));
         QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
-        const QString spanish = changeTextFor(Parameter::B, 60.5);
+        const QString spanish = singleLengthExplanationFor(Parameter::B, 60.5);
         QLocale::setDefault(QLocale::c());
         QVERIFY2(spanish.contains("60,5 mm instead of 65 mm"), qPrintable(spanish));
     }
@@ -281,7 +283,8 @@ private slots:
         found.standardError[indexOf(Parameter::A)] = 2.54e-4;
         found.change = {Parameter::B, 152.4};
         const auto allTexts = [&found] {
-            return QStringList{summaryText(found), roundNumbersText(found), changeText(found, Parameters())};
+            return QStringList{summaryText(found), roundNumbersText(found),
+                               singleLengthExplanation(found, Parameters())};
         };
         QStringList texts = allTexts();
         QVERIFY2(texts[0].contains("a = 2.00000 ± 0.00001 in, "), qPrintable(texts[0]));
