@@ -30,10 +30,10 @@ public:
     std::optional<Parameter> length() const { return m_length; }
     double lengthBefore() const; ///< at the beginning of the drag
 
-    /// Returns the length for that position of the pointer, a multiple of `grid` (a round number). Requires length().
+    /// Returns the length for a position of the pointer (px), a multiple of `grid` (a round number). Requires length().
     double lengthAt(QPointF pointer, double grid) const;
 
-    /// Returns the crank angle for that position, up to whole turns. Requires !length().
+    /// Returns the crank angle for a position of the pointer (px), up to whole turns. Requires !length().
     double crankAngleAt(QPointF pointer);
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A drawing as a list of shapes and labels, in pixels. Painting is a loop over the list. The hit test finds the last
-// shape under the pointer. A highlight is the widened outline of a part.
+// A drawing as a list of shapes and labels, in pixels. Painting is a loop over the list. The hit test finds the
+// topmost shape near the pointer. A highlight is the widened outline of a part.
 
 #include "ui/mechanism/mechanism_frame.h"
 #include "ui/text/theme.h"
@@ -68,7 +68,7 @@ public:
     void paint(QPainter &painter) const;
     void paintHighlight(QPainter &painter, DrawnPart part, const QColor &colour) const;
 
-    /// Returns the part of the last shape under the pointer, within a few pixels.
+    /// Returns the part of the topmost shape within a few pixels of this point, or Background if there is none.
     DrawnPart partAt(QPointF pixel) const;
 
     /// Returns whether a shape belongs to the part.
@@ -89,13 +89,13 @@ protected:
     enum class TextSize { Normal, Small };
     QSizeF textSize(const QString &text, TextSize letters = TextSize::Normal) const;
 
-    /// Adds text beside the point, at the first free place: in that direction, then in the directions to either side,
+    /// Adds text beside the point, at the first free place: in `direction`, then in the directions to either side,
     /// then farther away. `gap` is the distance (px) from the point. The place depends only on the current pose, so
     /// that a motion looks the same forwards and backwards. In extreme poses labels may overlap.
     void addLabelBeside(QPointF point, QPointF direction, double gap, const QString &text, const QColor &ink,
                         TextSize letters = TextSize::Normal);
 
-    /// Adds small text in that line of the upper left corner.
+    /// Adds small text in the upper left corner. `line`: counted from 0; `indent`: px.
     void addCornerLabel(int line, double indent, const QString &text);
     double cornerLineTop(int line) const;
 

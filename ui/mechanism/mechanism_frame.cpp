@@ -57,10 +57,11 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
 
 void MechanismFrame::follow(const QRectF &bounds)
 {
-    constexpr double kFarTooLarge = 0.65; // the part of the frame that is used
+    // If the drawing fills less than this fraction of the frame in both directions, the frame shrinks.
+    constexpr double kMinUsedFraction = 0.65;
     const QRectF wanted = withMargin(bounds, kMarginFraction);
-    if (m_fitted.isNull() ||
-        (wanted.width() < kFarTooLarge * m_fitted.width() && wanted.height() < kFarTooLarge * m_fitted.height())) {
+    if (m_fitted.isNull() || (wanted.width() < kMinUsedFraction * m_fitted.width() &&
+                              wanted.height() < kMinUsedFraction * m_fitted.height())) {
         m_fitted = wanted;
     } else if (!m_fitted.contains(withMargin(bounds, kMinMargin))) {
         m_fitted = m_fitted.united(withMargin(bounds, kMarginToGrow));

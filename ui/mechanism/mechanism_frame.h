@@ -48,13 +48,13 @@ public:
     /// Returns the projection that shows the whole frame, centred, in a drawing of that size (pixels).
     MechanismProjection projection(const QSizeF &size) const;
 
-    /// Zoom or pan in a drawing of that size. A zoom does not move the point under `pixel`.
+    /// Zoom or pan in a drawing of the size `size` (px). A zoom does not move the point under `pixel`.
     void zoom(double factor, QPointF pixel, const QSizeF &size);
     void pan(QPointF pixels, const QSizeF &size);
 
     const QRectF &fitted() const { return m_fitted; } ///< null before the first call of follow() or fit()
 
-    /// The rectangle that the user zoomed to; nullopt if the fitted frame is shown.
+    /// Returns the rectangle that the user zoomed to; nullopt if the fitted frame is shown.
     const std::optional<QRectF> &zoomed() const { return m_zoomed; }
     void setZoomed(const std::optional<QRectF> &zoomed) { m_zoomed = zoomed; }
 

@@ -50,7 +50,9 @@ void MechanismSketch::addLinkage()
         avoid(offsetDimension(), 24.0); // with its letter
     }
     for (const auto &[name, box] : deadCentreCaptions()) { // over the coupler, which may pass them
-        m_labels.push_back({name, box, m_muted, withAlpha(m_paper, 0.6), true});
+        constexpr double kOpacity = 0.6;
+        m_labels.push_back(
+            {.text = name, .box = box, .ink = m_muted, .paper = withAlpha(m_paper, kOpacity), .isSmall = true});
         avoid(box);
     }
     addModel();
@@ -150,7 +152,7 @@ void MechanismSketch::addMissingCoupler()
 void MechanismSketch::addAssemblyProblem()
 {
     constexpr double kMargin = 17.0; // px
-    const QString text = assemblyProblem(*m_scene);
+    const QString text = missingPoseText(*m_scene);
     const QRectF available(0.0, 0.0, std::max(160.0, 0.45 * projection().size.width()), 1e4);
     const QSizeF extent = QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, text).size();
     const double numbers = textSize({}).height(); // the numbers of the grid along the lower edge
@@ -192,14 +194,18 @@ void MechanismSketch::addGhost()
     if (!ghost.exists) {
         return;
     }
+    constexpr double kOutlineWidth = 1.6;  // px
+    constexpr double kOccupiedWidth = 2.0; // px, where labels do not stand
+    constexpr double kLabelGap = 22.0;     // px from the slider
     const bool isFile = !m_scene->result->difference;
-    const std::size_t pinned = m_scene->result->pinned.size();
-    const std::size_t last = std::max<std::size_t>(pinned, 1) - 1; // the pinned motion that is drawn
-    const QColor &colour = isFile ? m_colours.reference : m_colours.*kPinnedColours[last];
-    const QLineF coupler = addOutline(ghost, QPen(colour, 1.6));
-    avoid(coupler, 2.0);
-    addLabelBeside(coupler.p2(), {0.0, coupler.dy() > 0.0 ? 1.0 : -1.0}, 22.0, isFile ? tr("file") : tr("pinned"),
-                   colour, TextSize::Small);
+    const std::size_t pinnedCount = m_scene->result->pinned.size();
+    const std::size_t lastPinned = std::max<std::size_t>(pinnedCount, 1) - 1; // the pinned motion that is drawn
+    const QColor &colour = isFile ? m_colours.reference : m_colours.*kPinnedColours[lastPinned];
+    const QLineF coupler = addOutline(ghost, QPen(colour, kOutlineWidth));
+    avoid(coupler, kOccupiedWidth);
+    const QPointF awayFromCoupler(0.0, coupler.dy() > 0.0 ? 1.0 : -1.0);
+    addLabelBeside(coupler.p2(), awayFromCoupler, kLabelGap, isFile ? tr("file") : tr("pinned"), colour,
+                   TextSize::Small);
 }
 
 } // namespace slidercrank

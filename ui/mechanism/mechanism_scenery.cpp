@@ -53,7 +53,7 @@ void MechanismSketch::addGrid()
     const double perMm = shownValue(Measure::Length, 1.0, notation().units);
     const double shownStep = nextRoundNumber(kMinSpacing / projection().scale * perMm); // in the chosen unit
     const double step = shownStep / perMm;
-    const QRectF shown = projection().visible();
+    const QRectF visibleArea = projection().visible();
     const auto captions = deadCentreCaptions(); // near an edge, they replace numbers
     const auto addNumber = [&](QPointF lowerLeft, const QString &text) {
         const QSizeF extent = textSize(text, TextSize::Small);
@@ -64,7 +64,7 @@ void MechanismSketch::addGrid()
         return box;
     };
     const QRectF corner = addNumber({1.0, projection().size.height()}, shownUnit(Measure::Length));
-    for (double i = std::ceil(shown.left() / step); i <= std::floor(shown.right() / step); i += 1.0) {
+    for (double i = std::ceil(visibleArea.left() / step); i <= std::floor(visibleArea.right() / step); i += 1.0) {
         const double x = std::floor(toPixels({i * step, 0.0}).x());
         m_grid << QRectF(x, 0.0, 1.0, projection().size.height());
         const QString text = numberText(i * shownStep);
@@ -77,7 +77,7 @@ void MechanismSketch::addGrid()
     const bool isCovered = settings.dimensions && offsetDimension().x1() < 2.0 * corner.right();
     const int legendLines = cornerLineCount() + (m_legend == Legend::InCorner ? 2 * int(settings.instantCentre) : 0);
     const double top = isCovered ? corner.top() : cornerLineTop(legendLines);
-    for (double i = std::ceil(shown.top() / step); i <= std::floor(shown.bottom() / step); i += 1.0) {
+    for (double i = std::ceil(visibleArea.top() / step); i <= std::floor(visibleArea.bottom() / step); i += 1.0) {
         const double y = std::floor(toPixels({0.0, i * step}).y());
         m_grid << QRectF(0.0, y, projection().size.width(), 1.0);
         if (y - corner.height() > top && y < corner.top()) {
@@ -145,7 +145,7 @@ void MechanismSketch::addGuide()
 }
 
 /// Returns the names of the dead centres and their places, each below its own mark. Where two full names do not fit,
-/// they are shortened; a short one moves away from the edge of the drawing, and is left out if it does not fit.
+/// they are shortened. A short name moves away from the edge of the drawing, and is left out if it does not fit.
 std::vector<MechanismSketch::Caption> MechanismSketch::deadCentreCaptions() const
 {
     if (!m_scene->settings.names) {

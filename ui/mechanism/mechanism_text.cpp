@@ -23,7 +23,7 @@ struct MechanismText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismText)
 };
 
-/// Returns four significant digits. A value that is only a rounding error of numbers of that size is written as 0.
+/// Returns four significant digits, or 0 for a value that is only a rounding error of numbers of the size `size`.
 QString valueText(double value, double size)
 {
     constexpr double kRounding = 1e-12;
@@ -37,7 +37,7 @@ QString shownText(Measure measure, double value, double size)
     return valueText(factor * value, factor * size);
 }
 
-/// `pattern`: %1 is the magnitude, %2 the unit, %3 and %4 are the components.
+/// Returns the text about a vector. `pattern`: %1 is the magnitude, %2 the unit, %3 and %4 are the components.
 QString vectorText(const QString &pattern, const PlaneVector &vector, Measure measure, double size)
 {
     return pattern.arg(shownText(measure, vector.length(), size), shownUnit(measure),
@@ -74,10 +74,11 @@ QStringList couplerLines(const MechanismScene &scene)
     const double omega2 = std::abs(scene.mechanism().omega2());
     const auto lineOf = [&scene](Order order, double value, double size) {
         const Channel channel{Theta3, order};
-        const double shown = shownChannel(channel, scene.mechanism().branch(), value);
+        const double shownValueOfChannel = shownChannel(channel, scene.mechanism().branch(), value);
         return QStringLiteral("%1 = %2").arg(
             symbolText(channel),
-            withUnit(valueText(shown, shownValue(measureOf(channel), size, notation().units)), shownUnit(channel)));
+            withUnit(valueText(shownValueOfChannel, shownValue(measureOf(channel), size, notation().units)),
+                     shownUnit(channel)));
     };
     QStringList lines{lineOf(Order::Position, motion.theta3, 1.0)};
     if (std::isfinite(motion.theta3Dot)) {
@@ -152,15 +153,16 @@ QString arrowScaleText(const ArrowScale &scale)
     }
     const Measure measure = scale.isOfVelocity() ? Measure::Speed : Measure::Acceleration;
     const double length = shownValue(Measure::Length, scale.length, notation().units);
-    constexpr double kRounding = 0.999; // so that a length that is round except for rounding errors stays
-    const double rounded = nextRoundNumber(kRounding * length); // in other units than mm, the length is not round
+    // Lets a length that exceeds a round number only by rounding error keep that number.
+    constexpr double kRounding = 0.999;
+    const double rounded = nextRoundNumber(kRounding * length); // in units other than mm, the length is not round
     const double amount = shownValue(measure, scale.amount, notation().units) * (rounded / length);
     return MechanismText::tr("Scale: %1 = %2")
         .arg(withUnit(numberText(rounded), shownUnit(Measure::Length)),
              withUnit(numberText(amount), shownUnit(measure)));
 }
 
-QString assemblyProblem(const MechanismScene &scene)
+QString missingPoseText(const MechanismScene &scene)
 {
     if (!scene.result || scene.pose.exists()) {
         return {};

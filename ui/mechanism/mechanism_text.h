@@ -18,13 +18,14 @@ QString partText(const MechanismScene &scene, DrawnPart part);
 /// Returns "a = 20 mm".
 QString lengthText(const Mechanism &mechanism, Parameter length);
 
-/// Returns the crank angle as the timeline shows it: beyond a whole turn, it counts on.
+/// Returns the crank angle with its unit, as the timeline shows it: from 0 to a whole turn.
 QString timelineAngle(const MechanismScene &scene);
 
-/// Returns "Scale: 10 mm = 50 mm/s".
+/// Returns "Scale: 10 mm = 50 mm/s", or "at rest" if all arrows have the length 0.
 QString arrowScaleText(const ArrowScale &scale);
 
-/// Returns why the mechanism cannot be assembled at this crank angle and what would help. Empty if it can be assembled.
-QString assemblyProblem(const MechanismScene &scene);
+/// Returns why there is no pose: the mechanism cannot be assembled at this crank angle, with the coupler length that
+/// would help, or the crank angle is not a finite number. Empty if the pose exists, or if there is no result yet.
+QString missingPoseText(const MechanismScene &scene);
 
 } // namespace slidercrank

@@ -109,14 +109,14 @@ MechanismProjection pictureProjection(const MechanismScene &scene, const Mechani
     MechanismFrame enlarged = frame;
     for (int round = 0; round < kRounds; ++round) {
         const double lowest = scene.result->mechanism.c() - pixelsBelow / projection.scale;
-        QRectF shown = frame.fitted();
-        shown.setTop(std::min(shown.top(), lowest)); // y points upwards
+        QRectF visibleArea = frame.fitted();
+        visibleArea.setTop(std::min(visibleArea.top(), lowest)); // y points upwards
         if (vertex) {
             constexpr double kAroundArc = 10.0; // px, for the line from which the angle is measured
             const double around = (MechanismSketch::kLargestCouplerArc + kAroundArc) / projection.scale;
-            shown = shown.united(vertex->adjusted(-around, -around, around, around));
+            visibleArea = visibleArea.united(vertex->adjusted(-around, -around, around, around));
         }
-        enlarged.setZoomed(shown);
+        enlarged.setZoomed(visibleArea);
         projection = enlarged.projection(size);
     }
     return projection;
@@ -160,7 +160,7 @@ void MechanismView::makeChoices()
     const auto addZoom = [this](const QString &text, const QList<QKeySequence> &keys, const auto &change) {
         auto *action = new QAction(text, this);
         action->setShortcuts(keys);
-        action->setShortcutContext(Qt::WidgetShortcut); // in other widgets these keys type characters
+        action->setShortcutContext(Qt::WidgetShortcut); // in other widgets the keys type characters
         connect(action, &QAction::triggered, this, change);
         m_choices << action;
     };
@@ -309,10 +309,11 @@ void MechanismView::highlight(MechanismPart part)
 QRectF MechanismView::bounds() const
 {
     constexpr double kMaxGhostRatio = 3.0; // times the mechanism
-    const QRectF own = motionBounds(m_scene.mechanism(), m_scene.result->limits);
-    const QRectF both = own.united(m_ghostBounds);
-    const bool fits = std::max(both.width(), both.height()) <= kMaxGhostRatio * std::max(own.width(), own.height());
-    return fits ? both : own; // also own if the ghost's bounds are not finite
+    const QRectF mechanismBounds = motionBounds(m_scene.mechanism(), m_scene.result->limits);
+    const QRectF commonBounds = mechanismBounds.united(m_ghostBounds);
+    const bool fits = std::max(commonBounds.width(), commonBounds.height()) <=
+                      kMaxGhostRatio * std::max(mechanismBounds.width(), mechanismBounds.height());
+    return fits ? commonBounds : mechanismBounds; // also if the ghost's bounds are not finite
 }
 
 /// With letters that are larger than usual, as in presentation mode, links, joints and arrows are larger, too.
@@ -412,7 +413,7 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
     const QSizeF drawing(size.width(), size.height() - legend.legendHeight());
     MechanismSketch scenery = newPicture(drawing);
     scenery.addScenery();
-    // The linkage is a sketch of its own, whose labels may cover those of the scenery, as in the window.
+    // The linkage is a sketch of its own, whose labels may cover labels of the scenery, as in the window.
     MechanismSketch linkage = newPicture(drawing);
     linkage.addLinkage();
     painter.save();
@@ -436,9 +437,12 @@ void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const Q
 
 int MechanismView::pictureHeight(int width) const
 {
-    const QRectF shown = m_frame.zoomed().value_or(m_frame.fitted());
-    const double height = shown.isNull() ? 0.5 : shown.height() / shown.width();
-    return static_cast<int>(width * std::clamp(height, 0.4, 0.75));
+    const QRectF visibleArea = m_frame.zoomed().value_or(m_frame.fitted());
+    constexpr double kUsualAspect = 0.5; // height over width, if there is no frame yet
+    constexpr double kMinAspect = 0.4;
+    constexpr double kMaxAspect = 0.75;
+    const double aspect = visibleArea.isNull() ? kUsualAspect : visibleArea.height() / visibleArea.width();
+    return static_cast<int>(width * std::clamp(aspect, kMinAspect, kMaxAspect));
 }
 
 /// Shows the note about the part under the pointer. Where the mechanism cannot be assembled, the drawing shows the

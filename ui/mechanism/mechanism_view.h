@@ -44,11 +44,11 @@ public:
     const MechanismSettings &settings() const { return m_scene.settings; }
     void setSettings(const MechanismSettings &settings);
 
-    /// The frame, for another view that has to show the same part of the plane.
+    /// Return and set the frame, for a second view that has to show the same part of the plane.
     const MechanismFrame &frame() const { return m_frame; }
     void setFrame(const MechanismFrame &frame);
 
-    /// The rectangle that the user zoomed to, in mm; nullopt if the whole mechanism is shown.
+    /// Return and set the rectangle that the user zoomed to, in mm; nullopt if the whole mechanism is shown.
     const std::optional<QRectF> &zoom() const { return m_frame.zoomed(); }
     void setZoom(const std::optional<QRectF> &zoom);
 
@@ -81,18 +81,18 @@ public slots:
     void fit();
 
 signals:
-    /// The user moved the mechanism to its pose at that time (s).
+    /// Emitted when the user moves the mechanism to its pose at a time (s).
     void timeRequested(double seconds);
     void lengthRequested(slidercrank::Parameter parameter, double length); ///< in mm
     void branchRequested(slidercrank::Branch branch);
 
-    /// A drag that changes a length begins or ends. All lengths requested in between are one edit.
+    /// Emitted when a drag that changes a length begins or ends. All lengths requested in between are one edit.
     void dragBegan();
     void dragEnded();
 
     void settingsChanged(const slidercrank::MechanismSettings &settings);
 
-    /// The user wants the drawing to fill the window, or to have its usual size again.
+    /// Emitted when the user wants the drawing to fill the window, or to have its usual size again.
     void enlarged();
 
 protected:
