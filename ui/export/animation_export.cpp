@@ -133,9 +133,9 @@ FigureSize videoSize(const QSize &pixels)
     const int shorterSide = std::min(pixels.width(), pixels.height());
     int scale = std::max(1, shorterSide / kLinesPerScale);
     while (pixels.width() % scale != 0 || pixels.height() % scale != 0) {
-        --scale; // so that the frames have exactly these pixels
+        --scale; // so that the frames have exactly the size `pixels`
     }
-    FigureSize size{pixels / scale, static_cast<double>(scale)};
+    FigureSize size{.size = pixels / scale, .scale = static_cast<double>(scale)};
     size.fontPixels = std::max(kSmallestLetters, shorterSide / scale / kLettersOnSide);
     return size;
 }

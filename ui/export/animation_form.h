@@ -22,7 +22,8 @@ class AnimationForm : public QDialog
 public:
     AnimationForm(const Animation &animation, QWidget *parent);
 
-    /// Returns the animation as chosen. Its start and its speed are those of the constructor's.
+    /// Returns the animation as chosen. Its start and its speed are those of the animation that was passed to the
+    /// constructor.
     Animation animation() const;
 
 private:

@@ -26,7 +26,7 @@ namespace slidercrank
 
 enum class FigureFormat { Png, Svg, Pdf };
 
-/// Returns the format by the suffix of the file name, ignoring case, or nullopt.
+/// Returns the format by the suffix of the file name, ignoring case, or nullopt for other suffixes.
 std::optional<FigureFormat> figureFormat(const QString &path);
 
 /// Returns "png", "svg" or "pdf".
@@ -68,19 +68,20 @@ inline constexpr double kLargestPicture = 20'000.0; ///< px
 inline constexpr double kSmallestFont = 4.0;        ///< pt
 inline constexpr double kLargestFont = 48.0;        ///< pt
 
-/// Returns the height (logical pixels) of a figure of that width with text in that font.
+/// Returns the height (logical pixels) of a figure with the given width and font.
 using FigureHeight = std::function<int(int width, const QFont &)>;
 
-/// Returns the size of a figure of that width, at 300 dots per inch if the width is in mm. `height` chooses the height.
+/// Returns the size of a figure with the width of the options, at 300 dots per inch if the width is in mm. `height`
+/// chooses the height.
 FigureSize figureSize(const FigureOptions &options, const FigureHeight &height);
 
-/// Draws the figure, with its background, at that logical size from the origin, with text in the font of the painter.
+/// Draws a figure, with its background, at a logical size from the origin, with text in the font of the painter.
 using FigureDrawing = std::function<void(QPainter &, const QSize &)>;
 
 /// Returns the same drawing with the mechanism's parameters below it, in as many lines as they need.
 FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette);
 
-/// Returns the height with that of the parameters.
+/// Returns the height of a figure with the mechanism's parameters below it.
 FigureHeight withParameters(const FigureHeight &height, const Mechanism &mechanism);
 
 /// Returns the figure as an image; a null image if the size is impossible, or if there is not enough memory.
@@ -91,10 +92,10 @@ QImage figureImage(const FigureSize &size, const FigureDrawing &draw);
 std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
                                     const FigureDrawing &draw);
 
-/// Returns a PDF of such pages in the resolution kDotsPerInch. `fill` draws on the first page.
+/// Returns a PDF with pages of that size, at kDotsPerInch. `fill` draws all pages; it starts on the first one.
 QByteArray makePdf(const QPageSize &page, const QString &title, const std::function<void(QPdfWriter &)> &fill);
 
-/// Copies the figure to the clipboard as an image. Returns as exportFigure().
+/// Copies the figure to the clipboard as an image. Returns nullopt on success, else a message that says why not.
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw);
 
 } // namespace slidercrank

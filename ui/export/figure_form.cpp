@@ -193,7 +193,7 @@ void FigureForm::addPlots(const FigureOptions &options, QFormLayout &form)
     const int columns = hasErrorPlots ? 3 : 2; // as in the window
     auto *grid = new QGridLayout;
     const auto isChosen = [&](const QString &name) { return options.plots.isEmpty() || options.plots.contains(name); };
-    // If none of these plots is chosen, the stored choice is that of a different figure: then all of them are checked.
+    // If none of the plots is chosen, the stored choice is that of a different figure: then all plots are checked.
     const bool isAnyChosen = std::ranges::any_of(m_subject.plots, isChosen, &NamedPlot::name);
     for (const auto &[name, text] : m_subject.plots) {
         auto *box = named(name, new QCheckBox(text));
@@ -253,8 +253,8 @@ void FigureForm::showPreview()
     m_outcome->setText(chosen.format == FigureFormat::Png || isInPixels
                            ? tr("%1 × %2 px").arg(qRound(pixels.width())).arg(qRound(pixels.height()))
                            : tr("%1 × %2 mm").arg(fixedText(paper.width(), 1), fixedText(paper.height(), 1)));
-    const QSizeF shown = QSizeF(size.size).scaled(QSizeF(m_preview->minimumSize()), Qt::KeepAspectRatio);
-    size.scale = devicePixelRatioF() * shown.width() / size.size.width();
+    const QSizeF previewSize = QSizeF(size.size).scaled(QSizeF(m_preview->minimumSize()), Qt::KeepAspectRatio);
+    size.scale = devicePixelRatioF() * previewSize.width() / size.size.width();
     QPixmap picture = QPixmap::fromImage(figureImage(size, m_subject.draw(chosen)));
     picture.setDevicePixelRatio(devicePixelRatioF());
     m_preview->setPixmap(picture);

@@ -23,7 +23,7 @@ void appendNumber(QByteArray &text, double value);
 
 struct MotionCsvOptions {
     ChannelSet channels;
-    Units units = {}; ///< any other unit than those of files follows the name of its column
+    Units units = {}; ///< a unit that differs from that of files follows the name of its column
 };
 
 /// Writes time, crank angle and the channels to a file, with every digit. Returns nullopt on success

@@ -98,8 +98,8 @@ public:
         }
     }
 
-    /// Makes the section with this drawing fill a page: with all sections after it, if they leave enough space for the
-    /// drawing, otherwise with the next one.
+    /// Makes the section with the drawing fill a page: together with all sections after it, if they leave enough space
+    /// for the drawing, otherwise together with the next section.
     void fillPage(DrawingObject &drawing, int type, int largestHeight)
     {
         constexpr int kReservedHeight = 24;  // px, because the space between paragraphs depends on the page
@@ -235,10 +235,10 @@ public:
         pages.keepSectionsTogether();
     }
 
-    /// Whether no line is wider than the page.
+    /// Returns whether no line is wider than the page.
     bool fits() const { return m_document.size().width() <= m_document.pageSize().width() + 0.5; }
 
-    /// Whether the last page has only a few lines.
+    /// Returns whether the last page has only a few lines.
     bool endsWithFewLines() const
     {
         constexpr double kMinLastPage = 0.1; // fraction of the page
@@ -277,7 +277,7 @@ public:
 
 private:
     QFont m_font;
-    DrawingObject m_mechanism; ///< these outlive the document, which draws them
+    DrawingObject m_mechanism; ///< the drawings outlive the document, which draws them
     DrawingObject m_figure;
     QTextDocument m_document;
 };

@@ -41,8 +41,8 @@ QString parameterTable(const ReportContent &content);
 /// Returns the report as HTML. Each section begins with a heading.
 QString reportHtml(const ReportContent &content);
 
-/// Writes the report with these drawings, on white. Returns nullopt on success, else a message; an older file of that
-/// name is then unchanged.
+/// Writes the report with the drawings `mechanism` and `figure`, on white. Returns nullopt on success, else a message;
+/// an older file of that name is then unchanged.
 std::optional<QString> exportReport(const QString &path, const ReportContent &content, const FigureDrawing &mechanism,
                                     const FigureDrawing &figure);
 

@@ -114,7 +114,7 @@ QString derivedValues(const ReportContent &content)
             .arg(nameText(mu), equation(content, mu), nameText(displacement), equation(content, displacement)));
 }
 
-/// Says what the crank acceleration of the chosen position does not affect.
+/// Returns the note that motion limits and plots are those of a constant crank speed; empty without an acceleration.
 QString accelerationNote(const ReportContent &content)
 {
     return content.alpha2 == 0.0
@@ -127,10 +127,12 @@ QString crankText(const ReportContent &content)
     const Mechanism &mechanism = content.result->mechanism;
     const double theta2 = mechanism.theta20() + mechanism.omega2() * content.time;
     const Units &units = notation().units;
-    const double step = units.angle == AngleUnit::Radian ? 1e-4 : 1e-2;
-    const double shown = std::round(shownCrankAngle(theta2) / step) * step;
+    constexpr double kStepInRadians = 1e-4;
+    constexpr double kStepInDegrees = 1e-2;
+    const double step = units.angle == AngleUnit::Radian ? kStepInRadians : kStepInDegrees;
+    const double roundedAngle = std::round(shownCrankAngle(theta2) / step) * step;
     QString text = QStringLiteral("θ₂ = %1, t = %2 s")
-                       .arg(withUnit(numberText(shown), shownUnit(Measure::Angle)), numberText(content.time));
+                       .arg(withUnit(numberText(roundedAngle), shownUnit(Measure::Angle)), numberText(content.time));
     if (content.alpha2 != 0.0) {
         text += QStringLiteral(", α₂ = %1 rad/s²").arg(numberText(content.alpha2));
     }
@@ -159,15 +161,17 @@ QString errorTable(const std::vector<ChannelComparison> &comparison, const Refer
     }
     for (const ChannelComparison &channel : comparison) {
         const QString unit = shownUnit(channel.channel);
-        const auto shown = [&channel](std::optional<double> error) { return shownDifference(channel.channel, error); };
+        const auto inShownUnit = [&channel](std::optional<double> error) {
+            return shownDifference(channel.channel, error);
+        };
         const QString time = channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash();
         const QString place = file ? placeText(channel, *file) : time;
-        const QString largest = errorText(shown(channel.maxAbs));
+        const QString largest = errorText(inShownUnit(channel.maxAbs));
         rows.push_back({QStringLiteral("%1 %2").arg(quantityName(channel.channel), symbolText(channel.channel)),
-                        channel.maxAbs ? withUnit(largest, unit) : largest, place, errorText(shown(channel.rms)),
+                        channel.maxAbs ? withUnit(largest, unit) : largest, place, errorText(inShownUnit(channel.rms)),
                         errorText(channel.percentOfPeak)});
         if (file) {
-            rows.back() << numberText(shown(channel.roundingStep), 3) << verdictText(channel);
+            rows.back() << numberText(inShownUnit(channel.roundingStep), 3) << verdictText(channel);
         }
     }
     return table(rows, file ? LastColumn::Text : LastColumn::Number);
@@ -254,7 +258,7 @@ QString parameterTable(const ReportContent &content)
 QString reportHtml(const ReportContent &content)
 {
     const Result &result = *content.result;
-    const auto beside = [](const QString &left, const QString &right) {
+    const auto sideBySide = [](const QString &left, const QString &right) {
         return QStringLiteral("<table width=100%><tr><td>%1</td><td align=right>%2</td></tr></table>").arg(left, right);
     };
     QString caption = Report::tr("The mechanism at %1.").arg(crankText(content));
@@ -270,7 +274,7 @@ QString reportHtml(const ReportContent &content)
            note(Report::tr("%1, by %2 %3")
                     .arg(textLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
-           beside(parameterTable(content), kMechanismPlace) + note(caption) +
+           sideBySide(parameterTable(content), kMechanismPlace) + note(caption) +
            heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) + derivedValues(content) +
            accelerationNote(content) + heading(Report::tr("Motion limits")) +
            paragraph(mobilitySentence(result.mechanism, result.limits)) +
