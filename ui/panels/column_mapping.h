@@ -32,7 +32,7 @@ public:
     void accept() override;
 
 signals:
-    /// The choice was stored, and the files must be read again.
+    /// Emitted when the choice is stored: the files must be read again.
     void chosen(const QStringList &paths);
 
 private:

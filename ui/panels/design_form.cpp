@@ -166,7 +166,7 @@ void DesignForm::requestDesign(const DesignRequest &request)
     accept(design(request), request);
 }
 
-/// Changes the offset alone; the stroke follows from it.
+/// Changes the offset alone; the stroke follows from the offset.
 void DesignForm::requestOffset(double timeRatio)
 {
     DesignRequest request = with(m_request, &DesignRequest::timeRatio, timeRatio);

@@ -75,7 +75,7 @@ public:
                 explanation};
     }
 
-    /// The tool tip contains all numbers of the comparison.
+    /// Returns the row of a channel that is compared with a file. Its tool tip contains all numbers of the comparison.
     static TableRow fileRow(const ChannelComparison &channel, const ReferenceData &data)
     {
         const std::vector<QStringList> table = comparisonTable({&channel, 1}, data);
@@ -155,14 +155,16 @@ public:
                                     {tr("largest error"), tr("max |model − reference|"), "max_error"});
         table.columns.insert(
             table.columns.begin() + 1,
-            {tr("verdict"),
-             tr("Rounding: half a unit of the last digit of the value, plus the motion during half a unit of "
-                "the last digit of the time stamp\n"
-                "agrees: at least 95 % of the values within the rounding, none beyond ten times that, or "
-                "beyond it by 0.5 % of half the motion's range\n"
-                "close: none beyond a hundred times, or by 1 %\n"
-                "differs: anything else"),
-             "verdict", false});
+            {.title = tr("verdict"),
+             .explanation =
+                 tr("Rounding: half a unit of the last digit of the value, plus the motion during half a unit of "
+                    "the last digit of the time stamp\n"
+                    "agrees: at least 95 % of the values within the rounding, none beyond ten times that, or "
+                    "beyond it by 0.5 % of half the motion's range\n"
+                    "close: none beyond a hundred times, or by 1 %\n"
+                    "differs: anything else"),
+             .csvName = "verdict",
+             .isNumber = false});
         for (const ChannelComparison &channel : result.comparison) {
             table.rows.push_back(fileRow(channel, result.reference->data));
         }
@@ -173,13 +175,13 @@ public:
 
     static Page pinnedPage(const Result &result)
     {
-        const Parameters &present = result.mechanism.parameters();
+        const Parameters &current = result.mechanism.parameters();
         const Parameters &pinned = result.pinned.back();
         Page page;
         page.sentence =
-            present == pinned
+            current == pinned
                 ? tr("This mechanism is the pinned one: change it to see the difference.")
-                : tr("Difference: this mechanism minus the pinned one (%1).").arg(pinnedText(pinned, present));
+                : tr("Difference: this mechanism minus the pinned one (%1).").arg(pinnedText(pinned, current));
         if (result.difference->hasGaps) {
             page.sentence += u' ' + tr("Where one of the two cannot be assembled there is nothing to compare.");
         }

@@ -20,7 +20,8 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceIdentificat
 /// Returns the title of the tab with the mark of the verdict on the file: "Errors ✗".
 QString errorTitle(const Result &result);
 
-/// Whether the identification is that of the reference in `result`. It may have been made for earlier parameters.
+/// Returns whether the identification is that of the reference in `result`. It may have been made for earlier
+/// parameters.
 bool belongsToCurrentFile(const ReferenceIdentification *identification, const Result &result);
 
 /// Adds the remedy to use the mechanism that was found, with the conventions of the file, unless it is the given one.

@@ -53,21 +53,27 @@ Page limitsPage(const Result &result)
     Page page;
     page.sentence = mobilitySentence(mechanism, result.limits);
     page.tables = {
-        {"limitTable",
-         LimitsPage::tr("Limits of the motion"),
-         {{LimitsPage::tr("limit"),
-           LimitsPage::tr(
-               "Where slider and crank reverse, the stroke times, and the largest velocities and accelerations "
-               "over a whole revolution of the crank, whatever part of it is simulated"),
-           "limit", false},
-          {LimitsPage::tr("value"),
-           LimitsPage::tr("Positions are those of the slider, measured from O₂; x points to the right, angles are "
-                          "counter-clockwise"),
-           "value"},
-          {QStringLiteral("θ₂ [%1]").arg(angle), LimitsPage::tr("Crank angle, 0 to 360°"),
-           QStringLiteral("theta2 [%1]").arg(angle)},
-          {LimitsPage::tr("t [s]"), LimitsPage::tr("First time at which the crank is there"), "time [s]"}},
-         rowsOf(motionFacts(mechanism, result.limits, result.sampling, notation()))}};
+        {.name = "limitTable",
+         .title = LimitsPage::tr("Limits of the motion"),
+         .columns =
+             {{.title = LimitsPage::tr("limit"),
+               .explanation = LimitsPage::tr(
+                   "Where slider and crank reverse, the stroke times, and the largest velocities and accelerations "
+                   "over a whole revolution of the crank, whatever part of it is simulated"),
+               .csvName = "limit",
+               .isNumber = false},
+              {.title = LimitsPage::tr("value"),
+               .explanation = LimitsPage::tr(
+                   "Positions are those of the slider, measured from O₂; x points to the right, angles are "
+                   "counter-clockwise"),
+               .csvName = "value"},
+              {.title = QStringLiteral("θ₂ [%1]").arg(angle),
+               .explanation = LimitsPage::tr("Crank angle, 0 to 360°"),
+               .csvName = QStringLiteral("theta2 [%1]").arg(angle)},
+              {.title = LimitsPage::tr("t [s]"),
+               .explanation = LimitsPage::tr("First time at which the crank is there"),
+               .csvName = "time [s]"}},
+         .rows = rowsOf(motionFacts(mechanism, result.limits, result.sampling, notation()))}};
     return page;
 }
 

@@ -7,8 +7,9 @@
 namespace slidercrank
 {
 
-/// A page of the motion limits: whether the crank makes full turns, where the slider reverses, and the peak velocities
-/// and accelerations. A click on a row goes to its time if the crank angle is reached in the simulated time range.
+/// Returns a page of the motion limits: whether the crank makes full turns, where the slider reverses, and the peak
+/// velocities and accelerations. A click on a row goes to its time if the crank angle is reached in the simulated time
+/// range.
 Page limitsPage(const Result &result);
 
 } // namespace slidercrank

@@ -17,7 +17,7 @@ namespace slidercrank
 /// The largest number of rows.
 inline constexpr int kMaxTableRows = 5000;
 
-/// The channels that the table can show, and those that it shows at first.
+/// Return the channels that the table can show, and the channels that it shows at first.
 std::vector<OutputChannel> tableChannels();
 std::vector<OutputChannel> usualTableChannels();
 
@@ -34,8 +34,8 @@ std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const M
 /// The first column of motionTableColumns() that shows a channel of the settings; t and θ₂ are before it.
 inline constexpr int kFirstChannelColumn = 2;
 
-/// Returns the columns: t, θ₂, and those of the settings, in the chosen notation and units. In files, θ3 at B has a
-/// name that differs from that of θ3 at A; and "first time" is no time stamp, since the angles of the rows need not be
+/// Returns the columns: t, θ₂, and the channels of the settings, in the chosen notation and units. In files, θ3 at B
+/// and θ3 at A have different names; and "first time" is no time stamp, since the angles of the rows need not be
 /// reached in the order of time.
 std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings);
 

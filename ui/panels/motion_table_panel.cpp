@@ -63,7 +63,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     , m_answer(named("findAnswer", plainText()))
     , m_judgement(named("judgement", plainText()))
     , m_layout(new QVBoxLayout(this))
-    , m_presentRow(new QHBoxLayout)
+    , m_currentRowLayout(new QHBoxLayout)
 {
     named("motionTablePanel", this, tr("Table of the motion"));
     m_settings.columns = usualTableChannels();
@@ -75,7 +75,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     m_layout->addWidget(m_answer);
     m_answer->setTextFormat(Qt::RichText);
     m_answer->hide();
-    m_layout->addLayout(m_presentRow);
+    m_layout->addLayout(m_currentRowLayout);
     m_layout->addWidget(m_judgement);
     m_judgement->setTextFormat(Qt::RichText);
     makeTables();
@@ -88,7 +88,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     });
     connect(session, &Session::alpha2Changed, this, &MotionTablePanel::showAlpha2);
     connect(session, &Session::resultChanged, this, &MotionTablePanel::refresh);
-    connect(session, &Session::timeChanged, this, &MotionTablePanel::showPresent);
+    connect(session, &Session::timeChanged, this, &MotionTablePanel::showCurrentPosition);
 }
 
 QLayout *MotionTablePanel::makeControls()
@@ -258,42 +258,45 @@ void MotionTablePanel::refreshNotation()
     showRows();
 }
 
-/// The present position has a table of its own, so that it stays while the rows scroll.
+/// The current position has a table of its own, so that it stays while the rows scroll.
 void MotionTablePanel::makeTables()
 {
-    delete m_present;
+    delete m_currentRowTable;
     delete m_table;
     const std::vector<TableColumn> columns = motionTableColumns(m_settings);
-    m_present = new NumberTable("presentPosition", tr("Present position"), columns);
+    m_currentRowTable = new NumberTable("presentPosition", tr("Present position"), columns);
     m_table = new NumberTable("motionTable", tr("Table of the motion"), columns);
     m_table->horizontalHeader()->hide();
-    m_present->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_present->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // so that m_presentRow can reserve its width
-    m_present->setFixedHeight(1);   // until fitColumns() knows the rows; a higher one would make the tabs higher
-    constexpr int kMyValuesRow = 1; // below the present position
+    m_currentRowTable->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_currentRowTable->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // so that m_currentRowLayout can reserve its width
+    m_currentRowTable->setFixedHeight(
+        1);                         // until fitColumns() knows the rows; a higher table would make the tabs higher
+    constexpr int kMyValuesRow = 1; // below the current position
     constexpr int kMinRows = 2;     // where the panel itself scrolls
-    m_present->setEditable(kMyValuesRow, kFirstChannelColumn);
-    m_present->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed); // alignColumns() chooses the widths
-    m_present->setSelectionMode(QAbstractItemView::NoSelection);          // it would hide the colours of the verdicts
-    m_table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // the panel may be as low as its other parts
+    m_currentRowTable->setEditable(kMyValuesRow, kFirstChannelColumn);
+    m_currentRowTable->horizontalHeader()->setSectionResizeMode(
+        QHeaderView::Fixed);                                             // alignColumns() chooses the widths
+    m_currentRowTable->setSelectionMode(QAbstractItemView::NoSelection); // it would hide the colours of the verdicts
+    m_table->setSizePolicy(QSizePolicy::Preferred,
+                           QSizePolicy::Ignored); // the panel may become as low as its other widgets need
     m_table->setMinimumHeight(kMinRows * m_table->verticalHeader()->defaultSectionSize());
-    m_presentRow->setContentsMargins(0, 0, m_table->verticalScrollBar()->sizeHint().width(), 0);
-    m_presentRow->addWidget(m_present);
+    m_currentRowLayout->setContentsMargins(0, 0, m_table->verticalScrollBar()->sizeHint().width(), 0);
+    m_currentRowLayout->addWidget(m_currentRowTable);
     m_layout->addWidget(m_table, 1);
-    connect(m_present, &NumberTable::typed, this, [this](int column, const QString &text) {
+    connect(m_currentRowTable, &NumberTable::typed, this, [this](int column, const QString &text) {
         typeValue(m_settings.columns[static_cast<std::size_t>(column - kFirstChannelColumn)], text.trimmed());
-        QMetaObject::invokeMethod(this, &MotionTablePanel::showPresent,
+        QMetaObject::invokeMethod(this, &MotionTablePanel::showCurrentPosition,
                                   Qt::QueuedConnection); // after the cell is closed
     });
-    connect(m_table->horizontalScrollBar(), &QScrollBar::valueChanged, m_present->horizontalScrollBar(),
+    connect(m_table->horizontalScrollBar(), &QScrollBar::valueChanged, m_currentRowTable->horizontalScrollBar(),
             &QScrollBar::setValue);
     connect(m_table, &NumberTable::timeRequested, this, &MotionTablePanel::timeRequested);
     connect(m_table, &NumberTable::rowHovered, this, [this](int row) {
         const bool isRow = row >= 0 && row < static_cast<int>(m_places.size());
         emit placeHovered(isRow ? std::optional(m_places[static_cast<std::size_t>(row)].theta2) : std::nullopt);
     });
-    for (NumberTable *table : {m_present, m_table}) {
+    for (NumberTable *table : {m_currentRowTable, m_table}) {
         connect(table, &NumberTable::copied, this,
                 [this] { emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings.")); });
     }
@@ -327,7 +330,7 @@ void MotionTablePanel::showRows()
         m_rows.push_back(motionTableRow(m_settings, mechanism, m_session->alpha2(), place));
     }
     m_table->setRows(m_rows);
-    showPresent();
+    showCurrentPosition();
     alignColumns();
 }
 
@@ -337,14 +340,14 @@ void MotionTablePanel::showAlpha2()
     m_constantSpeed->setVisible(m_session->alpha2() != 0.0);
 }
 
-void MotionTablePanel::showPresent()
+void MotionTablePanel::showCurrentPosition()
 {
     if (isVisible()) {
         TableRow row =
-            motionTableRow(m_settings, Mechanism(m_session->parameters()), m_session->alpha2(), presentPlace());
-        row.cells.front().tone = Tone::Normal;
-        row.time.reset();
-        m_present->setRows({row, myValues()});
+            motionTableRow(m_settings, Mechanism(m_session->parameters()), m_session->alpha2(), currentPlace());
+        row.cells.front().tone = Tone::Normal; // the time is no link here
+        row.time.reset();                      // the row would link to its own time
+        m_currentRowTable->setRows({row, myValues()});
         alignColumns();
     }
 }
@@ -358,11 +361,11 @@ static bool isSamePosition(double x, double y)
 
 void MotionTablePanel::typeValue(const OutputChannel &channel, const QString &text)
 {
-    const double theta2 = wrapToPi(presentPlace().theta2);
+    const double theta2 = wrapToPi(currentPlace().theta2);
     auto here = std::ranges::find_if(
         m_myValues, [theta2](const TypedTexts &typed) { return isSamePosition(typed.theta2, theta2); });
     if (here == m_myValues.end()) {
-        here = m_myValues.insert(here, {theta2, {}});
+        here = m_myValues.insert(here, {.theta2 = theta2, .byColumn = {}});
     }
     if (text.isEmpty()) {
         here->byColumn.erase(columnName(channel));
@@ -374,10 +377,10 @@ void MotionTablePanel::typeValue(const OutputChannel &channel, const QString &te
     }
 }
 
-const MotionTablePanel::TypedTexts *MotionTablePanel::textsAtPresent() const
+const MotionTablePanel::TypedTexts *MotionTablePanel::textsAtCurrentPosition() const
 {
     const auto here = std::ranges::find_if(
-        m_myValues, [this](const TypedTexts &typed) { return isSamePosition(typed.theta2, presentPlace().theta2); });
+        m_myValues, [this](const TypedTexts &typed) { return isSamePosition(typed.theta2, currentPlace().theta2); });
     return here == m_myValues.end() ? nullptr : &*here;
 }
 
@@ -390,20 +393,20 @@ QString MotionTablePanel::otherPositions() const
     return angles.isEmpty() ? QString() : tr("Your values are shown again at %1.").arg(listed(angles));
 }
 
-/// Returns the values that were typed at this position, with their verdicts as colours, and shows what is said about
-/// them.
+/// Returns the row of the values that were typed at the current position, with their verdicts as colours. Also shows
+/// the conclusions from these values.
 TableRow MotionTablePanel::myValues()
 {
     TableRow row{.cells = {{.text = tr("my values"), .tone = Tone::Muted}, {}},
                  .explanation = tr(
                      "Type values of your calculation: they are compared with the exact ones, each to its last digit")};
-    const CrankPosition position{withCrankAt(Mechanism(m_session->parameters()), presentPlace().theta2),
+    const CrankPosition position{withCrankAt(Mechanism(m_session->parameters()), currentPlace().theta2),
                                  m_session->alpha2()};
     const Units &units = notation().units;
     std::vector<TypedValue> values;
     QStringList sentences;
     bool hasUnreadable = false; // a text that is no value
-    const TypedTexts *typedHere = textsAtPresent();
+    const TypedTexts *typedHere = textsAtCurrentPosition();
     for (const OutputChannel &channel : m_settings.columns) {
         TableCell &cell = row.cells.emplace_back();
         if (!typedHere || !typedHere->byColumn.contains(columnName(channel))) {
@@ -451,14 +454,14 @@ TableRow MotionTablePanel::myValues()
 void MotionTablePanel::alignColumns()
 {
     for (int column = 0; column < m_table->horizontalHeader()->count(); ++column) {
-        const int width = std::max(m_present->columnWidth(column), m_table->columnWidth(column));
-        m_present->setColumnWidth(column, width);
+        const int width = std::max(m_currentRowTable->columnWidth(column), m_table->columnWidth(column));
+        m_currentRowTable->setColumnWidth(column, width);
         m_table->setColumnWidth(column, width);
     }
-    m_present->setFixedHeight(m_present->contentSize().height() + 2);
+    m_currentRowTable->setFixedHeight(m_currentRowTable->contentSize().height() + 2);
 }
 
-TablePlace MotionTablePanel::presentPlace() const
+TablePlace MotionTablePanel::currentPlace() const
 {
     return {m_session->pose().motion.theta2, m_session->time()};
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The tab with the table of the motion. The first row is the present position and stays; below it are rows at equal
-// steps of the crank angle, or for time steps. A person can type values of a calculation by hand below the present
+// The tab with the table of the motion. The first row is the current position and stays; below it are rows at equal
+// steps of the crank angle, or for time steps. A person can type values of a calculation by hand below the current
 // position, which are checked at once, and shown again when the crank returns to that position. The tab also finds the
 // positions in which a quantity has a value.
 
@@ -79,14 +79,14 @@ private:
     void makeTables();
     void refresh();
     void showRows();
-    void showPresent();
+    void showCurrentPosition();
     void showAlpha2();
     void typeValue(const OutputChannel &channel, const QString &text);
-    const TypedTexts *textsAtPresent() const; ///< null if no values were typed at this position
-    QString otherPositions() const;           ///< says at which other crank angles values were typed
+    const TypedTexts *textsAtCurrentPosition() const; ///< null if no values were typed at this position
+    QString otherPositions() const;                   ///< says at which other crank angles values were typed
     TableRow myValues();
     void alignColumns();
-    TablePlace presentPlace() const;
+    TablePlace currentPlace() const;
 
     std::optional<OutputChannel> wantedChannel() const;
     double wantedValue() const; ///< mm, rad, s
@@ -118,8 +118,8 @@ private:
     std::vector<TypedTexts> m_myValues{};
     QLabel *m_judgement;
     QVBoxLayout *m_layout;
-    QHBoxLayout *m_presentRow; ///< of m_present, with a margin as wide as the scroll bar of m_table
-    NumberTable *m_present = nullptr;
+    QHBoxLayout *m_currentRowLayout; ///< of m_currentRowTable, with a margin as wide as the scroll bar of m_table
+    NumberTable *m_currentRowTable = nullptr;
     NumberTable *m_table = nullptr;
 };
 

@@ -78,11 +78,23 @@ TableCell shortNumberCell(double value)
     return numberCell(value, shortNumber(value));
 }
 
-/// A page without tables; its sentence says why numbers are missing, if they are.
+/// Returns a cell of the Jacobian. Negative entries have a second colour, and zeros are blank, so that the structure of
+/// the matrix can be seen.
+TableCell jacobianCell(double value)
+{
+    TableCell cell = shortNumberCell(value);
+    cell.tone = value < 0.0 ? Tone::Fair : Tone::Model;
+    if (value == 0.0) {
+        cell.text.clear();
+    }
+    return cell;
+}
+
+/// Returns a page without tables. Its sentence explains why numbers are missing; it is empty if none are.
 Page emptyPage(Status status, const Result &result)
 {
     const QString sentence = statusSentence(status, result.solver.newton);
-    return {sentence.isEmpty() ? sentence : "⚠ " + sentence, Tone::Bad};
+    return {.sentence = sentence.isEmpty() ? sentence : "⚠ " + sentence, .tone = Tone::Bad};
 }
 
 TimeStepEquations solvedEquations(const Result &result, double time)
@@ -118,7 +130,8 @@ ChartSeries withResiduals(ChartSeries series, const IterationHistory &history)
     return series;
 }
 
-/// The residual ‖C‖ over the iterations, and the tolerance. The axes do not change with every small motion.
+/// Returns the chart of the residual ‖C‖ over the iterations, and of the tolerance. The axes do not change with every
+/// small motion.
 ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions &options)
 {
     Interval steps{-0.3, 6.3};
@@ -136,11 +149,11 @@ ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions 
         decades.lower = std::min(decades.lower, std::floor(std::log10(options.tolerance)) - 1.0);
     }
     const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
-    return {{NewtonPages::tr("iteration"), steps},
-            {isRelative ? NewtonPages::tr("‖C‖, relative") : NewtonPages::tr("‖C‖"),
-             {std::pow(10.0, decades.lower), std::pow(10.0, decades.upper)},
-             true},
-            std::move(series)};
+    return {.x = {.title = NewtonPages::tr("iteration"), .range = steps},
+            .y = {.title = isRelative ? NewtonPages::tr("‖C‖, relative") : NewtonPages::tr("‖C‖"),
+                  .range = {std::pow(10.0, decades.lower), std::pow(10.0, decades.upper)},
+                  .isLogarithmic = true},
+            .series = std::move(series)};
 }
 
 } // namespace
@@ -169,24 +182,32 @@ Page NewtonPages::equations(const Result &result, double time)
     PageTable table{
         "equationTable",
         tr("Equations, a row for each constraint"),
-        {{tr("joint"), tr("Joint that the equation describes"), "joint", false},
-         {tr("equation"), tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"), "equation",
-          false, true},
+        {{.title = tr("joint"),
+          .explanation = tr("Joint that the equation describes"),
+          .csvName = "joint",
+          .isNumber = false},
+         {.title = tr("equation"),
+          .explanation = tr("C(q, t) = 0; bodies as superscripts: 1 ground, 2 crank, 3 coupler, 4 slider"),
+          .csvName = "equation",
+          .isNumber = false,
+          .isFormula = true},
          {tr("C"), tr("Residual of the equation, in mm or rad"), "C"},
          {tr("Cₜ, per s"), tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C<sub>q</sub> dq/dt = −Cₜ"), "C_t"},
          {tr("Q_d, per s²"),
           tr("In mm/s² or rad/s²: the accelerations follow from C<sub>q</sub> d²q/dt² = Q<sub>d</sub>"), "Q_d"},
-         {tr("unit"), tr("Unit of C; Cₜ has this unit per s, Q<sub>d</sub> per s²"), "unit", false}}};
+         {.title = tr("unit"),
+          .explanation = tr("Unit of C; Cₜ has this unit per s, Q<sub>d</sub> per s²"),
+          .csvName = "unit",
+          .isNumber = false}}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
-        table.rows.push_back({{{.text = constraintName(row)},
-                               {.text = kEquations[i].text},
-                               shortNumberCell(equations.C[i]),
-                               shortNumberCell(equations.Ct[i]),
-                               shortNumberCell(equations.Qd[i]),
-                               {.text = isAngle(row) ? "rad" : "mm"}},
-                              {},
-                              partOf(row)});
+        table.rows.push_back({.cells = {{.text = constraintName(row)},
+                                        {.text = rowOf(kEquations, row).text},
+                                        shortNumberCell(equations.C[row]),
+                                        shortNumberCell(equations.Ct[row]),
+                                        shortNumberCell(equations.Qd[row]),
+                                        {.text = isAngle(row) ? "rad" : "mm"}},
+                              .part = partOf(row)});
     }
     page.tables = {table};
     return page;
@@ -199,28 +220,27 @@ Page NewtonPages::jacobian(const Result &result, double time)
     PageTable table{
         "jacobianTable",
         tr("Jacobian C_q, a row for each constraint, a column for each coordinate"),
-        {{tr("C_q"),
-          tr("∂C/∂q: a row for each constraint, a column for each coordinate.\n"
-             "κ is the largest singular value divided by the smallest, mm and rad mixed. The larger it is, the more\n"
-             "digits are lost; it is infinite where the coupler is perpendicular to the slider's line."),
-          "constraint", false}}};
+        {{.title = tr("C_q"),
+          .explanation = tr(
+              "∂C/∂q: a row for each constraint, a column for each coordinate.\n"
+              "κ is the largest singular value divided by the smallest, mm and rad mixed. The larger it is, the more\n"
+              "digits are lost; it is infinite where the coupler is perpendicular to the slider's line."),
+          .csvName = "constraint",
+          .isNumber = false}}};
     for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
         const auto coordinate = static_cast<Coordinate>(j);
         const QString body = partName(partOf(coordinate));
-        table.columns.push_back({symbolText(coordinate),
-                                 isAngle(coordinate) ? tr("Angle of the %1; lengths in mm").arg(body)
-                                                     : tr("Centre of mass of the %1").arg(body),
-                                 columnName(Channel{coordinate, Order::Position})});
+        table.columns.push_back({.title = symbolText(coordinate),
+                                 .explanation = isAngle(coordinate) ? tr("Angle of the %1; lengths in mm").arg(body)
+                                                                    : tr("Centre of mass of the %1").arg(body),
+                                 .csvName = columnName(Channel{coordinate, Order::Position})});
     }
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
-        TableRow tableRow{{{.text = constraintName(row)}}, {}, partOf(row), kEquations[i].text};
+        TableRow tableRow{
+            .cells = {{.text = constraintName(row)}}, .part = partOf(row), .explanation = rowOf(kEquations, row).text};
         for (const double value : equations.Cq.row(i)) {
-            TableCell &cell = tableRow.cells.emplace_back(shortNumberCell(value));
-            cell.tone = value < 0.0 ? Tone::Fair : Tone::Model;
-            if (value == 0.0) {
-                cell.text.clear();
-            }
+            tableRow.cells.push_back(jacobianCell(value));
         }
         table.rows.push_back(tableRow);
     }
@@ -309,14 +329,13 @@ Page NewtonPages::coordinates(const Result &result, double time)
         const auto cell = [&](Order order, const Vector12 &values) {
             return shortNumberCell(toFileUnit({coordinate, order}, values[i]));
         };
-        table.rows.push_back({{{.text = symbolText(coordinate), .csv = columnName(position)},
-                               {.text = partName(partOf(coordinate))},
-                               cell(Order::Position, state.q),
-                               cell(Order::Velocity, state.qDot),
-                               cell(Order::Acceleration, state.qDDot),
-                               {.text = unitText(position)}},
-                              {},
-                              partOf(coordinate)});
+        table.rows.push_back({.cells = {{.text = symbolText(coordinate), .csv = columnName(position)},
+                                        {.text = partName(partOf(coordinate))},
+                                        cell(Order::Position, state.q),
+                                        cell(Order::Velocity, state.qDot),
+                                        cell(Order::Acceleration, state.qDDot),
+                                        {.text = unitText(position)}},
+                              .part = partOf(coordinate)});
     }
     page.tables = {table};
     return page;

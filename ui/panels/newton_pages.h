@@ -19,7 +19,7 @@ public:
     static Page equations(const Result &result, double time);
     static Page jacobian(const Result &result, double time);
 
-    /// The iterations from a rough start, and those from the position one time step earlier.
+    /// Returns the iterations from a rough start, and those from the position one time step earlier.
     static Page iterations(const Result &result, double time);
 
     static Page coordinates(const Result &result, double time);

@@ -52,7 +52,7 @@ struct Page {
     QString sentence;
     Tone tone = Tone::Normal; ///< colour of the sentence
     std::vector<Finding> findings{};
-    bool isSearching = false; ///< new findings are being computed: the remedies of these are disabled
+    bool isSearching = false; ///< new findings are being computed: the remedies of `findings` are disabled
     std::vector<PageTable> tables{};
     std::optional<PageChart> chart{};
     QString note{}; ///< below the tables

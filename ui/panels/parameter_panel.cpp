@@ -154,8 +154,8 @@ const ParameterPanel::ShownUnit &ParameterPanel::Row::shownUnit() const
 
 void ParameterPanel::Row::showUnit(const std::function<bool(const ShownUnit &)> &isWanted)
 {
-    const auto wanted = std::ranges::find_if(units, isWanted);
-    unit->setCurrentIndex(static_cast<int>(wanted - units.begin()));
+    const auto wantedUnit = std::ranges::find_if(units, isWanted);
+    unit->setCurrentIndex(static_cast<int>(wantedUnit - units.begin()));
 }
 
 void ParameterPanel::addRow(Parameter parameter, const QString &explanation, const std::vector<ShownUnit> &units)

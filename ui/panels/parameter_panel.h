@@ -39,7 +39,7 @@ public:
 
 signals:
     void crankSpeedUnitChosen(slidercrank::CrankSpeedUnit unit);
-    /// The user clicked the name of a parameter that affects the limits of the motion.
+    /// Emitted when the user clicks the name of a parameter that affects the limits of the motion.
     void responseRequested(slidercrank::Parameter parameter);
 
 protected:

@@ -27,7 +27,7 @@ namespace slidercrank
 namespace
 {
 
-/// The symbol of a vector.
+/// Returns the symbol of a vector.
 QString vectorText(PolygonVector vector)
 {
     switch (vector) {
@@ -100,7 +100,7 @@ QStringList magnitudes(const std::vector<PlacedVector> &polygon, Measure measure
 /// The smallest height of a polygon with the magnitudes of its vectors below it, in lines of text.
 constexpr double kMinHeightWithMagnitudes = 14.0;
 
-/// The height of the position above both polygons of a figure, in lines of text.
+/// Height of the heading above both polygons, which states the crank position, in lines of text.
 constexpr double kHeadingHeight = 1.5;
 
 /// Draws one polygon, its scale below it and, if there is space, the magnitudes of its vectors.
@@ -120,11 +120,13 @@ public:
     void draw()
     {
         const QFontMetricsF metrics(m_painter.font());
-        const double margin = 2.5 * metrics.height(); // for the names
+        constexpr double kNameWidth = 2.5; // lines of text
+        const double margin = kNameWidth * metrics.height();
         m_magnitudes = magnitudeLines();
-        const double belowPolygon =
-            3.2 * metrics.height() + magnitudesHeight(); // for a name, the scale and these lines
-        const QRectF inside = m_area.adjusted(margin, metrics.height(), -margin, -belowPolygon);
+        constexpr double kNameAndScale = 3.2; // lines of text
+        // Room for a vector name, the scale and the lines of magnitudes.
+        const double heightBelowPolygon = kNameAndScale * metrics.height() + magnitudesHeight();
+        const QRectF inside = m_area.adjusted(margin, metrics.height(), -margin, -heightBelowPolygon);
         const QRectF bounds = boundsOf(m_polygon);
         m_scale = std::min(inside.width() / std::max(bounds.width(), 1e-300),
                            inside.height() / std::max(bounds.height(), 1e-300));
@@ -181,10 +183,12 @@ private:
     void drawVector(const PlacedVector &placed)
     {
         const SeriesColours colours = seriesColours(m_palette);
-        const QColor &ofPart = m_measure == Measure::Speed ? colours.errorOther : colours.error;
-        const QColor &colour = isSum(placed.vector) ? colours.model : ofPart;
+        constexpr double kSumWidth = 2.5;  // px
+        constexpr double kPartWidth = 1.6; // px
+        const QColor &partColour = m_measure == Measure::Speed ? colours.errorOther : colours.error;
+        const QColor &colour = isSum(placed.vector) ? colours.model : partColour;
         const QLineF line(toPixels(placed.from), toPixels(placed.to));
-        m_painter.setPen(QPen(colour, isSum(placed.vector) ? 2.5 : 1.6, Qt::SolidLine, Qt::FlatCap));
+        m_painter.setPen(QPen(colour, isSum(placed.vector) ? kSumWidth : kPartWidth, Qt::SolidLine, Qt::FlatCap));
         drawArrow(m_painter, line.p1(), line.p2());
         constexpr double kMinNamedLength = 3.0; // px: a shorter vector has no name
         if (line.length() < kMinNamedLength) {
@@ -200,7 +204,7 @@ private:
     enum class Side { Left, Right };
 
     /// Returns where a name beside a vector covers neither a vector nor another name, and is clearly nearer to its own
-    /// vector than to the others: if possible on that side of its middle.
+    /// vector than to the others: if possible on the side `side` of its middle.
     QRectF namePlace(const QLineF &line, const QSizeF &size, Side side) const
     {
         const QLineF normal = line.normalVector().unitVector();
@@ -232,7 +236,7 @@ private:
         return places.front();
     }
 
-    /// Whether the point is clearly nearer to that vector than to each of the others.
+    /// Returns whether the point is clearly nearer to the vector than to every other vector of the polygon.
     bool isNearest(const QPointF &point, const QLineF &vector) const
     {
         constexpr double kClearly = 1.5;
@@ -334,7 +338,7 @@ private:
     std::function<Polygons()> m_polygons;
 };
 
-Polygons presentPolygons(const Session &session)
+Polygons currentPolygons(const Session &session)
 {
     return polygonsAt(Mechanism(session.parameters()), session.time(), session.alpha2());
 }
@@ -355,7 +359,7 @@ void drawPolygons(QPainter &painter, const QRectF &area, const Polygons &polygon
         .draw();
 }
 
-/// Returns the crank angle (rad) of the polygons, and the crank acceleration unless it is 0.
+/// Returns the text of the crank angle (rad) and, unless it is 0, of the crank acceleration (rad/s²).
 static QString positionText(double theta2, double alpha2)
 {
     const QString angle = withUnit(numberText(shownCrankAngle(theta2)), shownUnit(Measure::Angle));
@@ -401,7 +405,7 @@ FigureSubject polygonSubject(const Session &session)
 PolygonView::PolygonView(Session *session, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
-    , m_canvas(new PolygonCanvas([this] { return presentPolygons(*m_session); }))
+    , m_canvas(new PolygonCanvas([this] { return currentPolygons(*m_session); }))
 {
     named("polygonView", this, tr("Velocity and acceleration polygons"));
     auto *head = new QHBoxLayout;

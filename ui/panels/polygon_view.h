@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The velocity polygon and the acceleration polygon at the present position, drawn to scale with named vectors, whose
+// The velocity polygon and the acceleration polygon at the current position, drawn to scale with named vectors, whose
 // magnitudes are stated. They follow the animation.
 
 #include "core/limits/polygon.h"
@@ -41,10 +41,10 @@ void drawPolygons(QPainter &painter, const QRectF &area, const Polygons &polygon
 /// Returns a drawing of both polygons at time t (s), with the crank acceleration alpha2 (rad/s²), below their position.
 FigureDrawing polygonFigure(const Mechanism &mechanism, double t, double alpha2, const QPalette &palette);
 
-/// Returns the polygons at the present position as a figure, which states the position and the parameters.
+/// Returns the polygons at the current position as a figure, which states the position and the parameters.
 FigureSubject polygonSubject(const Session &session);
 
-/// Returns the height of such a drawing, px.
+/// Returns the height (px) of a figure of the polygons.
 int polygonHeight(int width, const QFont &font);
 
 } // namespace slidercrank

@@ -63,11 +63,11 @@ public:
         return row;
     }
 
-    /// Returns a table without rows; the columns have these headings, and in CSV these names.
+    /// Returns a table of text without rows. `csvNames`: the names of the columns in CSV.
     static PageTable textTable(const QString &name, const QString &title, const QStringList &headings,
                                const QStringList &csvNames)
     {
-        PageTable table{name, title, {}};
+        PageTable table{.name = name, .title = title, .columns = {}};
         for (qsizetype i = 0; i < headings.size(); ++i) {
             table.columns.push_back({.title = headings[i], .csvName = csvNames[i], .isNumber = false});
         }
@@ -80,8 +80,10 @@ public:
             textTable("columnTable", tr("Columns of the file, a row for each"),
                       {tr("heading"), tr("unit"), tr("read as"), tr("rounded to"), tr("values"), tr("why")},
                       {"heading", "unit", "read_as", "rounded_to", "values", "why"});
-        table.columns[2].isFormula = true; // "R_y⁴"
-        table.columns[3].explanation = tr("Inferred from all values of the column");
+        constexpr std::size_t kReadAsColumn = 2;
+        constexpr std::size_t kRoundedToColumn = 3;
+        table.columns[kReadAsColumn].isFormula = true; // "R_y⁴"
+        table.columns[kRoundedToColumn].explanation = tr("Inferred from all values of the column");
         const FileLayout &layout = data.layout;
         for (std::size_t i = 0; i < layout.columns.size(); ++i) {
             if (!layout.files.empty() && (i == 0 || layout.columns[i].file != layout.columns[i - 1].file)) {
@@ -128,7 +130,7 @@ public:
 Page referencePage(const Result &result, const ReferenceIdentification *identification)
 {
     if (!result.reference) {
-        return {ReferencePage::tr("No file is open."), Tone::Muted};
+        return {.sentence = ReferencePage::tr("No file is open."), .tone = Tone::Muted};
     }
     const ReferenceData &data = result.reference->data;
     QString rows = QString::number(data.time.size());
@@ -137,11 +139,12 @@ Page referencePage(const Result &result, const ReferenceIdentification *identifi
     }
     Page page;
     page.sentence = displayName(result.reference->source.paths);
-    page.findings = {{ReferencePage::tr("%1. Rows: %2.").arg(formText(data.layout), rows), Remedy::ChooseColumns,
-                      ReferencePage::tr("Choose columns…")}};
+    page.findings = {{.sentence = ReferencePage::tr("%1. Rows: %2.").arg(formText(data.layout), rows),
+                      .remedy = Remedy::ChooseColumns,
+                      .remedyText = ReferencePage::tr("Choose columns…")}};
     if (data.crank) {
         page.findings.push_back(
-            {ReferencePage::tr("The rows are indexed by the crank angle; ω₂ and θ₂₀ give the time.")});
+            {.sentence = ReferencePage::tr("The rows are indexed by the crank angle; ω₂ and θ₂₀ give the time.")});
     }
     page.findings.push_back(ReferencePage::mechanismFound(result, identification));
     for (const Finding &finding : findingsOf(result, identification)) {

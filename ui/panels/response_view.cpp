@@ -222,11 +222,11 @@ void ResponseView::refresh()
 
 void ResponseView::showResponse()
 {
-    const LimitValues present = limitValues(Mechanism(m_response.parameters));
+    const LimitValues currentLimits = limitValues(Mechanism(m_response.parameters));
     m_sentence->setText(fullTurnText(m_response.parameter, m_response.range) + u' ' +
                         tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter)));
     for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
-        const QString title = tr("%1: %2").arg(chartName(kResponseLimits[i]), shortNumber(present[i]));
+        const QString title = tr("%1: %2").arg(chartName(kResponseLimits[i]), shortNumber(currentLimits[i]));
         m_titles[i]->setText(unbroken(title));
         m_charts[i]->setAccessibleName(title);
         m_charts[i]->setContent(chartOf(i));
@@ -243,32 +243,32 @@ ChartContent ResponseView::chartOf(std::size_t limit) const
     ChartSeries pinned = dotsOf(m_session->result()->pinned, parameter, limit);
     pinned.colour = &SeriesColours::pinned;
     pinned.isHollow = true;
-    ChartSeries present = dotsOf({parameters}, parameter, limit);
-    present.colour = &SeriesColours::cursor;
-    Interval shown = valueRange(m_response, limit);
-    for (const ChartSeries *dots : {&pinned, &present}) {
+    ChartSeries currentDot = dotsOf({parameters}, parameter, limit);
+    currentDot.colour = &SeriesColours::cursor;
+    Interval valuesShown = valueRange(m_response, limit);
+    for (const ChartSeries *dots : {&pinned, &currentDot}) {
         for (const QPointF &dot : dots->points) {
-            shown.include(dot.y());
+            valuesShown.include(dot.y());
         }
     }
     const double factor = shownFactor(parameter);
-    for (ChartSeries *series : {&curve, &pinned, &present}) {
+    for (ChartSeries *series : {&curve, &pinned, &currentDot}) {
         for (QPointF &point : series->points) {
             point.rx() *= factor;
         }
     }
-    const auto shownRange = [factor](const Interval &interval) {
+    const auto inShownUnit = [factor](const Interval &interval) {
         return Interval{factor * interval.lower, factor * interval.upper};
     };
-    return {
-        .x = {tr("%1 [%2]").arg(symbolText(parameter), unitBehind(parameter).trimmed()), shownRange(range.assembled)},
-        .y = {{}, roundedOutwards(shown)},
-        .series = {curve, pinned, present},
-        .unshaded = shownRange(range.fullTurn)};
+    return {.x = {.title = tr("%1 [%2]").arg(symbolText(parameter), unitBehind(parameter).trimmed()),
+                  .range = inShownUnit(range.assembled)},
+            .y = {.title = {}, .range = roundedOutwards(valuesShown)},
+            .series = {curve, pinned, currentDot},
+            .unshaded = inShownUnit(range.fullTurn)};
 }
 
-/// Changes the parameter to the value at that position of a chart, rounded to a small fraction of the range and limited
-/// to the range.
+/// Changes the parameter to the value at a position (px) of a chart, rounded to a small fraction of the range and
+/// limited to the range.
 void ResponseView::requestAt(Chart &chart, double pixel)
 {
     const auto &[lower, upper] = m_response.range.assembled;

@@ -19,7 +19,7 @@ namespace
 constexpr int kDigits = 3;
 constexpr double kSmallestDrawnError = 1e-17; // errors below this, including 0, are drawn here
 
-/// How a method is named and drawn. Of two methods of the same colour, the second one has hollow marks.
+/// The name and the look of a method. Of two methods of the same colour, the second one has hollow marks.
 struct MethodText {
     QString name;
     QString explanation;
@@ -84,7 +84,7 @@ public:
         return tr("not finite");
     }
 
-    /// "solved", "190 solved, 11 singular", or "201 solved, 12 reported as solved but wrong".
+    /// Returns "solved", "190 solved, 11 singular", or "201 solved, 12 reported as solved but wrong".
     static QString outcomeText(const MethodResult &row)
     {
         QStringList parts;

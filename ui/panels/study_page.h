@@ -7,8 +7,8 @@
 namespace slidercrank
 {
 
-/// A page for one case of the study: the error of each method against its time, as a chart and as a table. The
-/// times of methods that compute 36 channels and of those that compute 6 are not comparable.
+/// Returns a page for one case of the study: the error of each method against its time, as a chart and as a table. The
+/// time of a method that computes 36 channels is not comparable with that of a method that computes 6.
 Page studyPage(const CaseResult &result);
 
 } // namespace slidercrank

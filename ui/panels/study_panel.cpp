@@ -36,19 +36,22 @@ void StudyPanel::setResult(const std::shared_ptr<const StudyResult> &result)
 
 Page StudyPanel::makePage() const
 {
-    Page page{tr("Every method is timed at the same time steps of one revolution, and its error is measured against a "
-                 "computation with 115 digits.")};
+    Page page{.sentence = tr(
+                  "Every method is timed at the same time steps of one revolution, and its error is measured against a "
+                  "computation with 115 digits.")};
     if (m_result) {
-        const CaseResult &shown = m_result->cases.front();
-        page = studyPage(shown);
+        const CaseResult &shownCase = m_result->cases.front();
+        page = studyPage(shownCase);
         page.note =
             tr("%1. Measured on %2, in %3 s.")
-                .arg(mechanismText(Mechanism(shown.parameters)), machineText(), numberText(m_result->seconds, 2));
-        if (shown.parameters != m_session->parameters()) {
+                .arg(mechanismText(Mechanism(shownCase.parameters)), machineText(), numberText(m_result->seconds, 2));
+        if (shownCase.parameters != m_session->parameters()) {
             page.note += u' ' + tr("The mechanism has changed since: run again.");
         }
     }
-    page.findings = {{tr("How fast and how accurate is each method for this mechanism?"), Remedy::RunStudy, tr("Run")}};
+    page.findings = {{.sentence = tr("How fast and how accurate is each method for this mechanism?"),
+                      .remedy = Remedy::RunStudy,
+                      .remedyText = tr("Run")}};
     return page;
 }
 

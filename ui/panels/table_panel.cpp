@@ -109,9 +109,9 @@ void TablePanel::prepareChartAndScrollArea()
     content->setContentsMargins(0, 0, 0, 0);
     content->setSpacing(3);
     content->addWidget(m_findings);
-    m_beside = new QBoxLayout(QBoxLayout::LeftToRight);
-    m_beside->setSpacing(12);
-    content->addLayout(m_beside, 1);
+    m_tablesLayout = new QBoxLayout(QBoxLayout::LeftToRight);
+    m_tablesLayout->setSpacing(12);
+    content->addLayout(m_tablesLayout, 1);
     m_chart->setMinimumWidth(200);
     m_chart->hide();
     m_scroll->setFrameShape(QFrame::NoFrame);
@@ -185,7 +185,7 @@ NumberTable *TablePanel::tableFor(const PageTable &content)
     if (!table) {
         table = new NumberTable(content.name, content.title, content.columns);
         table->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored); // arrange() sets its minimum height
-        m_beside->addWidget(table, 1);
+        m_tablesLayout->addWidget(table, 1);
         connect(table, &NumberTable::timeRequested, this, &TablePanel::timeRequested);
         connect(table, &NumberTable::partHovered, this, &TablePanel::partHovered);
         connect(table, &NumberTable::copied, this, &TablePanel::confirmCopied);
@@ -210,7 +210,7 @@ void TablePanel::fillTables(const Page &page)
             m_shownTables.push_back(table);
         }
     }
-    for (NumberTable *table : findChildren<NumberTable *>()) { // also those of earlier pages
+    for (NumberTable *table : findChildren<NumberTable *>()) { // also the tables of earlier pages
         table->setVisible(std::ranges::count(m_shownTables, table) > 0);
     }
     m_copy->setVisible(!m_shownTables.empty());
@@ -228,14 +228,14 @@ void TablePanel::arrange()
     int widest = 0;
     for (NumberTable *table : m_shownTables) {
         const QSize content = table->contentSize();
-        sum += content.width() + m_beside->spacing();
+        sum += content.width() + m_tablesLayout->spacing();
         widest = std::max(widest, content.width());
         table->setVerticalScrollBarPolicy(together ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
         const int lowest = kMinRows * table->verticalHeader()->defaultSectionSize();
         table->setMinimumSize(1, together ? content.height() : std::min(content.height(), lowest));
     }
     const bool isBeside = sum <= available || !together;
-    m_beside->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_tablesLayout->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_scroll->setMinimumWidth(m_chart->isHidden() ? 1 : std::min((isBeside ? sum : widest) + kScrollBar, available));
 }
 

@@ -75,7 +75,7 @@ private:
     QToolButton *m_export;
     QWidget *m_findings;
     QScrollArea *m_scroll;
-    QBoxLayout *m_beside; ///< the tables, side by side or one above the other
+    QBoxLayout *m_tablesLayout; ///< the tables, side by side or one above the other
     Chart *m_chart;
     std::vector<NumberTable *> m_shownTables;
     QLabel *m_note;
@@ -91,7 +91,7 @@ QToolButton *makeMenuButton(const QString &name, const QString &text, const QStr
 void chooseExport(Session *session, QWidget *parent, const QStringList &filters, const QString &name,
                   const std::function<std::optional<QString>(const QString &path)> &write);
 
-/// Returns the tables of a page as CSV, one after the other. Headings that equal those before are not repeated.
+/// Returns the tables of a page as CSV, one after the other. Headings that equal the headings before are not repeated.
 QByteArray csvOf(const Page &page);
 
 } // namespace slidercrank

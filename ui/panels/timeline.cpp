@@ -280,7 +280,7 @@ bool Timeline::isFast() const
     return revolution() < kFast;
 }
 
-/// At a speed of 1, a revolution of a fast crank takes four seconds.
+/// Returns the speed of the playback. At a chosen speed of 1, a revolution of a fast crank takes four seconds.
 double Timeline::playbackSpeed() const
 {
     constexpr double kSecondsPerTurn = 4.0;
@@ -365,7 +365,8 @@ void Timeline::nextFrame()
     }
 }
 
-/// A number that is whole except for rounding errors is rounded.
+/// Returns the number of the current time step; not a whole number between two steps. A number that is whole except for
+/// rounding errors is rounded.
 double Timeline::currentStep() const
 {
     constexpr double kTolerance = 1e-6; // time steps
@@ -394,11 +395,11 @@ void Timeline::goToAngle(double angle)
 {
     constexpr double kMaxStep = 12.0 / kDegreesPerRadian; // Page Up and Page Down: ten steps of the box
     const Parameters &parameters = m_session->parameters();
-    const double present = m_session->pose().motion.theta2;
-    const double shown = degreesFromZero(present) / kDegreesPerRadian;
+    const double currentTheta2 = m_session->pose().motion.theta2;
+    const double shownTheta2 = degreesFromZero(currentTheta2) / kDegreesPerRadian;
     double theta2 = coreValue(Measure::Angle, angle, notation().units);
-    if (std::abs(theta2 - shown) < kMaxStep) { // a step of the box stays in the present revolution
-        theta2 += present - shown;
+    if (std::abs(theta2 - shownTheta2) < kMaxStep) { // a step of the box stays in the current revolution
+        theta2 += currentTheta2 - shownTheta2;
     }
     if (parameters.omega2 == 0.0) { // at rest: the box turns the crank
         m_session->setParameter(Parameter::Theta20, theta2);

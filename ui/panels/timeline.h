@@ -65,7 +65,7 @@ private:
     double startTime() const;     ///< start of the time range, s
     double endTime() const;       ///< end of the time range, s
     double revolution() const;    ///< time of one revolution, s; infinite if the crank is at rest
-    bool isFast() const;          ///< Whether the crank turns so fast that playing is slowed.
+    bool isFast() const;          ///< whether the crank turns so fast that playing is slowed
     double playbackSpeed() const; ///< seconds of the motion per second, with the slowing of a fast crank
     void showOneTurn();
     void nextFrame();
