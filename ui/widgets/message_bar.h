@@ -17,7 +17,7 @@ namespace slidercrank
 
 struct Message {
     enum class Kind { Hint, Question, Problem };
-    QString id; ///< a newer message with the same id replaces this one
+    QString id; ///< a message replaces an older message with the same id
     Kind kind = Kind::Hint;
     QString text;
     QString actionText = {};           ///< text of the button that calls `action`

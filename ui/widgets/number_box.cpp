@@ -241,7 +241,7 @@ void NumberBox::refuse(const QString &sentence)
 }
 
 /// Leaves undo and redo to the window unless text has been typed, and leaves all other Control keys to the window
-/// except those of the clipboard.
+/// except the keys of the clipboard.
 bool NumberBox::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {

@@ -42,7 +42,7 @@ public:
     /// Sets the change per arrow key. The default is a tenth of the number's power of ten.
     void setStep(double step);
 
-    /// Whether the text was changed and has not been accepted yet.
+    /// Returns whether the text was changed and has not been accepted yet.
     bool isTyping() const;
 
     QSize sizeHint() const override;

@@ -27,7 +27,7 @@ struct GhostMotion {
 
 /// Returns the linkage of the reference file if the file differs from the model. Without a file, returns the motion
 /// that was pinned last. The lengths are those of the mechanism found, or of the model if `found` is null or has no
-/// mechanism. The window and the command line draw the same.
+/// mechanism. The window and the command line draw the same linkage.
 GhostMotion findGhost(const Result &result, const Identification *found);
 
 class Ghost : public QObject

@@ -19,7 +19,7 @@ namespace slidercrank
 namespace
 {
 
-/// Whether the widget uses a key that is also a shortcut of the window.
+/// Returns whether the widget uses a key that is also a shortcut of the window.
 bool uses(const QWidget &widget, const QKeyEvent &key)
 {
     if (key.key() == Qt::Key_Left || key.key() == Qt::Key_Right) {

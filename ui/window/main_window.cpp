@@ -358,9 +358,9 @@ void MainWindow::openReference(const QStringList &paths)
 void MainWindow::followReference(const std::shared_ptr<const Reference> &reference)
 {
     showTitle();
-    const std::shared_ptr<const Reference> &shown = m_session->result()->choices.reference;
-    if (!reference ||
-        (shown && shown->source.paths == reference->source.paths)) { // the same file is interpreted differently
+    const std::shared_ptr<const Reference> &shownReference = m_session->result()->choices.reference;
+    if (!reference || (shownReference && shownReference->source.paths ==
+                                             reference->source.paths)) { // the same file is interpreted differently
         return;
     }
     m_views.tabs->setCurrentWidget(m_views.errors);

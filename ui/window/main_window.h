@@ -43,7 +43,8 @@ public:
     std::unique_ptr<MainWindow> remade();
 
 signals:
-    /// Another language was chosen. Widgets keep the language in which they were made: remade() makes a new window.
+    /// Emitted when a different language is chosen. Widgets keep the language in which they were made: remade() makes a
+    /// new window.
     void languageChosen();
 
 public slots:
@@ -53,7 +54,7 @@ public slots:
     void openReference(const QString &path) { openReference(QStringList(path)); }
     void openSample();
     void chooseFiles();                           ///< asks for a scene or a reference to open
-    void chooseColumns(const QStringList &paths); ///< asks for the meaning of the columns of these files
+    void chooseColumns(const QStringList &paths); ///< asks for the meaning of the columns of the files at `paths`
 
     void setTheme(slidercrank::Theme theme);
     void setNotation(const slidercrank::Notation &notation);

@@ -181,9 +181,9 @@ void Menus::addViewMenu()
     menu->addMenu(tr("M&echanism"))->addActions(m_views.mechanism->choices());
     menu->addMenu(tr("Pl&ots"))->addActions(m_views.plots->choices());
     addNotationMenu(menu->addMenu(tr("&Notation and units")));
-    QAction *present = addSwitch(menu, tr("Presentation &mode"), false, Qt::Key_F11);
-    connect(present, &QAction::triggered, presentation, &Presentation::setOn);
-    connect(presentation, &Presentation::changed, present, &QAction::setChecked);
+    QAction *presentationSwitch = addSwitch(menu, tr("Presentation &mode"), false, Qt::Key_F11);
+    connect(presentationSwitch, &QAction::triggered, presentation, &Presentation::setOn);
+    connect(presentation, &Presentation::changed, presentationSwitch, &QAction::setChecked);
     QAction *fold = addSwitch(menu, tr("Show the &panels below"), true, Qt::Key_F9);
     connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
@@ -213,12 +213,13 @@ void Menus::addNotationMenu(QMenu *menu)
 {
     const auto addGroup = [this, menu]<typename Value>(const std::vector<Choice<Value>> &choices,
                                                        const std::function<Value &(Notation &)> &member) {
-        Notation shown = notation();
-        const QActionGroup *group = addChoices<Value>(menu, choices, member(shown), [this, member](Value value) {
-            Notation changed = notation();
-            member(changed) = value;
-            m_window.setNotation(changed);
-        });
+        Notation shownNotation = notation();
+        const QActionGroup *group =
+            addChoices<Value>(menu, choices, member(shownNotation), [this, member](Value value) {
+                Notation changed = notation();
+                member(changed) = value;
+                m_window.setNotation(changed);
+            });
         connect(menu, &QMenu::aboutToShow, group, [group, member] { // may have been chosen elsewhere
             Notation chosen = notation();
             for (QAction *action : group->actions()) {

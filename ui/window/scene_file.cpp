@@ -109,7 +109,7 @@ void SceneFile::open(const QString &path)
         return;
     }
     Scene scene = std::get<Scene>(outcome);
-    if (isLink) { // it does not say what is drawn
+    if (isLink) { // a link does not contain the settings of the drawing
         scene.mechanism = m_views.mechanism->settings();
     }
     askThen([this, absolute, isLink, scene] {

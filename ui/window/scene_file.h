@@ -31,7 +31,7 @@ public:
 
     const QString &path() const { return m_path; } ///< empty if it was never saved
 
-    /// Whether the reference of the scene has not been opened. It is saved with the scene again.
+    /// Returns whether the reference of the scene has not been opened. It is saved with the scene again.
     bool lacksReference() const { return m_missing.has_value(); }
 
     /// Enters the number that is being typed into a box, so that it becomes part of the scene.
@@ -50,7 +50,8 @@ public:
     void restore(const Scene &scene, const std::function<void()> &proceed);
 
 public slots:
-    /// Asks about unsaved changes, then opens the scene of a file or of a link.
+    /// Reads the scene of a file or of a link, asks about unsaved changes, and shows the scene. If the scene cannot be
+    /// read, reports the reason and asks nothing.
     void open(const QString &path);
 
     /// Saves the scene and calls proceed(). Asks for a name if the scene has none, and before it replaces a file that
@@ -61,7 +62,8 @@ public slots:
     /// Copies a link with the scene to the clipboard.
     void copyLink();
 
-    /// Saves the scene and calls proceed(). Returns false if the scene cannot be written; the session then says why.
+    /// Saves the scene and calls proceed(). Returns false if the scene cannot be written; the session then reports the
+    /// reason.
     bool saveTo(const QString &path, const std::function<void()> &proceed = {});
 
 signals:

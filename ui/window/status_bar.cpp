@@ -14,7 +14,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::chrono::milliseconds kMoment{250}; // shorter tasks show no progress
+constexpr std::chrono::milliseconds kProgressDelay{250}; // shorter tasks show no progress
 
 } // namespace
 
@@ -29,8 +29,8 @@ StatusBar::StatusBar(QWidget *parent)
     addPermanentWidget(m_progress);
     addPermanentWidget(m_cancel);
     showProgress(false);
-    m_moment.setSingleShot(true);
-    connect(&m_moment, &QTimer::timeout, this, [this] { showProgress(true); });
+    m_progressDelay.setSingleShot(true);
+    connect(&m_progressDelay, &QTimer::timeout, this, [this] { showProgress(true); });
     connect(m_cancel, &QToolButton::clicked, this, &StatusBar::cancelled);
 }
 
@@ -38,9 +38,9 @@ void StatusBar::setBusy(bool busy)
 {
     m_tasks += busy ? 1 : -1;
     if (busy && m_tasks == 1) {
-        m_moment.start(kMoment);
+        m_progressDelay.start(kProgressDelay);
     } else if (m_tasks == 0) {
-        m_moment.stop();
+        m_progressDelay.stop();
         showProgress(false);
     }
     setProgress(0.0);

@@ -32,7 +32,7 @@ private:
 
     QProgressBar *m_progress;
     QToolButton *m_cancel;
-    QTimer m_moment{this};
+    QTimer m_progressDelay{this};
     int m_tasks = 0;
 };
 

@@ -43,7 +43,7 @@ const QString kTable = "table/";
 
 const QStringList kUnitBoxes{"unit_theta20"};
 
-/// Whether a part of the drawing is shown at the first start: the names, dimensions and angles are.
+/// Returns whether a part of the drawing is shown at the first start: the names, dimensions and angles are.
 bool isShownAtFirst(const QString &choice)
 {
     return QStringList{"showNames", "showDimensions", "showAngles"}.contains(choice);
@@ -76,8 +76,8 @@ void restoreTable(const QSettings &settings, MotionTablePanel &panel)
     const double step = settings.value(kTable + "angleStep", table.angleStep).toDouble();
     table.angleStep = step > 0.0 ? step : table.angleStep;
     panel.setSettings(table);
-    panel.setCsvStyle({settings.value(kTable + "everyDigit", false).toBool(),
-                       settings.value(kTable + "localSeparators", false).toBool()});
+    panel.setCsvStyle({.hasEveryDigit = settings.value(kTable + "everyDigit", false).toBool(),
+                       .isLocal = settings.value(kTable + "localSeparators", false).toBool()});
 }
 
 /// Returns a stored enumerator, by default the first one. `last` is the last enumerator of the enumeration, which

@@ -22,7 +22,7 @@ void rememberFiles(const QStringList &paths);
 /// Returns the folder of the file opened last, or the user's documents.
 QString recentFolder();
 
-/// The notation and the units that the user chose.
+/// Returns the notation and the units that the user chose.
 Notation chosenNotation();
 void rememberNotation(const Notation &notation);
 bool isNotationChosen(); ///< whether one is remembered
