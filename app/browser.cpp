@@ -68,7 +68,7 @@ QStringList copiesOf(const QList<QUrl> &urls)
     return copies;
 }
 
-/// Replaces what the window cannot do in a page.
+/// Replaces the functions that the window does not have in a page.
 class BrowserPage : public QObject
 {
 public:
@@ -79,7 +79,7 @@ public:
         qApp->installEventFilter(this);
         connect(&window->session(), &Session::fileWritten, this,
                 [](const QString &path) { handOver(path.toUtf8(), QFileInfo(path).fileName().toUtf8()); });
-        withholdWhatNeedsADesktop();
+        hideDesktopActions();
     }
 
     bool eventFilter(QObject *watched, QEvent *event) override
@@ -173,8 +173,9 @@ private:
         }
     }
 
-    /// Hides the actions that need folders, ffmpeg or a program that can end. Takes Ctrl+W away, which closes the page.
-    void withholdWhatNeedsADesktop()
+    /// Hides the actions that need folders, ffmpeg or a program that can end, and frees Ctrl+W, with which the browser
+    /// closes the page.
+    void hideDesktopActions()
     {
         m_window->findChild<QMenu *>("recentMenu")->menuAction()->setVisible(false);
         for (const char *name : {"exportAnimation", "quit"}) {

@@ -4,7 +4,7 @@
 // them.
 
 #include "core/check/check.h"
-#include "app/answer.h"
+#include "app/command_output.h"
 #include "app/commands.h"
 #include "app/positions.h"
 #include "app/time_step_report.h"
@@ -120,8 +120,8 @@ QJsonObject valueJson(const NamedValue &value, const CheckedValue &checked)
 
 ExitStatus checkCommand(const OptionReader &options, const Streams &streams)
 {
-    const Question question(options);
-    const CrankPosition position = readPosition(options, question.mechanism);
+    const Request request(options);
+    const CrankPosition position = readPosition(options, request.mechanism);
     const std::vector<NamedValue> values = readValues(options, position);
     std::vector<GivenValue> given(values.size());
     std::ranges::transform(values, given.begin(), [](const NamedValue &value) { return value.typed.given(); });
@@ -138,18 +138,20 @@ ExitStatus checkCommand(const OptionReader &options, const Streams &streams)
         return QJsonObject{{"name", QString::fromUtf8(nameOf(slip))}, {"sentence", slipText(slip, wrongNames)}};
     });
     const QString conclusion = explanationText(result, wrongNames);
-    Answer answer{.text = valueTable(values, result) + (conclusion.isEmpty() ? conclusion : conclusion + '\n'),
-                  .json = {{"mechanism", toJson(question.mechanism.parameters())},
-                           {"values", valuesJson},
-                           {"slip", result.explanation == CheckOutcome::Named ? candidates.first() : QJsonValue()},
-                           {"candidates", candidates},
-                           {"conclusion", jsonText(conclusion)}}};
-    const SamplingSummary summary = sample(position.mechanism, {0.0}, ChannelSet(), {}).summary;
-    answer.status = reportTimeSteps(streams, summary, position.mechanism, {});
+    CommandOutput output{
+        .text = valueTable(values, result) + (conclusion.isEmpty() ? conclusion : conclusion + '\n'),
+        .json = {{"mechanism", toJson(request.mechanism.parameters())},
+                 {"values", valuesJson},
+                 {"slip", result.explanation == CheckOutcome::Named ? candidates.first() : QJsonValue()},
+                 {"candidates", candidates},
+                 {"conclusion", jsonText(conclusion)}}};
+    const ChannelSet noChannels; // the status is sufficient
+    const SamplingSummary summary = sample(position.mechanism, {0.0}, noChannels, SolverSettings()).summary;
+    output.status = reportTimeSteps(streams, summary, position.mechanism, NewtonOptions());
     if (!wrongNames.isEmpty()) {
-        answer.status = moreSevere(answer.status, ExitStatus::Differs);
+        output.status = moreSevere(output.status, ExitStatus::Differs);
     }
-    return question.write(streams, answer);
+    return request.write(streams, output);
 }
 
 } // namespace slidercrank

@@ -32,8 +32,8 @@ QJsonArray jsonSkippedRows(const ReferenceData &data)
     });
 }
 
-Answer compareOne(const Mechanism &mechanism, const SolverSettings &solver, const Reference &reference,
-                  const Streams &streams)
+CommandOutput compareOne(const Mechanism &mechanism, const SolverSettings &solver, const Reference &reference,
+                         const Streams &streams)
 {
     const ReferenceData &data = reference.data;
     const Trajectory model = sample(mechanism, data.time, channelsOf(data), solver);
@@ -42,7 +42,7 @@ Answer compareOne(const Mechanism &mechanism, const SolverSettings &solver, cons
     const auto worst = std::ranges::max_element(comparison, {}, &ChannelComparison::verdict);
     const Verdict verdict = worst == comparison.end() ? Verdict::Differs : worst->verdict;
 
-    Answer answer;
+    CommandOutput output;
     QStringList explanation;
     QJsonValue jsonExplanation;
     if (verdict == Verdict::Differs) {
@@ -57,9 +57,9 @@ Answer compareOne(const Mechanism &mechanism, const SolverSettings &solver, cons
         Record row = comparisonRecord(channel);
         channels += jsonObject(row);
         row.insert(row.end(), {{"fileVerdict", verdictName(verdict)}, {"sentence", explanation.join(' ')}});
-        answer.rows.push_back(row);
+        output.rows.push_back(row);
     }
-    answer.json = {{"mechanism", toJson(mechanism.parameters())},
+    output.json = {{"mechanism", toJson(mechanism.parameters())},
                    {"verdict", verdictName(verdict)},
                    {"channels", channels},
                    {"explanation", jsonExplanation},
@@ -67,21 +67,21 @@ Answer compareOne(const Mechanism &mechanism, const SolverSettings &solver, cons
                    {"ignoredColumns", QJsonArray::fromStringList(ignoredHeadings(data.layout))}};
     const QString text = headline(reference) + CommandLine::tr("Model: %1").arg(mechanismText(mechanism, 9)) + "\n\n" +
                          alignedTable(comparisonTable(comparison, data)) + '\n' + summaryText(comparison);
-    answer.text = (QStringList(text) + explanation).join('\n') + '\n';
-    answer.status = moreSevere(
+    output.text = (QStringList(text) + explanation).join('\n') + '\n';
+    output.status = moreSevere(
         reportTimeSteps(streams, model.summary, mechanism, solver.newton, displayName(reference.source.paths) + ": "),
         verdict == Verdict::Differs ? ExitStatus::Differs : ExitStatus::Success);
-    return answer;
+    return output;
 }
 
 } // namespace
 
 ExitStatus compareCommand(const OptionReader &options, const Streams &streams)
 {
-    const ReferenceQuestion references(options);
+    const ReferenceRequest references(options);
     const SolverSettings solver = readSolver(options);
-    const ExitStatus status = references.answerEach(streams, [&](const Reference &reference) {
-        return compareOne(references.question.mechanism, solver, reference, streams);
+    const ExitStatus status = references.reportEach(streams, [&](const Reference &reference) {
+        return compareOne(references.request.mechanism, solver, reference, streams);
     });
     return status == ExitStatus::Differs && !options.has("fail-on-difference") ? ExitStatus::Success : status;
 }

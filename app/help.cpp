@@ -19,7 +19,7 @@ bool isWindow(const CommandDescription &command)
     return &command == &windowDescription();
 }
 
-/// "slidercrank solve [options]"
+/// Returns the line "slidercrank solve [options]".
 QString usage(const CommandDescription &command)
 {
     return (isWindow(command) ? "slidercrank " : QString("slidercrank %1 ").arg(command.name)) + command.arguments;
@@ -57,7 +57,7 @@ QString entry(const QString &name, const QString &description)
            wrapped(description, kIndent);
 }
 
-/// "--output, -o FILE"
+/// Returns the line "--output, -o FILE".
 QString optionSyntax(const OptionDescription &option)
 {
     const QString shortName = option.shortName ? QString(", -") + option.shortName : QString();

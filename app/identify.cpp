@@ -35,7 +35,7 @@ QJsonValue jsonValue(double value)
     return jsonNumber(value);
 }
 
-/// A value for each parameter, by the names of the options.
+/// Returns a value for each parameter, by the names of the options.
 template <typename Value>
 QJsonObject jsonByParameter(const std::array<Value, kParameterCount> &values)
 {
@@ -46,7 +46,7 @@ QJsonObject jsonByParameter(const std::array<Value, kParameterCount> &values)
     return object;
 }
 
-/// The values that an insufficient file determines; empty for other outcomes.
+/// Returns the values that an insufficient file determines; empty for other outcomes.
 QJsonObject jsonDetermined(const Identification &found)
 {
     QJsonObject values;
@@ -117,7 +117,7 @@ QJsonObject jsonIdentification(const Identification &found)
             {"summary", summaryText(found)}};
 }
 
-/// The options of the mechanism for another command: "--a 20 --b …".
+/// Returns the options of the mechanism for another command: "--a 20 --b …".
 QString optionsFor(const Parameters &parameters)
 {
     QString text;
@@ -152,27 +152,27 @@ QString identificationText(const Reference &reference, const Identification &fou
     return lines.join('\n') + '\n';
 }
 
-Answer identifyOne(const Mechanism &mechanism, const Reference &reference, const Streams &streams)
+CommandOutput identifyOne(const Mechanism &mechanism, const Reference &reference, const Streams &streams)
 {
     const Identification found = identify(reference.data, mechanism);
-    Answer answer;
-    answer.json = jsonIdentification(found);
+    CommandOutput output;
+    output.json = jsonIdentification(found);
     if (found.hasMechanism()) {
-        answer.text = identificationText(reference, found);
+        output.text = identificationText(reference, found);
     } else {
-        answer.status = ExitStatus::NotSolved;
+        output.status = ExitStatus::NotSolved;
         streams.report(displayName(reference.source.paths) + ": " + summaryText(found));
     }
-    return answer;
+    return output;
 }
 
 } // namespace
 
 ExitStatus identifyCommand(const OptionReader &options, const Streams &streams)
 {
-    const ReferenceQuestion references(options);
-    return references.answerEach(streams, [&](const Reference &reference) {
-        return identifyOne(references.question.mechanism, reference, streams);
+    const ReferenceRequest references(options);
+    return references.reportEach(streams, [&](const Reference &reference) {
+        return identifyOne(references.request.mechanism, reference, streams);
     });
 }
 

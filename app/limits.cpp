@@ -3,7 +3,7 @@
 // `slidercrank limits`: prints dead centres, stroke, time ratio, transmission angle and peak values. --vary prints how
 // they depend on one parameter; --design finds the mechanism with a given stroke and time ratio.
 
-#include "app/answer.h"
+#include "app/command_output.h"
 #include "app/commands.h"
 #include "app/positions.h"
 #include "core/import/quantity.h"
@@ -31,7 +31,8 @@ namespace slidercrank
 namespace
 {
 
-/// Returns one revolution of the crank, in which every limit has a time.
+/// Returns a time range of one revolution, so that the crank reaches every limit in it. Returns the default range if
+/// the crank stands still.
 Sampling oneRevolution(const Mechanism &mechanism)
 {
     Sampling revolution;
@@ -71,7 +72,7 @@ struct PrintedLimits {
 
     double shown(const Limit &limit) const { return shownValue(describe(limit.kind).measure, limit.value, units); }
 
-    /// Returns by how much the tolerances may change the limit. The ranges are those of magnitudes, so that a negative
+    /// Returns by how much the tolerances may change the limit. The ranges are ranges of magnitudes, so that a negative
     /// peak decreases where its magnitude grows.
     Change changeOf(const Limit &limit) const
     {
@@ -84,7 +85,7 @@ struct PrintedLimits {
         const Measure measure = describe(limit.kind).measure;
         const double less = shownValue(measure, magnitude - range->least, units);
         const double more = shownValue(measure, range->greatest - magnitude, units);
-        return isNegativePeak ? Change{more, less} : Change{less, more};
+        return isNegativePeak ? Change{.minus = more, .plus = less} : Change{.minus = less, .plus = more};
     }
 
     /// Returns a record for each limit and place. A limit that does not exist has one record without a value.
@@ -114,8 +115,8 @@ struct PrintedLimits {
         std::vector<QStringList> rows =
             limitTable(motionFacts(mechanism, motion, oneRevolution(mechanism), notation()));
         if (ranges) {
-            rows[0] += {CommandLine::tr("minus"), CommandLine::tr("plus")};
-            for (std::size_t i = 0; i < limits.size(); ++i) { // rows[0] contains the headings
+            rows.front() += {CommandLine::tr("minus"), CommandLine::tr("plus")};
+            for (std::size_t i = 0; i < limits.size(); ++i) { // the first row contains the headings
                 const Change change = changeOf(limits[i]);
                 rows[i + 1] += {shortNumber(change.minus), shortNumber(change.plus)};
             }
@@ -232,7 +233,7 @@ DesignRequest readDesign(const OptionReader &options)
     return request;
 }
 
-/// Returns the mechanism with the lengths that --design asks for. All other parameters are those given.
+/// Returns the mechanism with the lengths that --design asks for. The other parameters are those of the options.
 Mechanism designMechanism(const OptionReader &options, Parameters parameters)
 {
     const DesignRequest request = readDesign(options);
@@ -262,12 +263,12 @@ Mechanism designMechanism(const OptionReader &options, Parameters parameters)
 
 ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
 {
-    const Question question(options);
+    const Request request(options);
     const Units units = readUnits(options);
     setNotation(
         {.symbols = options.choice("notation", Symbols::AbsoluteCoordinates), .units = units}); // used by the sentences
     options.refuseFiles();
-    Mechanism mechanism = question.mechanism;
+    Mechanism mechanism = request.mechanism;
     QString design;
     if (options.has("design")) {
         mechanism = designMechanism(options, mechanism.parameters());
@@ -276,8 +277,8 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
     if (options.has("vary")) {
         options.refuse({"tolerance"}, CommandLine::tr("--vary prints values without their tolerances: remove %1."));
         const std::vector<Record> rows = varyLimits(options, mechanism.parameters(), units);
-        return question.write(streams,
-                              {.text = csvText(rows), .rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
+        return request.write(streams,
+                             {.text = csvText(rows), .rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
     }
     options.refuse({"count"}, CommandLine::tr("%1 applies to --vary only: remove it."));
     PrintedLimits list(mechanism, units);
@@ -286,18 +287,18 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
     }
     const QString sentence = mobilitySentence(mechanism, list.motion);
     const std::vector<Record> rows = list.records();
-    Answer answer{.rows = rows,
-                  .json = {{"mechanism", toJson(mechanism.parameters())},
-                           {"mobility", wordFor(list.motion.mobility)},
-                           {"reason", sentence},
-                           {"limits", jsonList(rows, jsonObject)}}};
+    CommandOutput output{.rows = rows,
+                         .json = {{"mechanism", toJson(mechanism.parameters())},
+                                  {"mobility", wordFor(list.motion.mobility)},
+                                  {"reason", sentence},
+                                  {"limits", jsonList(rows, jsonObject)}}};
     if (list.motion.mobility == Mobility::Impossible) {
         streams.report(sentence);
-        answer.status = ExitStatus::NotAssemblable;
+        output.status = ExitStatus::NotAssemblable;
     } else {
-        answer.text = design + sentence + '\n' + list.table();
+        output.text = design + sentence + '\n' + list.table();
     }
-    return question.write(streams, answer);
+    return request.write(streams, output);
 }
 
 } // namespace slidercrank

@@ -23,7 +23,7 @@ using namespace slidercrank;
 namespace
 {
 
-/// Whether a window can open. On X11 and Wayland, Qt would abort without one of these variables.
+/// Returns whether a window can open. On X11 and Wayland, Qt would abort without one of these variables.
 bool hasDisplay()
 {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
@@ -34,8 +34,8 @@ bool hasDisplay()
 #endif
 }
 
-/// Whether the argument is text in the encoding of the system. Qt replaces bytes that are not, so that the names of two
-/// files could become equal.
+/// Returns whether the argument is text in the encoding of the system. Qt replaces bytes that are not, so that the
+/// names of two files could become equal.
 bool isText([[maybe_unused]] const QByteArray &argument)
 {
 #ifdef Q_OS_WIN // Qt does not read these bytes, but the command line in UTF-16

@@ -41,12 +41,13 @@ Unit unitOf(Parameter parameter)
     return kMillimetre;
 }
 
-/// Parses the meaning that --column gives a column: "R4_x [m]", "time" or "ignored".
+/// Parses the meaning that --column gives a column: "R4_x [m]", "time", "crank-angle" or "ignored". Throws if the name
+/// or the unit is unknown.
 ColumnChoice parseMeaning(const QString &text)
 {
     const Heading heading = parseHeading(text.toStdString());
     const QString name = QString::fromStdString(heading.name);
-    indexAmong(QStringList{"time", "crank-angle", "ignored"} + channelNames(), name, "column");
+    requireOneOf(QStringList{"time", "crank-angle", "ignored"} + channelNames(), name, "column");
     ColumnChoice choice;
     choice.unit = heading.use.unit;
     setMeaning(choice, name);

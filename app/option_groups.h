@@ -14,7 +14,7 @@
 namespace slidercrank
 {
 
-/// The names of all 36 channels.
+/// Returns the names of all 36 channels.
 QStringList channelNames();
 
 /// Parses the value of a parameter in an option. A length without a unit is in mm, a speed in rad/s. An angle needs a
@@ -33,7 +33,8 @@ void checkTimeSteps(const Sampling &sampling, const QString &message);
 /// Returns the first time (s) from --start on at which the crank has the angle theta2 (rad).
 double firstTimeAtAngle(const OptionReader &options, const Mechanism &mechanism, double theta2);
 
-/// The time (s) that --at or --at-angle asks for, if one of them is given. An angle stands for the first time from
+/// Returns the time (s) that --at or --at-angle asks for, or nullopt if neither option is given. An angle stands for
+/// the first time from
 /// --start on at which the crank has it.
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism);
 

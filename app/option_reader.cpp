@@ -16,14 +16,12 @@
 namespace slidercrank
 {
 
-qsizetype indexAmong(const QStringList &words, const QString &word, const char *option)
+void requireOneOf(const QStringList &words, const QString &word, const char *option)
 {
-    const qsizetype index = words.indexOf(word);
-    if (index < 0) {
+    if (!words.contains(word)) {
         throw UsageError{CommandLine::tr("--%1 must be %2, not \"%3\".").arg(option, anyOf(words), word) +
                          didYouMean(similarWords(word, words))};
     }
-    return index;
 }
 
 /// Returns the unit that a number without one has, after a space; empty if it has none.
@@ -73,7 +71,7 @@ static QStringList optionsDescribedBy(const std::vector<OptionDescription> &opti
 
 /// Returns the options that an unknown one may stand for: those with a similar name, such as --at-angle for "angle" or
 /// "at-angel", and those that take the name as a value, such as "--branch crossed" for "crossed". If there are none,
-/// returns those whose description contains it.
+/// returns the options whose description contains it.
 static QStringList similarOptions(const std::vector<OptionDescription> &options, const QString &name)
 {
     constexpr qsizetype kShortestPart = 3; // "to" begins too many parts
@@ -163,7 +161,7 @@ void OptionReader::checkDetachedUnits(const QStringList &arguments) const
 
 void OptionReader::checkWord(const char *name) const
 {
-    indexAmong(QString(find(name)->value).split('|'), text(name), name);
+    requireOneOf(QString(find(name)->value).split('|'), text(name), name);
 }
 
 void OptionReader::readScene()

@@ -21,8 +21,8 @@
 namespace slidercrank
 {
 
-/// Returns the position of the value of an option in the list of its possible values. Throws if it is not among them.
-qsizetype indexAmong(const QStringList &words, const QString &word, const char *option);
+/// Throws unless `word`, the value of an option, is one of the possible words.
+void requireOneOf(const QStringList &words, const QString &word, const char *option);
 
 /// Returns the value in `unit`. The text is a number or an expression such as 2*pi (readExpression()). It may contain a
 /// different unit of the same dimension, or no unit; with nullopt it must not have one.
@@ -32,7 +32,7 @@ double parseNumber(const char *option, const QString &text, const std::optional<
 class OptionReader
 {
 public:
-    /// `arguments`: those that follow the names of the program and of the command.
+    /// `arguments`: the arguments after the names of the program and of the command.
     OptionReader(const CommandDescription &command, const QStringList &arguments);
 
     const CommandDescription &command() const { return m_command; }
@@ -52,12 +52,13 @@ public:
     /// Throws if the argument names an option that takes a value, such as "b=8" instead of "--b 8".
     void refuseOptionWithoutDashes(const QString &argument) const;
 
-    /// The number that parseNumber() finds in the option.
+    /// Returns the number that parseNumber() finds in the option, or the default value if the option is not given.
     double number(const char *name, double defaultValue, const std::optional<Unit> &unit = {},
                   double smallest = -kLargestParameter, double largest = kLargestParameter) const;
     int integer(const char *name, int defaultValue, int smallest, int largest) const;
 
-    /// The enumerator whose word is given. Throws if the option of this command does not take the word.
+    /// Returns the enumerator whose word is given, or the default value if the option is not given. Throws if the
+    /// option of this command does not take the word.
     template <typename Enum>
     Enum choice(const char *name, Enum defaultValue) const
     {

@@ -16,20 +16,20 @@ class OptionReader;
 
 struct CommandDescription {
     const char *name;      ///< "solve", "limits", …; "window" for the program without a command
-    const char *arguments; ///< as in the line "Usage:"
+    const char *arguments; ///< as they follow the name in the line "Usage:" of the help
     const char *summary;   ///< a few words, untranslated
     const char *text;      ///< a paragraph, untranslated
     ExitStatus (*run)(const OptionReader &, const Streams &);
     Platform platform = Platform::None;
 };
 
-/// The window, which opens if no command is typed.
+/// Returns the command of the window, which opens if no command is typed.
 const CommandDescription &windowDescription();
 
-/// The commands that are typed: all except the window.
+/// Returns the commands that are typed: all except the window.
 std::span<const CommandDescription> typedCommands();
 
-/// The window, followed by typedCommands().
+/// Returns the window, followed by typedCommands().
 std::span<const CommandDescription> allCommands();
 
 /// Returns the typed command of that name, or null if there is none.
@@ -47,7 +47,7 @@ struct OptionDescription {
     const char *group = nullptr; ///< heading in the help, untranslated
 };
 
-/// The options that the command takes, in the order of the help.
+/// Returns the options that the command takes, in the order of the help.
 std::vector<OptionDescription> optionsOf(const CommandDescription &command);
 
 } // namespace slidercrank

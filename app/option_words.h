@@ -12,7 +12,7 @@
 namespace slidercrank
 {
 
-/// The format of what a command writes. Each command offers some of them.
+/// The format of the output of a command. Each command offers some of the formats.
 enum class OutputFormat { Text, Csv, Json };
 
 template <>
@@ -22,7 +22,7 @@ struct EnumWords<OutputFormat> {
     static_assert(isCompleteTable(rows, OutputFormat::Json));
 };
 
-/// What the first column of a reference file holds.
+/// The meaning of the first column of a reference file.
 enum class FirstColumn { TimeStamps, CrankAngles };
 
 template <>
@@ -57,9 +57,9 @@ struct EnumWords<Mobility> {
 
 /// The cases of the study.
 enum class CaseChoice {
-    Nominal, ///< the mechanism of the options, and ordinary ones
-    Hard,
-    All
+    Nominal, ///< the mechanism of the options only
+    Hard,    ///< hardCases(), after the mechanism of the options if one is given
+    All      ///< nominalCases() and hardCases(), after the mechanism of the options if one is given
 };
 
 template <>

@@ -12,7 +12,7 @@ namespace slidercrank
 class Output
 {
 public:
-    /// An empty path stands for standard output.
+    /// `path`: a file, or empty for standard output.
     Output(const Streams &streams, const QString &path);
 
     /// Returns false if nothing can be written there, and reports the reason.

@@ -17,6 +17,8 @@ namespace slidercrank
 namespace
 {
 
+constexpr int kDigits = 10; // of a value that a message repeats
+
 /// A channel with a value, as in "R4_x=60", "theta3=10deg" or "R4_x_diff=8m/s".
 struct ChannelValue {
     OutputChannel channel;
@@ -24,7 +26,7 @@ struct ChannelValue {
     QString text;       ///< with its unit
 };
 
-/// Parses such a text. A number without a unit is in the units of the output.
+/// Parses a channel with a value. A number without a unit is in the units of the output.
 ChannelValue readChannelValue(const char *option, const QString &text, const Units &units)
 {
     const QString name = text.section('=', 0, 0).trimmed();
@@ -34,14 +36,16 @@ ChannelValue readChannelValue(const char *option, const QString &text, const Uni
     }
     const OutputChannel channel = parseOutputChannel(name);
     const Measure measure = measureOf(channel);
-    const Unit fileUnit{isAngular(measure) ? Dimension::Angle : Dimension::Length, static_cast<int>(orderOf(channel)),
-                        1.0};
+    const Unit fileUnit{.dimension = isAngular(measure) ? Dimension::Angle : Dimension::Length,
+                        .order = static_cast<int>(orderOf(channel)),
+                        .factor = 1.0};
     const double perFileUnit = fromFileUnit(measure, 1.0, units);
     const QString number = text.section('=', 1).trimmed();
     const bool hasUnit = readExpression(number, {}, QLocale::c()).fault.has_value();
     const double inFileUnit = parseNumber(option, number, fileUnit) / (hasUnit ? 1.0 : perFileUnit);
-    return {channel, isAngular(measure) ? inFileUnit / kDegreesPerRadian : inFileUnit,
-            withUnit(numberText(inFileUnit * perFileUnit, 10), unitText(measure, units))};
+    return {.channel = channel,
+            .value = isAngular(measure) ? inFileUnit / kDegreesPerRadian : inFileUnit,
+            .text = withUnit(numberText(inFileUnit * perFileUnit, kDigits), unitText(measure, units))};
 }
 
 /// Returns the positions of a crank that stands still at each of the crank angles (rad).
@@ -50,7 +54,7 @@ std::vector<Positions> atRest(const OptionReader &options, const Mechanism &mech
 {
     std::vector<Positions> positions;
     for (const double theta2 : crankAngles) {
-        positions.push_back({withCrankAt(withDrive(mechanism, 0.0, 0.0), theta2), {readStart(options)}});
+        positions.push_back({.mechanism = withDrive(mechanism, 0.0, theta2), .timeStamps = {readStart(options)}});
     }
     return positions;
 }
@@ -59,26 +63,33 @@ std::vector<Positions> atRest(const OptionReader &options, const Mechanism &mech
 /// still, the revolution is counter-clockwise from its angle on.
 std::vector<Positions> readRevolution(const OptionReader &options, const Mechanism &mechanism)
 {
-    const double steps = 360.0 / options.number("step-angle", 0.0, kDegree, 1e-4, 360.0);
-    if (std::abs(steps - std::round(steps)) > 1e-9 * steps) {
+    constexpr double kDegreesPerTurn = 360.0;
+    constexpr double kSmallestStep = 1e-4;      // degrees
+    constexpr double kRelativeTolerance = 1e-9; // decimal numbers are not exact in binary
+    const double stepAngle = options.number("step-angle", 0.0, kDegree, kSmallestStep, kDegreesPerTurn);
+    const double steps = kDegreesPerTurn / stepAngle;
+    if (std::abs(steps - std::round(steps)) > kRelativeTolerance * steps) {
         throw UsageError{CommandLine::tr("--step-angle must divide 360° into equal steps, such as 15 or 0.5, not %1.")
                              .arg(options.text("step-angle"))};
     }
     const int stepCount = static_cast<int>(std::lround(steps));
     if (mechanism.omega2() == 0.0) {
-        return atRest(options, mechanism, Sampling{mechanism.theta20(), kTurn, stepCount}.timeStamps());
+        const Sampling angles{.start = mechanism.theta20(), .duration = kTurn, .steps = stepCount}; // rad instead of s
+        return atRest(options, mechanism, angles.timeStamps());
     }
-    const Sampling revolution{readStart(options), kTurn / std::abs(mechanism.omega2()), stepCount};
+    const Sampling revolution{
+        .start = readStart(options), .duration = kTurn / std::abs(mechanism.omega2()), .steps = stepCount};
     if (!(revolution.duration <= kLargestParameter)) {
         throw UsageError{
             CommandLine::tr("A revolution of the crank takes more than 1e12 s: choose a larger --omega2.")};
     }
     checkTimeSteps(revolution, CommandLine::tr("The rows are too close in time to be distinguished: choose a larger "
                                                "--step-angle, a smaller --omega2 or a --start nearer to 0."));
-    return {{mechanism, revolution.timeStamps()}};
+    return {{.mechanism = mechanism, .timeStamps = revolution.timeStamps()}};
 }
 
-/// Returns the message that no position has the wanted value. It says so if that is the angle θ3 at B.
+/// Returns the message that no position has the wanted value. If the wanted value is that of θ3 at B for some position,
+/// the message explains it.
 QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, double alpha2, const Units &units)
 {
     const QString name = columnName(wanted.channel);
@@ -88,7 +99,7 @@ QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, doubl
         const double atA = shownValue(Measure::Angle, wrapToPi(wanted.value + 0.5 * kTurn), units);
         return CommandLine::tr("There is no position with %1 = %2, because %1 is measured at A. If %2 is the angle at "
                                "B, as in Norton's book, write %1=%3.")
-            .arg(name, wanted.text, withUnit(numberText(atA, 10), unitText(Measure::Angle, units)));
+            .arg(name, wanted.text, withUnit(numberText(atA, kDigits), unitText(Measure::Angle, units)));
     }
     const std::optional<ChannelRange> range = rangeOf(mechanism, wanted.channel, alpha2);
     if (!range || !range->excludes(wanted.value)) {
@@ -96,7 +107,6 @@ QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, doubl
                    "There is no position with %1 = %2: \"slidercrank limits\" shows how far the motion goes.")
             .arg(name, wanted.text);
     }
-    constexpr int kDigits = 10;
     const Measure measure = measureOf(wanted.channel);
     const QString unit = unitText(measure, units);
     return CommandLine::tr("There is no position with %1 = %2: %1 lies between %3 and %4.")
@@ -127,7 +137,7 @@ std::vector<Positions> readSolutions(const OptionReader &options, const Mechanis
         std::ranges::sort(*angles);
         return atRest(options, mechanism, *angles);
     }
-    Positions positions{mechanism, {}};
+    Positions positions{.mechanism = mechanism, .timeStamps = {}};
     for (const double theta2 : *angles) {
         positions.timeStamps.push_back(firstTimeAtAngle(options, mechanism, theta2));
     }
@@ -144,7 +154,7 @@ std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &m
         if (mechanism.omega2() == 0.0) {
             return atRest(options, mechanism, {theta2});
         }
-        return {{mechanism, {firstTimeAtAngle(options, mechanism, theta2)}}};
+        return {{.mechanism = mechanism, .timeStamps = {firstTimeAtAngle(options, mechanism, theta2)}}};
     }
     options.refuse({"omega2"}, CommandLine::tr("--omega2-for computes the crank speed: remove %1."));
     const ChannelValue wanted = readChannelValue("omega2-for", options.text("omega2-for"), units);
@@ -165,10 +175,10 @@ std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &m
         return atRest(options, mechanism, {theta2});
     }
     const Mechanism driven = withDrive(mechanism, *speed, mechanism.theta20());
-    return {{driven, {firstTimeAtAngle(options, driven, theta2)}}};
+    return {{.mechanism = driven, .timeStamps = {firstTimeAtAngle(options, driven, theta2)}}};
 }
 
-/// Throws if two options ask for different rows.
+/// Throws if two options ask for different rows, or if --omega2-for is given without --at-angle.
 void checkSelection(const OptionReader &options)
 {
     if (options.has("at") || options.has("at-angle")) {
@@ -197,7 +207,7 @@ std::vector<Positions> readPositions(const OptionReader &options, const Mechanis
 {
     checkSelection(options);
     if (options.has("at")) {
-        return {{mechanism, {options.number("at", 0.0, kSecond)}}};
+        return {{.mechanism = mechanism, .timeStamps = {options.number("at", 0.0, kSecond)}}};
     }
     if (options.has("at-angle")) {
         return readAngle(options, mechanism, units, streams);
@@ -215,7 +225,8 @@ std::vector<Positions> readPositions(const OptionReader &options, const Mechanis
 
 Units readUnits(const OptionReader &options)
 {
-    return {options.choice("length-unit", LengthUnit::Millimetre), options.choice("angle-unit", AngleUnit::Degree)};
+    return {.length = options.choice("length-unit", LengthUnit::Millimetre),
+            .angle = options.choice("angle-unit", AngleUnit::Degree)};
 }
 
 double readCrankAcceleration(const OptionReader &options)

@@ -13,8 +13,8 @@
 namespace slidercrank
 {
 
-/// The time stamps (s) of positions, and the mechanism that has the positions then: --omega2-for computes its crank
-/// speed.
+/// Time stamps (s) at which the positions occur, and the mechanism they belong to. With --omega2-for, its crank speed
+/// is the computed one.
 struct Positions {
     Mechanism mechanism;
     std::vector<double> timeStamps;

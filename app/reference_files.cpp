@@ -34,8 +34,8 @@ QJsonArray jsonColumns(const FileLayout &layout)
 
 } // namespace
 
-ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
-    : question(options)
+ReferenceRequest::ReferenceRequest(const OptionReader &options)
+    : request(options)
     , columns(readColumns(options))
 {
     if (options.files().isEmpty()) {
@@ -56,31 +56,31 @@ ReferenceQuestion::ReferenceQuestion(const OptionReader &options)
     }
 }
 
-ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne &answerOne) const
+ExitStatus ReferenceRequest::reportEach(const Streams &streams, const ReportOne &reportOne) const
 {
     QStringList texts;
-    Answer all;
+    CommandOutput all;
     QJsonArray json;
     for (const QStringList &paths : files) {
-        const auto reference = readTimedReference(streams, {paths, {}, {}}, columns, question.mechanism);
+        const auto reference = readTimedReference(streams, {.paths = paths}, columns, request.mechanism);
         if (!reference) {
             all.status = moreSevere(all.status, ExitStatus::FileError);
             continue;
         }
-        Answer answer = answerOne(*reference);
+        CommandOutput output = reportOne(*reference);
         const QString file = paths.join(" + ");
-        all.status = moreSevere(all.status, answer.status);
-        texts += answer.text;
-        for (Record &row : answer.rows) {
+        all.status = moreSevere(all.status, output.status);
+        texts += output.text;
+        for (Record &row : output.rows) {
             row.insert(row.begin(), {"file", file});
             all.rows.push_back(row);
         }
-        answer.json.insert("file", file);
-        answer.json.insert("columns", jsonColumns(reference->data.layout));
+        output.json.insert("file", file);
+        output.json.insert("columns", jsonColumns(reference->data.layout));
         if (paths.size() > 1) {
-            answer.json.insert("joined", QJsonArray::fromStringList(paths));
+            output.json.insert("joined", QJsonArray::fromStringList(paths));
         }
-        json += answer.json;
+        json += output.json;
     }
     if (json.isEmpty()) { // no file could be read: writes no output file
         return all.status;
@@ -88,7 +88,7 @@ ExitStatus ReferenceQuestion::answerEach(const Streams &streams, const AnswerOne
     texts.removeAll(QString());
     all.text = texts.join('\n');
     all.json.insert("files", json);
-    return question.write(streams, all);
+    return request.write(streams, all);
 }
 
 std::shared_ptr<const Reference> readTimedReference(const Streams &streams, const ReferenceSource &source,

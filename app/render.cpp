@@ -39,7 +39,7 @@ namespace
 
 enum class Subject { Figure, Mechanism, Polygons, Report, Frames, Plot };
 
-/// The words of --what. A Plot has none: its word is the name of the plot.
+/// The words of --what. A Plot is not among them: its word is the name of the plot.
 constexpr EnumWord<Subject> kSubjects[] = {{Subject::Figure, "figure"},
                                            {Subject::Mechanism, "mechanism"},
                                            {Subject::Polygons, "polygons"},
@@ -57,12 +57,12 @@ struct RenderRequest {
     Theme theme = Theme::Light;
     QString output;
 
-    /// Whether the subject shows a single position, so that it may be asked for a time outside the time range.
+    /// Returns whether the subject shows a single position, so that it may be asked for a time outside the time range.
     bool isOnePosition() const { return subject == Subject::Mechanism || subject == Subject::Polygons; }
 };
 
-/// Returns the names of the plots: "theta3", …, "error_acceleration".
-QStringList namesOfPlots()
+/// Returns the words that stand for plots in --what and --plots: "theta3", …, "error_acceleration".
+QStringList plotWords()
 {
     QStringList names;
     for (const QString &name : PlotGrid::plotNames()) {
@@ -77,7 +77,7 @@ QString plotNamed(const QString &word)
 {
     const std::optional<OutputChannel> channel = outputChannelNamed(word.toStdString());
     const QString name = channel ? columnName(*channel) : QString();
-    return namesOfPlots().contains(name) ? name : word;
+    return plotWords().contains(name) ? name : word;
 }
 
 /// Reads --what, --plots and --no-cursor.
@@ -92,7 +92,7 @@ void readSubject(const OptionReader &options, RenderRequest &request)
             words += word;
             request.subject = what == QLatin1String(word) ? subject : request.subject;
         }
-        indexAmong(words + namesOfPlots(), what, "what"); // throws if it is not among them
+        requireOneOf(words + plotWords(), what, "what");
         plots += request.subject == Subject::Plot ? QStringList(what) : QStringList();
     }
     if (options.has("plots")) {
@@ -104,14 +104,15 @@ void readSubject(const OptionReader &options, RenderRequest &request)
         }
     }
     for (const QString &plot : plots) {
-        indexAmong(namesOfPlots(), plot, "plots"); // throws if it is not among them
+        requireOneOf(plotWords(), plot, "plots");
         request.figure.plots << "plot_" + plot;
     }
     request.figure.plots.removeDuplicates();
     request.figure.showsCursor = !options.has("no-cursor");
 }
 
-/// Reads a number that ends in one of these units, and returns the number and the unit. Throws if it is neither.
+/// Returns the number and the unit that the option gives. Throws unless the text is a number followed by one of
+/// `units`.
 std::pair<double, QString> readLength(const OptionReader &options, const char *name, const QStringList &units)
 {
     const QString text = options.text(name);
@@ -155,8 +156,11 @@ void readFigure(const OptionReader &options, FigureOptions &figure)
 /// Reads --size and --scale.
 void readSize(const OptionReader &options, RenderRequest &request)
 {
+    constexpr int kSmallestSide = 100;   // pixels
     constexpr int kLargestSide = 20'000; // pixels
-    request.scale = options.number("scale", 1.0, {}, 0.1, 10.0);
+    constexpr double kSmallestScale = 0.1;
+    constexpr double kLargestScale = 10.0;
+    request.scale = options.number("scale", 1.0, {}, kSmallestScale, kLargestScale);
     if (!options.has("size")) {
         return;
     }
@@ -164,12 +168,12 @@ void readSize(const OptionReader &options, RenderRequest &request)
     const QStringList sides = options.text("size").split('x');
     const QSize size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
     const auto [shorter, longer] = std::minmax({size.width(), size.height()});
-    if (shorter < 100 || request.scale * longer > kLargestSide) {
+    if (shorter < kSmallestSide || request.scale * longer > kLargestSide) {
         throw UsageError{CommandLine::tr("--size must be width x height in pixels, such as 900x600, each at least 100, "
                                          "and at most %1 when multiplied by --scale, not \"%2\".")
                              .arg(QString::number(kLargestSide), options.text("size"))};
     }
-    request.size = FigureSize{size, request.scale};
+    request.size = FigureSize{.size = size, .scale = request.scale};
     if (options.has("font-size")) {
         request.size->fontPixels =
             std::max(1, static_cast<int>(std::lround(request.figure.fontSize / kPointsPerInch * kDotsPerInch)));
@@ -198,11 +202,12 @@ void readTarget(const OptionReader &options, RenderRequest &request)
 /// Reads --speed, --at and --at-angle.
 void readTime(const OptionReader &options, RenderRequest &request)
 {
+    constexpr double kSmallestSpeed = 1e-9; // positive, so that an animation ends
     const Sampling &sampling = request.scene.sampling;
     const double end = sampling.start + sampling.duration;
     request.animation.start = sampling.start;
     request.animation.duration = sampling.duration;
-    request.animation.speed = options.number("speed", 1.0, {}, 1e-9);
+    request.animation.speed = options.number("speed", 1.0, {}, kSmallestSpeed);
     if (request.subject == Subject::Frames) {
         options.refuse(
             {"at", "at-angle"},
@@ -236,7 +241,7 @@ void readAcceleration(const OptionReader &options, RenderRequest &request)
     }
 }
 
-/// Reads the options about the size and the paper, and refuses those that do not suit the subject.
+/// Reads the options about the size and the paper, and refuses options that do not suit the subject.
 void readPicture(const OptionReader &options, RenderRequest &request)
 {
     const bool isReport = request.subject == Subject::Report;
@@ -253,7 +258,8 @@ void readPicture(const OptionReader &options, RenderRequest &request)
     request.paper = options.choice("paper", PaperSize::A4);
     readFigure(options, request.figure);
     readSize(options, request);
-    request.animation.size = videoSize(request.size ? request.size->size : QSize(1920, 1080));
+    const QSize fullHd(1920, 1080);
+    request.animation.size = videoSize(request.size ? request.size->size : fullHd);
     request.animation.size.scale *= request.scale;
 }
 
@@ -263,15 +269,15 @@ RenderRequest readRequest(const OptionReader &options)
     readSubject(options, request);
     readTarget(options, request);
     request.scene = options.scene();
-    const bool statesDrawing = options.has("scene") && !isSceneLink(options.text("scene"));
-    if (!statesDrawing) { // draws what the window shows at its first start
+    const bool hasDrawingSettings = options.has("scene") && !isSceneLink(options.text("scene"));
+    if (!hasDrawingSettings) { // draws what the window shows at its first start
         request.scene.mechanism = {.names = true, .dimensions = true, .angles = true};
     }
     request.scene.parameters = readMechanism(options).parameters();
     request.scene.sampling = readSampling(options);
     request.scene.solver = readSolver(options);
     if (const QStringList files = options.texts("reference"); !files.isEmpty()) {
-        request.scene.reference = ReferenceSource{files, {}, {}};
+        request.scene.reference = ReferenceSource{.paths = files};
     }
     request.theme = options.choice("theme", Theme::Light);
     readPicture(options, request);
@@ -339,7 +345,7 @@ private:
     MechanismView m_mechanism;
 };
 
-/// Writes a picture with the parameters below it. Returns a sentence if that fails.
+/// Writes a picture with the parameters below it. Returns a message on failure.
 std::optional<QString> writePicture(const RenderRequest &request, const Mechanism &mechanism, const QPalette &palette,
                                     const FigureDrawing &drawing, const FigureHeight &height)
 {
@@ -352,7 +358,7 @@ std::optional<QString> writePicture(const RenderRequest &request, const Mechanis
                         withParameters(drawing, mechanism, palette));
 }
 
-/// Writes the subject of the request into its file. Returns a sentence if that fails.
+/// Writes the subject of the request into its file. Returns a message on failure.
 std::optional<QString> write(const RenderRequest &request, const std::shared_ptr<const Result> &result)
 {
     const bool showsMechanism = request.subject == Subject::Mechanism || request.subject == Subject::Frames ||
@@ -384,7 +390,8 @@ std::optional<QString> write(const RenderRequest &request, const std::shared_ptr
             };
             withParameters(draw, result->mechanism, pictures.palette())(painter, size);
         };
-        return exportAnimation(request.output, request.animation, drawFrame, [](int) { return true; });
+        const auto neverCancel = [](int) { return true; };
+        return exportAnimation(request.output, request.animation, drawFrame, neverCancel);
     }
     case Subject::Report: {
         const ReportContent content{.result = result,
@@ -413,7 +420,11 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     if (request.isOnePosition()) {
         scene.sampling.start = scene.time;
     }
-    Choices choices{scene.parameters, scene.sampling, scene.solver, nullptr, scene.pinned};
+    Choices choices{.parameters = scene.parameters,
+                    .sampling = scene.sampling,
+                    .solver = scene.solver,
+                    .reference = nullptr,
+                    .pinned = scene.pinned};
     if (scene.reference) {
         choices.reference = readTimedReference(streams, *scene.reference, columns, Mechanism(scene.parameters));
         if (!choices.reference) {
@@ -428,7 +439,8 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     SamplingSummary summary = result->summary;
     summary.add(result->atReference.summary);
     if (request.isOnePosition()) {
-        summary = sample(result->mechanism, {scene.time}, ChannelSet(), {}).summary;
+        const ChannelSet noChannels; // the status is sufficient
+        summary = sample(result->mechanism, {scene.time}, noChannels, SolverSettings()).summary;
     }
     return reportTimeSteps(streams, summary, result->mechanism, result->solver.newton);
 }

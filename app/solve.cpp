@@ -2,7 +2,7 @@
 
 // `slidercrank solve`: writes the motion as CSV or JSON.
 
-#include "app/answer.h"
+#include "app/command_output.h"
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/positions.h"
@@ -119,7 +119,8 @@ std::size_t countTimeStamps(const std::vector<Positions> &positions)
     return count;
 }
 
-/// JSON holds all values of a channel together, so they are all in memory: about 50 bytes each, and their text.
+/// Throws if there are too many values for JSON. JSON holds all values of a channel together, so that all values are in
+/// memory: about 50 bytes each, and their text.
 void refuseLargeJson(const Table &table, std::size_t timeStamps)
 {
     constexpr std::size_t kMaxValues = 10'000'000;
@@ -135,7 +136,7 @@ void refuseLargeJson(const Table &table, std::size_t timeStamps)
 
 ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
 {
-    const Table table{readChannels(options), readUnits(options)};
+    const Table table{.channels = readChannels(options), .units = readUnits(options)};
     const bool isJson = options.choice("format", OutputFormat::Csv) == OutputFormat::Json;
     const SolverSettings solver = readSolver(options);
     const Mechanism given = readMechanism(options);

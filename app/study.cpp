@@ -3,7 +3,7 @@
 // `slidercrank study`: measures the speed and the error of every method.
 
 #include "core/study/study.h"
-#include "app/answer.h"
+#include "app/command_output.h"
 #include "app/commands.h"
 #include "app/option_words.h"
 #include "ui/panels/study_page.h"
@@ -22,14 +22,14 @@ namespace slidercrank
 namespace
 {
 
-/// The tables of the study's tab in the window, as text below a heading.
+/// Returns the tables of the study's tab in the window, as text below a heading.
 QString tablesWithHeading(const QString &heading, const Page &page)
 {
     QString text = heading + u'\n';
     for (const PageTable &table : page.tables) {
-        std::vector<QStringList> rows(1);
+        std::vector<QStringList> rows(1); // the headings
         for (const TableColumn &column : table.columns) {
-            rows[0] += column.title;
+            rows.front() += column.title;
         }
         for (const TableRow &row : table.rows) {
             rows.emplace_back();
@@ -50,7 +50,8 @@ QString caseReport(const CaseResult &result)
     return tablesWithHeading(heading, studyPage(result));
 }
 
-/// The methods over all cases: largest error, median time, and how many time steps have each status.
+/// Returns the table of the methods over all cases: largest error, median time, and how many time steps have each
+/// status.
 QString summaryReport(const StudyResult &result)
 {
     const CaseResult allCases{.name = {}, .parameters = {}, .timeStamps = 0, .methods = resultsOverAllCases(result)};
@@ -94,12 +95,13 @@ std::vector<Case> readCases(const OptionReader &options, const Mechanism &mechan
 
 ExitStatus studyCommand(const OptionReader &options, const Streams &streams)
 {
-    const Question question(options);
-    StudyRequest request;
-    request.cases = readCases(options, question.mechanism);
+    const Request request(options);
+    StudyRequest study;
+    study.cases = readCases(options, request.mechanism);
     options.refuseFiles();
-    const StudyResult result = runStudy(request);
-    return question.write(streams, {studyReport(result), studyRecords(result), studyJson(result)});
+    const StudyResult result = runStudy(study);
+    return request.write(streams,
+                         {.text = studyReport(result), .rows = studyRecords(result), .json = studyJson(result)});
 }
 
 } // namespace slidercrank

@@ -12,11 +12,11 @@ namespace slidercrank
 namespace
 {
 
-/// The number of correct digits doubles in each iteration, so that more iterations than these reach no smaller
-/// residual.
+/// With more iterations the residual becomes no smaller, because each iteration doubles the number of correct digits.
 constexpr int kSufficientIterations = 100;
 
-/// %1 says which time steps, %2 is the shortest coupler with which the crank makes full turns, %3 the iteration limit.
+/// %1 stands for the time steps, %2 for the shortest coupler with which the crank makes full turns, %3 for the
+/// iteration limit.
 constexpr EnumText<Status> kMessages[] = {
     {Status::Solved, ""},
     {Status::Singular,

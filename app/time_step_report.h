@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+// Reports time steps whose motion was not computed, on standard error.
+
 #include "app/command_line.h"
 #include "core/mechanism/mechanism.h"
 #include "core/sampling/trajectory.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The common part of the commands that answer a question about a mechanism as text, CSV or JSON.
+// The common part of the commands that print results for a mechanism as text, CSV or JSON.
 
 #include "app/option_groups.h"
 #include "app/option_words.h"
@@ -10,26 +10,27 @@
 namespace slidercrank
 {
 
-/// An answer in each of the formats, of which one is written.
-struct Answer {
+/// What a command prints in each of the formats, of which one is written, and its exit status.
+struct CommandOutput {
     QString text = {};
     std::vector<Record> rows = {};
     QJsonObject json = {};
     ExitStatus status = ExitStatus::Success;
 };
 
-struct Question {
+/// The mechanism, the format and the place of the output, as the options state them.
+struct Request {
     Mechanism mechanism;
     OutputFormat format;
-    QString output; ///< path; empty: standard output
+    QString outputPath; ///< empty: standard output
 
     /// Switches to English for JSON and CSV, which are the same in every language. Messages that follow are in English,
     /// too.
-    explicit Question(const OptionReader &options);
+    explicit Request(const OptionReader &options);
 
-    /// Writes the answer in the requested format. Writes nothing if the answer is empty in that format. Returns the
-    /// status of the answer, or a more severe one if it cannot be written.
-    ExitStatus write(const Streams &streams, const Answer &answer) const;
+    /// Writes the output in the requested format. Writes nothing if it is empty in that format. Returns the exit status
+    /// of the output, or a more severe one if it cannot be written.
+    ExitStatus write(const Streams &streams, const CommandOutput &output) const;
 };
 
 /// Returns the cells in columns that are as wide as their widest cell. All columns but the first are right-aligned.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/answer.h"
+#include "app/command_output.h"
 
 #include "app/output.h"
 #include "ui/text/language.h"
@@ -15,22 +15,22 @@ namespace slidercrank
 namespace
 {
 
-QByteArray bytesOf(const Answer &answer, OutputFormat format)
+QByteArray bytesOf(const CommandOutput &output, OutputFormat format)
 {
     switch (format) {
     case OutputFormat::Text: break;
-    case OutputFormat::Csv: return csvText(answer.rows);
-    case OutputFormat::Json: return jsonDocument(answer.json);
+    case OutputFormat::Csv: return csvText(output.rows);
+    case OutputFormat::Json: return jsonDocument(output.json);
     }
-    return printableText(answer.text).toUtf8();
+    return printableText(output.text).toUtf8();
 }
 
 } // namespace
 
-Question::Question(const OptionReader &options)
+Request::Request(const OptionReader &options)
     : mechanism(readMechanism(options))
     , format(options.choice("format", OutputFormat::Text))
-    , output(readOutput(options))
+    , outputPath(readOutput(options))
 {
     if (format != OutputFormat::Text) {
         setLanguage(Language::English);
@@ -38,16 +38,16 @@ Question::Question(const OptionReader &options)
     }
 }
 
-ExitStatus Question::write(const Streams &streams, const Answer &answer) const
+ExitStatus Request::write(const Streams &streams, const CommandOutput &output) const
 {
-    const QByteArray bytes = bytesOf(answer, format);
-    return bytes.isEmpty() ? answer.status : moreSevere(answer.status, writeOutput(streams, output, bytes));
+    const QByteArray bytes = bytesOf(output, format);
+    return bytes.isEmpty() ? output.status : moreSevere(output.status, writeOutput(streams, outputPath, bytes));
 }
 
 QString alignedTable(const std::vector<QStringList> &rows)
 {
     std::vector<QString> lines(rows.size());
-    for (qsizetype column = 0; column < rows[0].size(); ++column) {
+    for (qsizetype column = 0; column < rows.front().size(); ++column) {
         qsizetype width = 0;
         for (const QStringList &row : rows) {
             width = std::max(width, row[column].size());
