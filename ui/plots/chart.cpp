@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 namespace slidercrank
 {
 
@@ -23,7 +24,8 @@ void setAxis(QCPAxis &axis, const ChartAxis &content, int pixels, int pixelsPerL
 {
     const QSharedPointer<NumberTicker> ticker(new NumberTicker);
     ticker->isLogarithmic = content.isLogarithmic;
-    ticker->setTickCount(std::max(2, pixels / pixelsPerLabel));
+    constexpr int kMinLabels = 2;
+    ticker->setTickCount(std::max(kMinLabels, pixels / pixelsPerLabel));
     axis.setTicker(ticker);
     axis.setLabel(content.title);
     axis.setRange(coordinate(content.range.lower, content), coordinate(content.range.upper, content));
@@ -54,14 +56,14 @@ void addSeries(PlotDrawing &drawing, const ChartContent &content, const ChartSer
     }
 }
 
-/// Shades the axes outside the range.
-void addShade(PlotDrawing &drawing, const Interval &unshaded, QColor colour)
+/// Shades the axes outside the range of x.
+void shadeOutside(PlotDrawing &drawing, const Interval &range, QColor colour)
 {
     constexpr float kOpacity = 0.16F;
     colour.setAlphaF(kOpacity);
     const QCPRange all = drawing.xAxis->range();
-    const double from = std::min(unshaded.lower, all.upper);
-    const double to = std::clamp(unshaded.upper, from, all.upper); // a reversed range leaves nothing unshaded
+    const double from = std::min(range.lower, all.upper);
+    const double to = std::clamp(range.upper, from, all.upper); // a reversed range leaves nothing unshaded
     for (const auto &[left, right] : {std::pair{all.lower, from}, {to, all.upper}}) {
         auto *shade = new QCPItemRect(&drawing);
         shade->setLayer("background");
@@ -71,6 +73,24 @@ void addShade(PlotDrawing &drawing, const Interval &unshaded, QColor colour)
         shade->bottomRight->setTypeY(QCPItemPosition::ptAxisRectRatio);
         shade->topLeft->setCoords(left, 0.0);
         shade->bottomRight->setCoords(right, 1.0);
+    }
+}
+
+/// Places the legend beside the axes or, if they would become too narrow, over them. Hides it if it would cover too
+/// much of the axes.
+void placeLegend(PlotDrawing &drawing, const QSize &size)
+{
+    constexpr int kMinWidthOfAxes = 200;   // px
+    constexpr double kLeastStretch = 1e-3; // so that the axes get the space that the legend does not need
+    QCPLegend *legend = drawing.legend;
+    const QSize needed = legend->minimumOuterSizeHint();
+    const auto fits = [&needed](const QSize &space) { return needed.boundedTo(space) == needed; };
+    const bool isBeside = fits(size - QSize(kMinWidthOfAxes, 0));
+    legend->setVisible(legend->itemCount() > 0 && (isBeside || fits(size / 2)));
+    if (legend->visible() && isBeside) {
+        drawing.axisRect()->insetLayout()->take(legend);
+        drawing.plotLayout()->addElement(0, 1, legend);
+        drawing.plotLayout()->setColumnStretchFactor(1, kLeastStretch);
     }
 }
 
@@ -92,55 +112,49 @@ void Chart::setContent(const ChartContent &content)
     update();
 }
 
-void Chart::fill(const QSize &size, const QFont &font, const QPalette &palette)
+/// Makes a new drawing of the content, laid out for the size.
+void Chart::rebuildDrawing(const QSize &size, const QFont &font, const QPalette &palette)
 {
+    constexpr int kPixelsPerNumberOfX = 44; // width of a number and the gap beside it
+    constexpr int kPixelsPerNumberOfY = 22; // height of a number and the gap below it
     const SeriesColours colours = seriesColours(palette);
     m_drawing = std::make_unique<PlotDrawing>();
     const PlotFonts fonts(font);
     m_drawing->setStyle(fonts, colours);
     m_drawing->layOut(size);
-    setAxis(*m_drawing->xAxis, m_content.x, m_drawing->axisRect()->width(), 44);
-    setAxis(*m_drawing->yAxis, m_content.y, m_drawing->axisRect()->height(), 22);
+    setAxis(*m_drawing->xAxis, m_content.x, m_drawing->axisRect()->width(), kPixelsPerNumberOfX);
+    setAxis(*m_drawing->yAxis, m_content.y, m_drawing->axisRect()->height(), kPixelsPerNumberOfY);
     if (m_content.unshaded) {
-        addShade(*m_drawing, *m_content.unshaded, colours.warning);
+        shadeOutside(*m_drawing, *m_content.unshaded, colours.warning);
     }
     for (const ChartSeries &series : m_content.series) {
         addSeries(*m_drawing, m_content, series, colours);
     }
-    constexpr int kWidthOfAxes = 200; // px, at least
     QCPLegend *legend = m_drawing->legend;
     legend->setFont(fonts.tick);
     legend->setTextColor(colours.text);
     legend->setBrush(Qt::NoBrush);
     legend->setBorderPen(Qt::NoPen);
-    const QSize needed = legend->minimumOuterSizeHint();
-    const auto fits = [&needed](const QSize &space) { return needed.boundedTo(space) == needed; };
-    const bool isBeside = fits(size - QSize(kWidthOfAxes, 0)); // otherwise the legend lies over the axes
-    legend->setVisible(legend->itemCount() > 0 && (isBeside || fits(size / 2)));
-    if (legend->visible() && isBeside) {
-        m_drawing->axisRect()->insetLayout()->take(legend);
-        m_drawing->plotLayout()->addElement(0, 1, legend);
-        m_drawing->plotLayout()->setColumnStretchFactor(1, 1e-3);
-    }
+    placeLegend(*m_drawing, size);
     m_drawing->layOut(size);
 }
 
 void Chart::paintEvent(QPaintEvent *)
 {
-    fill(size(), font(), palette());
+    rebuildDrawing(size(), font(), palette());
     m_drawing->drawInto(*this); // faster than paint(), which records the drawing first
 }
 
 void Chart::paint(QPainter &painter, const QSize &size, const QPalette &palette)
 {
-    fill(size, painter.font(), palette);
+    rebuildDrawing(size, painter.font(), palette);
     m_drawing->paint(painter, size);
 }
 
 QPointF Chart::positionOf(const Place &place)
 {
     if (!m_drawing || m_drawing->viewport().size() != size()) {
-        fill(size(), font(), palette());
+        rebuildDrawing(size(), font(), palette());
     }
     const QPointF &point = m_content.series[place.series].points[place.point];
     return {m_drawing->xAxis->coordToPixel(coordinate(point.x(), m_content.x)),
@@ -149,7 +163,8 @@ QPointF Chart::positionOf(const Place &place)
 
 std::optional<Chart::Place> Chart::pointAt(const QPointF &position)
 {
-    double nearest = 9.0; // px, at most
+    constexpr double kReach = 9.0; // px around a point
+    double nearest = kReach;
     std::optional<Place> found;
     for (std::size_t series = 0; series < m_content.series.size(); ++series) {
         const std::size_t points = m_content.series[series].mark.isEmpty() ? 0 : m_content.series[series].points.size();

@@ -79,7 +79,7 @@ protected:
     void mouseMoveEvent(QMouseEvent *event) override;
 
 private:
-    void fill(const QSize &size, const QFont &font, const QPalette &palette);
+    void rebuildDrawing(const QSize &size, const QFont &font, const QPalette &palette);
 
     std::unique_ptr<PlotDrawing> m_drawing;
     ChartContent m_content;

@@ -74,16 +74,18 @@ std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Tra
     const double period = kTurn / std::abs(omega2);
     const double turns = std::ceil(range.length() / period);
     for (const CriticalPoint &point : criticalPoints) {
-        const double first = (point.theta2 - m_mechanism.theta20()) / omega2;
-        const double passed = std::ceil((range.lower - first) / period);
+        const double timeInFirstTurn = (point.theta2 - m_mechanism.theta20()) / omega2;
+        const double turnsBeforeRange = std::ceil((range.lower - timeInFirstTurn) / period);
         const double value = std::clamp(toFileUnit(kPlottedChannels[channel], point.value), -kBeyondAll, kBeyondAll);
-        const bool isLast = (point.kind == CriticalPoint::Kind::End) == (omega2 > 0.0);
+        // If the crank turns backwards, begin and end are exchanged.
+        const bool endsCurve = (point.kind == CriticalPoint::Kind::End) == (omega2 > 0.0);
         for (double turn = 0.0; turn <= turns; ++turn) {
-            const double t = first + (passed + turn) * period;
+            const double t = timeInFirstTurn + (turnsBeforeRange + turn) * period;
             if (range.contains(t)) {
                 points.push_back({t, value});
                 if (point.kind != CriticalPoint::Kind::Extremum) {
-                    points.push_back({std::nextafter(t, isLast ? kBeyondAll : -kBeyondAll), kNone});
+                    const double timeOfGap = std::nextafter(t, endsCurve ? kInfinity : -kInfinity);
+                    points.push_back({.t = timeOfGap, .value = kNone});
                 }
             }
         }
@@ -95,13 +97,15 @@ std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Tra
 MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t columns) const
 {
     constexpr int kPerTurn = 400;
-    constexpr double kWholeTurn = 1.001 * kTurn; // more than a turn, so that rounding errors lose no critical point
+    constexpr double kSampledTurn = 1.001 * kTurn; // more than a turn, so that rounding errors lose no critical point
     Curves curves;
     if (!isExact()) {
         for (std::size_t channel = 0; channel < curves.size(); ++channel) {
             std::vector<CurvePoint> points =
                 decimate(m_samples->time, (*m_samples)[kPlottedChannels[channel]], range, columns);
-            curves[channel] = {points, usualRange(points, range), 2 * points.size() >= 3 * columns};
+            // With 1.5 points or more per pixel column, the curve looks like a band.
+            const bool isDense = 2 * points.size() >= 3 * columns;
+            curves[channel] = {.points = points, .values = usualRange(points, range), .isDense = isDense};
         }
         return curves;
     }
@@ -111,14 +115,16 @@ MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t col
     }
     const double speed = std::abs(m_mechanism.omega2());
     const bool isBand = speed * shown.length() >= kTurn * static_cast<double>(columns);
-    const Sampling sampling{shown.lower, isBand ? kWholeTurn / speed : shown.length(),
-                            isBand ? kPerTurn : 2 * static_cast<int>(columns)};
+    const Sampling sampling{.start = shown.lower,
+                            .duration = isBand ? kSampledTurn / speed : shown.length(),
+                            .steps = isBand ? kPerTurn : 2 * static_cast<int>(columns)};
     const Trajectory samples = sample(m_mechanism, sampling.timeStamps(), plottedChannels(), {});
     const auto critical = findCriticalPoints(m_mechanism);
     for (std::size_t channel = 0; channel < curves.size(); ++channel) {
         const std::vector<CurvePoint> points = exactPoints(channel, samples, critical[channel]);
-        curves[channel] = {isBand ? strokes(points, shown, columns) : points,
-                           usualRange(points, {samples.time.front(), samples.time.back()}), isBand};
+        curves[channel] = {.points = isBand ? strokes(points, shown, columns) : points,
+                           .values = usualRange(points, {samples.time.front(), samples.time.back()}),
+                           .isDense = isBand};
     }
     return curves;
 }

@@ -14,8 +14,8 @@ namespace slidercrank
 namespace
 {
 
-/// Returns at least two time stamps per pixel, and more where the crank turns fast. They are not evenly spaced, since
-/// few evenly spaced ones could lie at the same crank angle in every turn.
+/// Returns at least two time stamps per pixel, and more where the crank turns fast. They are not evenly spaced, because
+/// a few evenly spaced time stamps could lie at the same crank angle in every turn.
 std::vector<double> timeStamps(const Interval &range, double turns, std::size_t columns)
 {
     constexpr double kPerTurn = 32.0;

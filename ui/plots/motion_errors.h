@@ -25,7 +25,7 @@ public:
 
     struct Errors {
         const ReferenceSeries *series = nullptr; ///< the column of the file; null without one
-        double factor = 1.0;                     ///< of an absolute error, to the unit that is shown
+        double factor = 1.0;                     ///< converts an absolute error to the unit shown
         double peak = 0.0;                       ///< largest magnitude of the reference; may be infinite
         bool isUnbounded = false;                ///< whether the errors have no finite maximum
         std::span<const double> reference;       ///< empty if the channel is not in the file

@@ -18,10 +18,13 @@ namespace
 /// Where a label stands beside its line or its dot.
 enum class Side { Right, Left, Centre };
 
-/// Returns the left end of a label on that side of the line, within the axes, or nullopt if it does not fit there.
+/// Returns the left end of a label on the side `side` of the line at x = `line`, within the axes, or nullopt if it does
+/// not fit there.
 std::optional<double> labelLeft(double line, double width, const QRectF &axes, Side side, const QFont &font)
 {
-    const double gap = std::max(6.0, dotRadius(font) + 2.5); // px, so that the text does not touch the dot
+    constexpr double kMinGap = 6.0;    // px
+    constexpr double kBesideDot = 2.5; // px, so that the text does not touch the dot
+    const double gap = std::max(kMinGap, dotRadius(font) + kBesideDot);
     const double leftmost = axes.left() + 1.0;
     const double rightmost = axes.right() - width;
     if (side == Side::Centre) {
@@ -53,12 +56,12 @@ std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const QRectF &place, doub
     return covered;
 }
 
-/// Returns where a value of that size stands that keeps its place beside its dot, or nullopt if it has had none, or one
-/// that is far from the dot or is not within the axes now.
+/// Returns the place of a value that keeps its distance from its dot (Label::before). Returns nullopt if it has had no
+/// place, or a place that is far from the dot or is not within the axes now.
 std::optional<QRectF> keptPlace(const PlotCursor::Label &label, const QRectF &axes, double height)
 {
-    constexpr double kFar = 1.6; // heights of a label
-    if (!label.before || std::abs(label.before->center().y()) > kFar * height) {
+    constexpr double kFarInHeights = 1.6; // heights of a label
+    if (!label.before || std::abs(label.before->center().y()) > kFarInHeights * height) {
         return std::nullopt;
     }
     const QPointF dot = *label.dot;
@@ -77,10 +80,10 @@ std::optional<QRectF> keptPlace(const PlotCursor::Label &label, const QRectF &ax
 std::vector<QRectF> possiblePlaces(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
                                    const QFont &font)
 {
-    // In half heights of a label, upwards and downwards from its dot.
-    constexpr int kNear = 3;
-    constexpr int kFar = 6;
-    constexpr int kBeyondDot = 2; // above or below its dot without covering it
+    // Distances upwards and downwards from the dot, in half heights of a label.
+    constexpr int kNearInHalfHeights = 3;
+    constexpr int kFarInHalfHeights = 6;
+    constexpr int kClearOfDotInHalfHeights = 2; // so that a label above or below its dot does not cover the dot
     const double height = QFontMetricsF(font).height();
     const double width = label.text.size().width();
     const double middle = label.dot->y() - 0.5 * height;
@@ -97,15 +100,15 @@ std::vector<QRectF> possiblePlaces(const PlotCursor &cursor, const PlotCursor::L
             }
         }
     };
-    add(Side::Right, 0, kNear);
-    add(Side::Left, 0, kNear);
-    add(Side::Centre, kBeyondDot, kFar);
-    add(Side::Right, kNear + 1, kFar);
-    add(Side::Left, kNear + 1, kFar);
+    add(Side::Right, 0, kNearInHalfHeights);
+    add(Side::Left, 0, kNearInHalfHeights);
+    add(Side::Centre, kClearOfDotInHalfHeights, kFarInHalfHeights);
+    add(Side::Right, kNearInHalfHeights + 1, kFarInHalfHeights);
+    add(Side::Left, kNearInHalfHeights + 1, kFarInHalfHeights);
     return places;
 }
 
-/// Returns whether a place is above the value of a higher dot, or below that of a lower one.
+/// Returns whether a place is above the value of a higher dot, or below the value of a lower dot.
 bool isInWrongOrder(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &place)
 {
     return std::ranges::any_of(cursor.labels, [&](const PlotCursor::Label &other) {
@@ -114,9 +117,9 @@ bool isInWrongOrder(const PlotCursor &cursor, const PlotCursor::Label &label, co
     });
 }
 
-/// Places a value where it covers no other label and the fewest points of the curves. A place in the wrong order costs
-/// one point more, except while the motion is played, when values would jump where curves cross. Returns the number of
-/// points, or nullopt if every place covers a label.
+/// Places a value where it covers no other label and the fewest points of the curves. A place in the wrong order counts
+/// as one more point, except while the motion is played, because values would jump where curves cross. Returns the
+/// number of points, or nullopt if every place covers a label.
 std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::Label &label, const QRectF &axes,
                                          const QFont &font)
 {
@@ -148,7 +151,7 @@ void leaveOut(PlotCursor::Label &label)
     label.place = QRectF();
 }
 
-/// Places all labels in a column beside the line, which begins above the axes if it is higher than they are.
+/// Places all labels in a column beside the line. A column that is higher than the axes begins above them.
 void stackLabels(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 {
     const double height = QFontMetricsF(font).height();
@@ -172,10 +175,10 @@ constexpr std::ptrdiff_t kPointsWithoutPlace = 10000;
 /// The order in which the values are placed: from the highest dot to the lowest, or from the lowest to the highest.
 enum class Direction { Downwards, Upwards };
 
-/// Places the values one after the other. Returns how many points of the curves they cover, with the penalty for those
-/// that have no place or are left out.
+/// Places the values one after the other. Returns how many points of the curves they cover, with a penalty for each
+/// value that has no place or is left out.
 std::ptrdiff_t placeValues(PlotCursor &cursor, Direction direction, const QRectF &axes, const QFont &font,
-                           WhereCrowded whereCrowded)
+                           CrowdedLabelPolicy policy)
 {
     constexpr std::ptrdiff_t kMaxCovered = 1; // points: the corner of a label may touch a curve
     std::ptrdiff_t total = 0;
@@ -186,7 +189,7 @@ std::ptrdiff_t placeValues(PlotCursor &cursor, Direction direction, const QRectF
             continue;
         }
         std::ptrdiff_t covered = placeValue(cursor, label, axes, font).value_or(kPointsWithoutPlace);
-        if (covered > kMaxCovered && whereCrowded == WhereCrowded::LeaveOut) {
+        if (covered > kMaxCovered && policy == CrowdedLabelPolicy::LeaveOut) {
             leaveOut(label);
             covered = kPointsWithoutPlace;
         }
@@ -196,19 +199,19 @@ std::ptrdiff_t placeValues(PlotCursor &cursor, Direction direction, const QRectF
 }
 
 /// Places the values in the direction in which they cover fewer points, because the values that are placed first take
-/// the best places. While the motion is played, downwards is sufficient: most values keep their places. Returns what
-/// placeValues() does.
+/// the best places. While the motion is played, downwards is sufficient: most values keep their places. Returns the
+/// same as placeValues().
 std::ptrdiff_t placeValuesInBestDirection(PlotCursor &cursor, const QRectF &axes, const QFont &font,
-                                          WhereCrowded whereCrowded)
+                                          CrowdedLabelPolicy policy)
 {
     const bool isPlayed =
         std::ranges::any_of(cursor.labels, [](const PlotCursor::Label &label) { return label.before.has_value(); });
     PlotCursor upwards = cursor;
-    const std::ptrdiff_t covered = placeValues(cursor, Direction::Downwards, axes, font, whereCrowded);
+    const std::ptrdiff_t covered = placeValues(cursor, Direction::Downwards, axes, font, policy);
     if (covered == 0 || isPlayed) {
         return covered;
     }
-    const std::ptrdiff_t coveredUpwards = placeValues(upwards, Direction::Upwards, axes, font, whereCrowded);
+    const std::ptrdiff_t coveredUpwards = placeValues(upwards, Direction::Upwards, axes, font, policy);
     if (coveredUpwards < covered) {
         cursor = std::move(upwards);
     }
@@ -228,8 +231,8 @@ void placeHeadings(PlotCursor &cursor, const QRectF &axes, const QFont &font)
     }
 }
 
-/// Places the labels of one cursor. If there is no place for one of its values near the dot, all are in a column.
-void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, WhereCrowded whereCrowded)
+/// Places the labels of one cursor. If a value has no place near its dot, all labels are in a column.
+void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, CrowdedLabelPolicy policy)
 {
     std::ranges::stable_sort(cursor.labels, {},
                              [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
@@ -237,8 +240,8 @@ void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, Wh
         label.text.prepare({}, font);
     }
     placeHeadings(cursor, axes, font);
-    const std::ptrdiff_t covered = placeValuesInBestDirection(cursor, axes, font, whereCrowded);
-    if (covered >= kPointsWithoutPlace && whereCrowded == WhereCrowded::CoverLeast) {
+    const std::ptrdiff_t covered = placeValuesInBestDirection(cursor, axes, font, policy);
+    if (covered >= kPointsWithoutPlace && policy == CrowdedLabelPolicy::CoverLeast) {
         stackLabels(cursor, axes, font);
     }
 }
@@ -262,14 +265,22 @@ double dotRadius(const QFont &font)
     return std::max(3.5, 0.27 * font.pixelSize());
 }
 
-void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font, WhereCrowded whereCrowded)
+void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font, CrowdedLabelPolicy policy)
 {
     for (PlotCursor &cursor : cursors) {
-        placeLabelsOf(cursor, axes, font, whereCrowded);
-        for (PlotCursor::Label &covered : cursors.front().labels) {
-            const auto covers = [&](const PlotCursor::Label &label) { return label.place.intersects(covered.place); };
-            if (&cursor != &cursors.front() && std::ranges::any_of(cursor.labels, covers)) {
-                leaveOut(covered);
+        placeLabelsOf(cursor, axes, font, policy);
+    }
+    if (cursors.empty()) {
+        return;
+    }
+    PlotCursor &timeCursor = cursors.front();
+    for (const PlotCursor &later : std::span(cursors).subspan(1)) {
+        for (PlotCursor::Label &label : timeCursor.labels) {
+            const auto covers = [&label](const PlotCursor::Label &other) {
+                return other.place.intersects(label.place);
+            };
+            if (std::ranges::any_of(later.labels, covers)) {
+                leaveOut(label);
             }
         }
     }

@@ -37,25 +37,26 @@ struct PlotCursor {
     std::vector<QPointF> curves = {}; ///< points (px) of the curves beside the line, which the labels shall not cover
 };
 
-/// The distance from the line (px) up to which `curves` has points, and their spacing, for text of that font.
+/// Return the distance from the line (px) up to which PlotCursor::curves has points, and the spacing (px) of the
+/// points, for text in the font.
 double curveReach(const QFont &font);
 double curveSpacing(const QFont &font);
 
-/// The radius (px) of a dot beside text of that font.
+/// Returns the radius (px) of a dot beside text in the font.
 double dotRadius(const QFont &font);
 
-/// Tells each cursor that has moved a little where its values stood before, so that values do not jump in an animation.
+/// Sets Label::before of each cursor that has moved a little, so that values do not jump in an animation.
 void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before);
 
-/// What becomes of a value that would cover a curve in every place near its dot.
-enum class WhereCrowded {
+/// The treatment of a value that would cover a curve in every place near its dot.
+enum class CrowdedLabelPolicy {
     CoverLeast, ///< it covers the curves least
     LeaveOut    ///< only its dot remains
 };
 
-/// Places the labels of the cursors of one plot with these axes beside the curves. Where a label of a later cursor
-/// covers one of the first cursor, only the dot of the covered one remains.
-void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font, WhereCrowded whereCrowded);
+/// Places the labels of the cursors of one plot with these axes beside the curves. If a label of a later cursor covers
+/// a value of the first cursor, that of the current time, only the dot of the covered value remains.
+void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font, CrowdedLabelPolicy policy);
 
 /// Paints the cursors, whose labels have been placed.
 void paintCursors(QPainter &painter, std::span<const PlotCursor> cursors, const QRectF &axes, const QFont &font,

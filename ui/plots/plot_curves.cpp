@@ -67,7 +67,7 @@ void PlotFigure::setResult(const std::shared_ptr<const Result> &result)
 void PlotFigure::setSettings(const PlotSettings &settings)
 {
     for (std::size_t plot = kErrorColumn; plot < kPlotCount; plot += kPlotColumns) {
-        m_zoom.values[plot].reset(); // the ranges are those of the previous measure
+        m_zoom.values[plot].reset(); // the ranges belong to the previous measure
     }
     m_settings = settings;
     requestRefresh();
@@ -157,7 +157,7 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
     };
     for (std::size_t i = 0; i < pinned.size(); ++i) {
         PlotCurve &curve = add(pinnedText(pinned[i], parameters), kPinnedColours[i], m_curves[i][channel]);
-        curve.read = [&motion = m_motions[i], channel](const ReadTime &at) { return motion.value(channel, at.t); };
+        curve.readout = [&motion = m_motions[i], channel](const ReadTime &at) { return motion.value(channel, at.t); };
         curve.valueAt = [&motion = m_motions[i], channel](double t) { return motion.value(channel, t); };
         curve.dashes = m_curves[i][channel].isDense ? QVector<double>() : kPinnedDashes[i];
         curve.width = m_isPresentation ? curve.width : 1.0;
@@ -167,7 +167,7 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
         model().isExact() ? QString() : fewSamplesSentence(m_result->mechanism, m_result->sampling);
     const QString name = isNamed ? pinnedText(parameters, pinned.back()) : tr("model");
     PlotCurve &curve = add(fewSamples.isEmpty() ? name : fewSamples, &SeriesColours::model, m_curves.back()[channel]);
-    curve.read = [this, channel](const ReadTime &at) { return modelValue(channel, at); };
+    curve.readout = [this, channel](const ReadTime &at) { return modelValue(channel, at); };
     if (model().isExact()) {
         curve.valueAt = [this, channel](double t) { return model().value(channel, t); };
     } else {
@@ -189,7 +189,7 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
     if (series) {
         const std::vector<CurvePoint> points = decimate(file->data.time, series->values, timeRange(), m_columns);
         PlotCurve &reference = add(file->name, &SeriesColours::reference, {points, usualRange(points, timeRange())});
-        reference.read = [this, channel](const ReadTime &at) { return referenceValue(channel, at); };
+        reference.readout = [this, channel](const ReadTime &at) { return referenceValue(channel, at); };
         reference.dashes = kReferenceDashes;
     }
     if (plot.values) {
@@ -211,7 +211,7 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
         curve.name = name.arg(m_style.comparedWith);
     }
     curve.width = 1.6; // thin, since the errors of a matching file are noise
-    curve.read = [this, channel](const ReadTime &at) {
+    curve.readout = [this, channel](const ReadTime &at) {
         return m_errors->error(channel, modelValue(channel, at), referenceValue(channel, at));
     };
     if (!hasFile && model().isExact()) {
@@ -387,7 +387,7 @@ void PlotFigure::addCurvesBeside(PlotCursor &cursor, const Plot &plot) const
         const ReadTime read = readTime(time);
         for (std::size_t i = 0; i < plot.curves.size(); ++i) {
             const PlotCurve &curve = plot.curves[i];
-            const double value = curve.read ? curve.read(read) : kNone;
+            const double value = curve.readout ? curve.readout(read) : kNone;
             if (!std::isfinite(value)) {
                 previous[i].reset();
                 continue;
@@ -403,10 +403,10 @@ std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &
 {
     std::vector<PlotReading> readings;
     for (const PlotCurve &curve : m_plots[plot].curves) {
-        const double value = curve.read ? curve.read(time) : kNone;
+        const double value = curve.readout ? curve.readout(time) : kNone;
         if (std::isfinite(value)) {
             const double number = isLogarithmic(plot) ? std::pow(10.0, value) : shownScaleOf(plot).shown(value);
-            readings.push_back({value, number, curve.ink});
+            readings.push_back({.value = value, .number = number, .ink = curve.ink});
         }
     }
     return readings;

@@ -72,8 +72,8 @@ QString multipleOfPiText(long degrees)
     return degrees < 0 ? QStringLiteral("−") + text : text;
 }
 
-/// Returns the exponent of the power of ten that all labels of an axis shall have, or nullopt if numberText() writes none
-/// of them with a power. Labels such as "500000" and "10⁶", or "5·10⁹" and "10¹⁰", would be hard to compare.
+/// Returns the exponent of the power of ten that all labels of an axis shall have, or nullopt if numberText() writes
+/// none of them with a power. Labels such as "500000" and "10⁶", or "5·10⁹" and "10¹⁰", would be hard to compare.
 /// `largest`: the largest magnitude on the axis. `digits`: the significant digits of the labels.
 std::optional<int> commonPower(double step, double largest, int digits)
 {
@@ -108,10 +108,10 @@ double NumberTicker::getTickStep(const QCPRange &range)
     constexpr double kFullTurn = 360.0;
     constexpr std::array kTurnSteps{10.0, 15.0, 30.0, 45.0, 90.0, 180.0}; // °
     const double unit = std::abs(perUnit);
-    const double wanted = range.size() / unit / mTickCount;
-    m_step = nextRoundNumber(wanted);
+    const double wantedStep = range.size() / unit / mTickCount;
+    m_step = nextRoundNumber(wantedStep);
     const double perDegree = angle ? shownValue(Measure::Angle, 1.0, {.angle = *angle}) / kDegreesPerRadian : 1.0;
-    const double degrees = wanted / perDegree;
+    const double degrees = wantedStep / perDegree;
     m_isPartOfTurn = angle && degrees > 0.5 * kTurnSteps.front();
     if (m_isPartOfTurn) {
         m_step = perDegree * (degrees > kTurnSteps.back()

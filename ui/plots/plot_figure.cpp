@@ -32,8 +32,8 @@ int lineHeight(const QFont &font)
     return QFontMetrics(font).height();
 }
 
-/// Clips the curve to the axes, inserts the points that are missing on a device with that smallest detail (px), and
-/// removes those that make no visible difference. Both together are off by less than a third of the detail.
+/// Clips the curve to the axes, inserts the points that are missing on a device whose smallest detail is `detail` (px),
+/// and removes the points that make no visible difference. The curve is then off by less than a third of the detail.
 void fit(PlotCurve &curve, const Interval &time, const Interval &values, const QSize &axes, double detail)
 {
     constexpr double kScreenDetail = 1.0;    // px: for details of this size the samples of a curve suffice
@@ -413,7 +413,7 @@ void PlotFigure::paint(QPainter &painter, const std::optional<double> &cursorTim
         if (const std::optional<PlotCursor> cursor = cursorAt(index, *cursorTime, heading)) {
             cursors.push_back(*cursor);
         }
-        placeLabels(cursors, axes, m_fonts.tick, WhereCrowded::LeaveOut);
+        placeLabels(cursors, axes, m_fonts.tick, CrowdedLabelPolicy::LeaveOut);
         paintCursors(painter, cursors, axes, m_fonts.tick, m_colours);
     }
 }

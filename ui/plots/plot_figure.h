@@ -52,9 +52,12 @@ struct PlotCurve {
     QString name; ///< in the legend
     Ink ink = &SeriesColours::model;
     std::vector<CurvePoint> points = {};
-    std::function<double(const ReadTime &)> read = {}; ///< returns the value on the axis; empty if none is read
 
-    std::function<double(double)> valueAt = {}; ///< the exact value at a time; empty if the curve consists of samples
+    /// Returns the value for the cursor's label, in axis units. Empty if the curve has no label.
+    std::function<double(const ReadTime &)> readout = {};
+
+    /// Returns the exact value at a time, for drawing. Empty if the curve consists of samples.
+    std::function<double(double)> valueAt = {};
 
     double width = 2.0;                ///< px
     QVector<double> dashes = {};       ///< lengths of dashes and gaps in line widths; empty for a solid line
@@ -126,11 +129,11 @@ public:
 
     bool hasErrors() const; ///< whether there are errors to show
 
-    /// The time range of all plots and the value range of each.
+    /// Return and set the time range of all plots and the value range of each.
     const PlotZoom &zoom() const { return m_zoom; }
     void setZoom(const PlotZoom &zoom);
 
-    /// Zooms to that time range, limited to the time range of the motion.
+    /// Zooms to a time range (s), limited to the time range of the motion.
     void zoomTime(const Interval &range);
     void zoomValues(std::size_t plot, const Interval &range);
     Interval timeRange() const { return m_zoom.time.value_or(sampledRange()); }

@@ -15,7 +15,7 @@ PlotFonts::PlotFonts(const QFont &base)
 {
     constexpr int kMinPixels = 9; // smallest size of tick labels
     constexpr double kTickFraction = 0.87;
-    constexpr double kMaxUsualPixels = 15.0; // above these, lines become thicker
+    constexpr double kMaxUsualPixels = 15.0; // with larger text, lines become thicker
     const int pixels = QFontInfo(base).pixelSize();
     title.setPixelSize(pixels);
     tick.setPixelSize(std::max(kMinPixels, static_cast<int>(std::lround(kTickFraction * pixels))));

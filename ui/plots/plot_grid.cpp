@@ -78,9 +78,9 @@ void PlotGrid::showAll()
 
 void PlotGrid::showTime(double seconds)
 {
-    const Interval shown = timeRange();
-    if (zoom().time && !shown.contains(seconds)) {
-        const double half = 0.5 * shown.length();
+    const Interval shownTime = timeRange();
+    if (zoom().time && !shownTime.contains(seconds)) {
+        const double half = 0.5 * shownTime.length();
         zoomTime({seconds - half, seconds + half});
     }
 }

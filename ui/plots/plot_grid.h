@@ -102,7 +102,7 @@ private:
     QPixmap m_picture; ///< of the figure, under the moving cursors; null until a cursor moves
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
-    QList<QAction *> m_errorChoices; ///< those about errors, which are hidden where nothing is compared
+    QList<QAction *> m_errorChoices; ///< the actions about errors, which are hidden where nothing is compared
     QLabel *m_hint;                  ///< how to compare with a file; to the right of the legend
     std::optional<std::size_t> m_maximized;
     std::optional<std::size_t> m_hovered;    ///< the plot under the pointer

@@ -56,8 +56,8 @@ std::optional<std::size_t> PlotGrid::plotAt(const QPointF &place) const
 
 QPointF PlotGrid::coordinates(std::size_t plot, const QPointF &place) const
 {
-    const Plot &shown = shownPlot(plot);
-    return {shown.timeAxis->pixelToCoord(place.x()), shown.valueAxis->pixelToCoord(place.y())};
+    const Plot &shownAxes = shownPlot(plot);
+    return {shownAxes.timeAxis->pixelToCoord(place.x()), shownAxes.valueAxis->pixelToCoord(place.y())};
 }
 
 void PlotGrid::zoomAbout(double time, double factor)
@@ -200,8 +200,8 @@ void PlotGrid::leaveEvent(QEvent *)
 /// Handles the keys of the plot that has the focus or is being dragged. + and − zoom about the current time.
 void PlotGrid::keyPressEvent(QKeyEvent *event)
 {
-    const Interval shown = timeRange();
-    const double about = m_time && shown.contains(*m_time) ? *m_time : 0.5 * (shown.lower + shown.upper);
+    const Interval shownTime = timeRange();
+    const double about = m_time && shownTime.contains(*m_time) ? *m_time : 0.5 * (shownTime.lower + shownTime.upper);
     const auto focused = std::ranges::find(m_panes, focusWidget());
     switch (event->key()) {
     case Qt::Key_Return:

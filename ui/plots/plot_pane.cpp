@@ -20,13 +20,13 @@ PlotPane::PlotPane(const QPixmap &picture, QWidget *figure)
 
 void PlotPane::setCursors(std::vector<PlotCursor> cursors, const QRect &axes)
 {
-    const QRect before = m_painted;
+    const QRect before = m_paintedArea;
     if (axes == m_axes) { // otherwise the line moves with the axes, at the same time
         keepPlaces(cursors, m_cursors);
     }
     m_axes = axes;
     m_cursors = std::move(cursors);
-    placeLabels(m_cursors, m_axes, font(), WhereCrowded::CoverLeast);
+    placeLabels(m_cursors, m_axes, font(), CrowdedLabelPolicy::CoverLeast);
     QRectF painted;
     for (const PlotCursor &cursor : m_cursors) {
         painted |= QRectF(cursor.x, m_axes.top(), 1.0, m_axes.height());
@@ -35,9 +35,9 @@ void PlotPane::setCursors(std::vector<PlotCursor> cursors, const QRect &axes)
         }
     }
     const double around = dotRadius(font()) + 1.5; // px, for the dots on the line
-    m_painted = painted.adjusted(-around, -around, around, around).toAlignedRect();
+    m_paintedArea = painted.adjusted(-around, -around, around, around).toAlignedRect();
     // One rectangle: where the region to paint has several, Qt starts threads to fill it, which costs far more.
-    update(before | m_painted);
+    update(before | m_paintedArea);
 }
 
 void PlotPane::paintEvent(QPaintEvent *)

@@ -95,7 +95,7 @@ private:
             const Plot &shown = figure.shownPlot(plot);
             for (int step = 0; step <= 40; ++step) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 40.0, {})};
-                placeLabels(cursors, shown.axes->rect(), PlotFonts(font).tick, WhereCrowded::LeaveOut);
+                placeLabels(cursors, shown.axes->rect(), PlotFonts(font).tick, CrowdedLabelPolicy::LeaveOut);
                 std::vector<QRectF> places;
                 for (const PlotCursor::Label &label : cursors.front().labels) {
                     ++values;
@@ -111,8 +111,8 @@ private:
                     }
                     for (const PlotCurve &curve : shown.curves) {
                         int columns = 0; // of pixels in which the curve is behind the value
-                        for (double x = place.left(); curve.read && x <= place.right(); x += 1.0) {
-                            const double value = curve.read(figure.readTime(shown.timeAxis->pixelToCoord(x)));
+                        for (double x = place.left(); curve.readout && x <= place.right(); x += 1.0) {
+                            const double value = curve.readout(figure.readTime(shown.timeAxis->pixelToCoord(x)));
                             columns += place.contains(x, shown.valueAxis->coordToPixel(value)) ? 1 : 0;
                         }
                         QVERIFY2(columns <= kCorner, qPrintable(QString("plot %1, step %2").arg(plot).arg(step)));
@@ -424,7 +424,7 @@ private slots:
             const Plot &shown = figure.shownPlot(plot);
             for (int step = 0; step <= 50; ++step) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 50.0, {})};
-                placeLabels(cursors, shown.axes->rect(), PlotFonts(font).tick, WhereCrowded::CoverLeast);
+                placeLabels(cursors, shown.axes->rect(), PlotFonts(font).tick, CrowdedLabelPolicy::CoverLeast);
                 const QRectF place = cursors.front().labels.front().place.adjusted(0.0, 2.0, 0.0, -2.0);
                 QVERIFY(QRectF(shown.axes->rect()).contains(place));
                 int columns = 0; // of pixels in which the curve is behind the value
@@ -464,7 +464,7 @@ private slots:
             for (int step = 0; step <= 100; ++step) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 100.0, {})};
                 placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick,
-                            WhereCrowded::CoverLeast);
+                            CrowdedLabelPolicy::CoverLeast);
                 const std::vector<PlotCursor::Label> &labels = cursors.front().labels;
                 for (std::size_t i = 1; i < labels.size(); ++i) {
                     const bool isAbove = labels[i].place.center().y() < labels[i - 1].place.center().y();
@@ -494,7 +494,7 @@ private slots:
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, static_cast<double>(frame) / kFrames, {})};
                 keepPlaces(cursors, before);
                 placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick,
-                            WhereCrowded::CoverLeast);
+                            CrowdedLabelPolicy::CoverLeast);
                 for (const PlotCursor::Label &label : cursors.front().labels) {
                     const QPointF fromDot = label.place.center() - *label.dot;
                     ++values;
