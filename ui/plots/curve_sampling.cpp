@@ -146,7 +146,8 @@ std::vector<CurvePoint> refine(std::span<const CurvePoint> points, const std::fu
 {
     std::vector<CurvePoint> refined;
     refined.reserve(2 * points.size());
-    CurveRefinement refinement{valueAt, scale, tolerance, values, refined};
+    CurveRefinement refinement{
+        .valueAt = valueAt, .scale = scale, .tolerance = tolerance, .values = values, .points = refined};
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (i > 0 && !isGap(points[i - 1]) && !isGap(points[i])) {
             refinement.insertBetween(points[i - 1], points[i], 0);

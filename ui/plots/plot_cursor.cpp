@@ -56,26 +56,26 @@ std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const QRectF &place, doub
     return covered;
 }
 
-/// Returns the place of a value that keeps its distance from its dot (Label::before). Returns nullopt if it has had no
-/// place, or a place that is far from the dot or is not within the axes now.
+/// Returns the place of a value that keeps its distance from its dot (Label::lastPlace). Returns nullopt if it has had
+/// no place, or a place that is far from the dot or is not within the axes now.
 std::optional<QRectF> keptPlace(const PlotCursor::Label &label, const QRectF &axes, double height)
 {
     constexpr double kFarInHeights = 1.6; // heights of a label
-    if (!label.before || std::abs(label.before->center().y()) > kFarInHeights * height) {
+    if (!label.lastPlace || std::abs(label.lastPlace->center().y()) > kFarInHeights * height) {
         return std::nullopt;
     }
     const QPointF dot = *label.dot;
     QRectF place(QPointF(), QSizeF(label.text.size().width(), height));
-    place.moveCenter(dot + label.before->center());
-    if (label.before->left() > 0.0) {
-        place.moveLeft(dot.x() + label.before->left());
-    } else if (label.before->right() < 0.0) {
-        place.moveRight(dot.x() + label.before->right());
+    place.moveCenter(dot + label.lastPlace->center());
+    if (label.lastPlace->left() > 0.0) {
+        place.moveLeft(dot.x() + label.lastPlace->left());
+    } else if (label.lastPlace->right() < 0.0) {
+        place.moveRight(dot.x() + label.lastPlace->right());
     }
     return axes.contains(place) ? std::optional(place) : std::nullopt;
 }
 
-/// Returns the possible places of a value, the best first: where it stood before, to the right or the left of the line
+/// Returns the possible places of a value, the best first: its last place, to the right or the left of the line
 /// near its dot, above and below the dot, and then farther away.
 std::vector<QRectF> possiblePlaces(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
                                    const QFont &font)
@@ -132,7 +132,7 @@ std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::L
             continue;
         }
         std::ptrdiff_t covered = coveredPoints(cursor, place, dotRadius(font));
-        covered += !label.before && isInWrongOrder(cursor, label, place) ? kPointsOfWrongOrder : 0;
+        covered += !label.lastPlace && isInWrongOrder(cursor, label, place) ? kPointsOfWrongOrder : 0;
         if (!fewest || covered < *fewest) {
             fewest = covered;
             best = place;
@@ -205,7 +205,7 @@ std::ptrdiff_t placeValuesInBestDirection(PlotCursor &cursor, const QRectF &axes
                                           CrowdedLabelPolicy policy)
 {
     const bool isPlayed =
-        std::ranges::any_of(cursor.labels, [](const PlotCursor::Label &label) { return label.before.has_value(); });
+        std::ranges::any_of(cursor.labels, [](const PlotCursor::Label &label) { return label.lastPlace.has_value(); });
     PlotCursor upwards = cursor;
     const std::ptrdiff_t covered = placeValues(cursor, Direction::Downwards, axes, font, policy);
     if (covered == 0 || isPlayed) {
@@ -300,7 +300,7 @@ void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> be
                 return label.dot && other.dot && other.colour == label.colour && !other.place.isEmpty();
             });
             if (same != old->labels.end()) {
-                label.before = same->place.translated(-*same->dot);
+                label.lastPlace = same->place.translated(-*same->dot);
             }
         }
     }

@@ -26,9 +26,9 @@ struct PlotCursor {
     struct Label {
         QStaticText text;
         QColor colour;
-        std::optional<QPointF> dot = {};   ///< a heading has none
-        std::optional<QRectF> before = {}; ///< the last place, from the dot: a value stays there while it is free
-        QRectF place = {};                 ///< px, where the text stands; placeLabels() chooses it
+        std::optional<QPointF> dot = {};      ///< a heading has none
+        std::optional<QRectF> lastPlace = {}; ///< relative to the dot: a value stays there while it is free
+        QRectF place = {};                    ///< px, where the text stands; placeLabels() chooses it
     };
 
     double x = 0.0;       ///< px
@@ -45,7 +45,7 @@ double curveSpacing(const QFont &font);
 /// Returns the radius (px) of a dot beside text in the font.
 double dotRadius(const QFont &font);
 
-/// Sets Label::before of each cursor that has moved a little, so that values do not jump in an animation.
+/// Sets Label::lastPlace of each cursor that has moved a little, so that values do not jump in an animation.
 void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before);
 
 /// The treatment of a value that would cover a curve in every place near its dot.

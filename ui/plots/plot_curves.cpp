@@ -355,8 +355,9 @@ std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, c
             // On a linear axis, a value that is far below a pixel is the rounding error of zero.
             const double range = shownScaleOf(index).factor * plot.valueAxis->range().size();
             const bool isZero = !isLogarithmic(index) && std::abs(reading.number) < kRoundingError * range;
-            cursor.labels.push_back(
-                {QStaticText(shortNumber(isZero ? 0.0 : reading.number)), m_colours.*reading.ink, place});
+            cursor.labels.push_back({.text = QStaticText(shortNumber(isZero ? 0.0 : reading.number)),
+                                     .colour = m_colours.*reading.ink,
+                                     .dot = place});
         }
     }
     addCurvesBeside(cursor, plot);

@@ -498,7 +498,7 @@ private slots:
                 for (const PlotCursor::Label &label : cursors.front().labels) {
                     const QPointF fromDot = label.place.center() - *label.dot;
                     ++values;
-                    jumps += label.before && QLineF(label.before->center(), fromDot).length() > kJump ? 1 : 0;
+                    jumps += label.lastPlace && QLineF(label.lastPlace->center(), fromDot).length() > kJump ? 1 : 0;
                 }
                 before = cursors;
             }
