@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace slidercrank
@@ -89,7 +90,7 @@ bool MechanismDrawing::has(DrawnPart part) const
 
 void MechanismDrawing::add(const QPainterPath &path, const QPen &pen, const QBrush &brush, DrawnPart part)
 {
-    m_shapes.push_back({part, path, pen, brush});
+    m_shapes.push_back({.part = part, .path = path, .pen = pen, .brush = brush});
 }
 
 void MechanismDrawing::addLine(QPointF from, QPointF to, const QPen &pen, DrawnPart part)
@@ -133,31 +134,39 @@ QSizeF MechanismDrawing::textSize(const QString &text, TextSize letters) const
 void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double gap, const QString &text,
                                       const QColor &ink, TextSize letters)
 {
+    constexpr int kDirections = 8;
+    constexpr int kDistances = 3;
+    constexpr double kCostOutside = 10.0; // a label that is not within the drawing costs as much as ten overlaps
     constexpr double kEighth = std::numbers::pi / 4.0;
     const double ahead = std::atan2(direction.y(), direction.x());
     const QRectF inside(QPointF(), projection().size);
     QRectF box(QPointF(), textSize(text, letters));
-    box.adjust(0.0, 2.0, 0.0, -2.0); // a line of text is higher than its letters
+    constexpr double kBelowLetters = 2.0; // px: a line of text is higher than its letters
+    box.adjust(0.0, kBelowLetters, 0.0, -kBelowLetters);
     QRectF best;
-    double lowestCost = 1e9;
-    for (int attempt = 0; attempt < 24 && lowestCost > 0.0; ++attempt) {
-        const int turn = (attempt % 8 + 1) / 2 * (attempt % 2 == 0 ? -1 : 1); // 0, 1, -1, 2, -2 …
-        const int distance = attempt / 8;                                     // in heights of the label
+    double lowestCost = std::numeric_limits<double>::infinity();
+    for (int attempt = 0; attempt < kDirections * kDistances && lowestCost > 0.0; ++attempt) {
+        const int turn = (attempt % kDirections + 1) / 2 * (attempt % 2 == 0 ? -1 : 1); // 0, 1, -1, 2, -2 …
+        const int distance = attempt / kDirections;                                     // in heights of the label
         const QPointF away(std::cos(ahead + turn * kEighth), std::sin(ahead + turn * kEighth));
         // The label touches the gap with the side that faces the point.
         const double larger = std::max(std::abs(away.x()), std::abs(away.y()));
         box.moveCenter(point + (gap + distance * box.height()) * away +
                        QPointF(0.5 * box.width() * away.x(), 0.5 * box.height() * away.y()) / larger);
         const auto overlaps = std::ranges::count_if(m_occupied, [&](const QRectF &it) { return it.intersects(box); });
-        const double cost = static_cast<double>(overlaps) + (inside.contains(box) ? 0.0 : 10.0);
+        const double cost = static_cast<double>(overlaps) + (inside.contains(box) ? 0.0 : kCostOutside);
         if (cost < lowestCost) {
             lowestCost = cost;
             best = box;
         }
     }
     avoid(best);
-    m_labels.push_back(
-        {text, best.adjusted(0.0, -2.0, 0.0, 2.0), ink, withAlpha(m_paper, 0.6), letters == TextSize::Small});
+    constexpr double kOpacity = 0.6;
+    m_labels.push_back({.text = text,
+                        .box = best.adjusted(0.0, -kBelowLetters, 0.0, kBelowLetters),
+                        .ink = ink,
+                        .paper = withAlpha(m_paper, kOpacity),
+                        .isSmall = letters == TextSize::Small});
 }
 
 void MechanismDrawing::addCornerLabel(int line, double indent, const QString &text)

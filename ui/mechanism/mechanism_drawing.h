@@ -54,7 +54,7 @@ struct Label {
     int alignment = Qt::AlignCenter;
 };
 
-/// Takes its colours from a palette and its fonts from a font.
+/// A drawing of shapes and labels, with the colours of a palette and the letters of a font.
 class MechanismDrawing
 {
 public:

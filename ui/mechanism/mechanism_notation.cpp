@@ -50,8 +50,8 @@ QString angleText(double angle)
 /// Returns whether P is too far away to be drawn, so that the coupler practically translates.
 bool isAtInfinity(const InstantCentre &centre, const Mechanism &mechanism)
 {
-    constexpr double kFar = 1e4; // times the mechanism's size
-    return !(centre.toA <= kFar * (mechanism.a() + mechanism.b() + std::abs(mechanism.c())));
+    constexpr double kFarInSizes = 1e4; // times the size of the mechanism
+    return !(centre.toA <= kFarInSizes * (mechanism.a() + mechanism.b() + std::abs(mechanism.c())));
 }
 
 QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanism)
@@ -205,31 +205,39 @@ void MechanismSketch::addLengths()
 {
     for (const auto &[letter, link] : {std::pair("a", QLineF(m_O2, m_A)), {"b", QLineF(m_A, m_B)}}) {
         const QPointF across(-link.dy(), link.dx());
-        addLabelBeside(link.pointAt(0.6), across.y() > 0.0 ? across : -across, 7.0, letter, m_ink);
+        constexpr double kPlace = 0.6; // fraction of the link: beside the joints and the centre of mass
+        constexpr double kGap = 7.0;   // px
+        addLabelBeside(link.pointAt(kPlace), across.y() > 0.0 ? across : -across, kGap, letter, m_ink);
     }
 }
 
-/// Adds an angle of a link, measured from the x direction. The number is the one in the plots and the timeline; of an
-/// angle beyond a whole turn, the arc shows the rest.
+/// Adds an angle of a link, measured from the x direction. Its number is the same as in the plots and the timeline. If
+/// the angle is larger than a whole turn, the arc shows the part beyond whole turns.
 void MechanismSketch::addAngle(const QString &name, const QLineF &link, double angle, double largestRadius)
 {
+    constexpr double kBeyondArc = 8.0;  // px, by which the base line is longer than the radius
+    constexpr double kInk = 0.7;        // share of the ink in the colour of the arc
+    constexpr double kBaseWidth = 2.0;  // px, where labels do not stand
+    constexpr double kLabelGap = 20.0;  // px
+    constexpr double kLabelSlope = 0.5; // of the direction in which the label stands
+    constexpr double kDegreesPerTurn = 360.0;
     const double radius = arcRadius(link, largestRadius);
-    const QLineF base(link.p1(), link.p1() + QPointF(radius + 8.0, 0.0));
+    const QLineF base(link.p1(), link.p1() + QPointF(radius + kBeyondArc, 0.0));
     QRectF circle(0.0, 0.0, 2.0 * radius, 2.0 * radius);
     circle.moveCenter(link.p1());
     QPainterPath path(base.p1());
     path.lineTo(base.p2());
     path.arcMoveTo(circle, 0.0);
-    path.arcTo(circle, 0.0, std::fmod(kDegreesPerRadian * angle, 360.0));
-    add(path, QPen(faded(m_ink, 0.7), 1.0));
-    avoid(base, 2.0);
+    path.arcTo(circle, 0.0, std::fmod(kDegreesPerRadian * angle, kDegreesPerTurn));
+    add(path, QPen(faded(m_ink, kInk), 1.0));
+    avoid(base, kBaseWidth);
     constexpr double kStep = 0.1; // rad; smaller than a letter
     for (double along = 0.0; along < std::abs(std::fmod(angle, kTurn)); along += kStep) {
         const double direction = std::copysign(along, angle);
         avoid(QRectF(link.p1() + radius * QPointF(std::cos(direction), -std::sin(direction)), QSizeF(1.0, 1.0)));
     }
     // The label is on the side of the base line away from the arc, so that it need not move while the angle changes.
-    addLabelBeside(link.p1(), {1.0, angle < 0.0 ? -0.5 : 0.5}, 20.0,
+    addLabelBeside(link.p1(), {1.0, angle < 0.0 ? -kLabelSlope : kLabelSlope}, kLabelGap,
                    QStringLiteral("%1 = %2").arg(name, angleText(angle)), m_ink);
 }
 
