@@ -210,7 +210,10 @@ void ColumnMapping::addRow(QGridLayout *grid, int line, std::size_t column)
 ColumnChoice ColumnMapping::choiceIn(std::size_t row) const
 {
     const auto meaning = m_rows[row].meaning->currentData().value<ColumnMeaning>();
-    return {row, meaning.role, meaning.channel, m_rows[row].unit->currentData().toString().toStdString()};
+    return {.column = row,
+            .role = meaning.role,
+            .channel = meaning.channel,
+            .unit = m_rows[row].unit->currentData().toString().toStdString()};
 }
 
 std::vector<ColumnChoice> ColumnMapping::choices() const

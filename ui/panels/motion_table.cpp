@@ -121,13 +121,17 @@ std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
     };
     const QString angle = shownUnit(Measure::Angle);
     std::vector<TableColumn> columns{
-        {"t [s]", MotionTable::tr("Time; a dash where the crank does not reach this angle within the time range"),
-         settings.step == TableStep::Time ? QStringLiteral("time [s]") : QStringLiteral("first time [s]")},
-        {titled("θ₂", angle), MotionTable::tr("Crank angle"), csvName("theta2", Measure::Angle)}};
+        {.title = "t [s]",
+         .explanation = MotionTable::tr("Time; a dash where the crank does not reach this angle within the time range"),
+         .csvName = settings.step == TableStep::Time ? QStringLiteral("time [s]") : QStringLiteral("first time [s]")},
+        {.title = titled("θ₂", angle),
+         .explanation = MotionTable::tr("Crank angle"),
+         .csvName = csvName("theta2", Measure::Angle)}};
     for (const OutputChannel &channel : settings.columns) {
-        columns.push_back(
-            {titled(symbolOf(channel), shownUnit(channel)), nameText(channel),
-             csvName(isMeasuredAtB(channel) ? QString(kCouplerAngleAtB) : columnName(channel), measureOf(channel))});
+        columns.push_back({.title = titled(symbolOf(channel), shownUnit(channel)),
+                           .explanation = nameText(channel),
+                           .csvName = csvName(isMeasuredAtB(channel) ? QString(kCouplerAngleAtB) : columnName(channel),
+                                              measureOf(channel))});
     }
     return columns;
 }
@@ -138,10 +142,12 @@ TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &me
     const OutputState state = outputStateAt(withCrankAt(mechanism, place.theta2), 0.0, alpha2);
     TableRow row;
     row.time = place.time;
-    row.cells.push_back(place.time ? tableNumber(*place.time) : TableCell{.text = dash()});
-    row.cells.back().tone = place.time ? Tone::Link : Tone::Normal;
+    TableCell timeCell = place.time ? tableNumber(*place.time) : TableCell{.text = dash()};
+    timeCell.tone = place.time ? Tone::Link : Tone::Normal;
+    row.cells.push_back(timeCell);
+    constexpr double kRounding = 1e-12; // relative
     const bool isInFirstTurn =
-        place.theta2 >= 0.0 && place.theta2 <= kTurn * (1.0 + 1e-12); // then 360° is shown, not 0°
+        place.theta2 >= 0.0 && place.theta2 <= kTurn * (1.0 + kRounding); // then 360° is shown, not 0°
     row.cells.push_back(tableNumber(isInFirstTurn ? shownValue(Measure::Angle, place.theta2, notation().units)
                                                   : shownCrankAngle(place.theta2)));
     for (const OutputChannel &channel : settings.columns) {

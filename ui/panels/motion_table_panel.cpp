@@ -463,7 +463,7 @@ void MotionTablePanel::alignColumns()
 
 TablePlace MotionTablePanel::currentPlace() const
 {
-    return {m_session->pose().motion.theta2, m_session->time()};
+    return {.theta2 = m_session->pose().motion.theta2, .time = m_session->time()};
 }
 
 std::optional<OutputChannel> MotionTablePanel::wantedChannel() const

@@ -86,7 +86,7 @@ QString fullTurnText(Parameter parameter, const ResponseRange &range)
 
 Response computeResponse(const Parameters &parameters, Parameter parameter, int count, const std::stop_token &stop)
 {
-    Response response{parameters, parameter, responseRange(parameters, parameter)};
+    Response response{.parameters = parameters, .parameter = parameter, .range = responseRange(parameters, parameter)};
     const auto &[assembled, fullTurn] = response.range;
     for (int i = 0; i < count; ++i) {
         response.values.push_back(std::lerp(assembled.lower, assembled.upper, i / (count - 1.0)));

@@ -39,29 +39,52 @@ public:
         switch (kind) {
             using enum MethodName::Kind;
         case NewtonDense:
-            return {tr("Newton-Raphson, dense"),
-                    tr("The textbook's method: 12 equations solved together (dense LU), started from the time step "
-                       "before"),
-                    Tone::Fair, &SeriesColours::reference};
-        case NewtonDenseTaylor: return {tr("dense, Taylor start"), taylor, Tone::Fair, &SeriesColours::reference, true};
+            return {.name = tr("Newton-Raphson, dense"),
+                    .explanation =
+                        tr("The textbook's method: 12 equations solved together (dense LU), started from the time step "
+                           "before"),
+                    .tone = Tone::Fair,
+                    .colour = &SeriesColours::reference};
+        case NewtonDenseTaylor:
+            return {.name = tr("dense, Taylor start"),
+                    .explanation = taylor,
+                    .tone = Tone::Fair,
+                    .colour = &SeriesColours::reference,
+                    .isHollow = true};
         case NewtonStructured:
-            return {tr("Newton-Raphson, structured"), tr("The same 12 equations, solved joint by joint"), Tone::Model,
-                    &SeriesColours::model};
+            return {.name = tr("Newton-Raphson, structured"),
+                    .explanation = tr("The same 12 equations, solved joint by joint"),
+                    .tone = Tone::Model,
+                    .colour = &SeriesColours::model};
         case NewtonStructuredTaylor:
-            return {tr("structured, Taylor start"), taylor, Tone::Model, &SeriesColours::model, true};
+            return {.name = tr("structured, Taylor start"),
+                    .explanation = taylor,
+                    .tone = Tone::Model,
+                    .colour = &SeriesColours::model,
+                    .isHollow = true};
         case ClosedForm:
-            return {tr("closed form"), tr("The exact formulas, one time step after the other"), Tone::Good,
-                    &SeriesColours::errorOther};
+            return {.name = tr("closed form"),
+                    .explanation = tr("The exact formulas, one time step after the other"),
+                    .tone = Tone::Good,
+                    .colour = &SeriesColours::errorOther};
         case ClosedFormBatch:
-            return {tr("closed form, batch"),
-                    tr("The exact formulas for several time steps at once (vector instructions)"), Tone::Good,
-                    &SeriesColours::errorOther, true};
+            return {.name = tr("closed form, batch"),
+                    .explanation = tr("The exact formulas for several time steps at once (vector instructions)"),
+                    .tone = Tone::Good,
+                    .colour = &SeriesColours::errorOther,
+                    .isHollow = true};
         case FiniteDifference:
-            return {tr("finite differences"), tr("Velocity and acceleration as central differences of exact positions"),
-                    Tone::Bad, &SeriesColours::error};
+            return {.name = tr("finite differences"),
+                    .explanation = tr("Velocity and acceleration as central differences of exact positions"),
+                    .tone = Tone::Bad,
+                    .colour = &SeriesColours::error};
         case Harmonics: break;
         }
-        return {tr("Fourier series"), tr("The motion as a Fourier series"), Tone::Bad, &SeriesColours::error, true};
+        return {.name = tr("Fourier series"),
+                .explanation = tr("The motion as a Fourier series"),
+                .tone = Tone::Bad,
+                .colour = &SeriesColours::error,
+                .isHollow = true};
     }
 
     static QString nameOfRow(const MethodResult &row)

@@ -101,7 +101,7 @@ void TablePanel::prepareFindings()
     m_findings->hide();
 }
 
-/// The findings and the tables scroll; the chart beside them does not.
+/// Prepares the chart, and the area with the findings and the tables, which scrolls.
 void TablePanel::prepareChartAndScrollArea()
 {
     auto *parts = new QWidget;
@@ -217,12 +217,13 @@ void TablePanel::fillTables(const Page &page)
     m_export->setVisible(!m_shownTables.empty());
 }
 
-/// Several tables scroll together; a single table scrolls below its headings. The rest of the width is for the chart.
+/// Arranges the tables and the chart. Several tables scroll together; a single table scrolls below its headings. The
+/// rest of the width is for the chart.
 void TablePanel::arrange()
 {
     constexpr int kScrollBar = 20; // px
-    constexpr int kMinRows = 5;    // of a single table, with its headings: less could not be read
-    const bool together = m_shownTables.size() > 1;
+    constexpr int kMinRows = 5;    // of a single table, with its headings: fewer rows could not be read
+    const bool areSeveral = m_shownTables.size() > 1;
     const int available = std::max(1, contentsRect().width() - (m_chart->isHidden() ? 0 : kChartWidth));
     int sum = 0;
     int widest = 0;
@@ -230,11 +231,11 @@ void TablePanel::arrange()
         const QSize content = table->contentSize();
         sum += content.width() + m_tablesLayout->spacing();
         widest = std::max(widest, content.width());
-        table->setVerticalScrollBarPolicy(together ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+        table->setVerticalScrollBarPolicy(areSeveral ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
         const int lowest = kMinRows * table->verticalHeader()->defaultSectionSize();
-        table->setMinimumSize(1, together ? content.height() : std::min(content.height(), lowest));
+        table->setMinimumSize(1, areSeveral ? content.height() : std::min(content.height(), lowest));
     }
-    const bool isBeside = sum <= available || !together;
+    const bool isBeside = sum <= available || !areSeveral;
     m_tablesLayout->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     m_scroll->setMinimumWidth(m_chart->isHidden() ? 1 : std::min((isBeside ? sum : widest) + kScrollBar, available));
 }

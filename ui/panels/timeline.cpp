@@ -387,8 +387,12 @@ void Timeline::refreshNotation()
     const bool isRadian = notation().units.angle == AngleUnit::Radian;
     m_angleBox->setSuffix(isRadian ? tr(" rad") : tr("°"));
     m_angleBox->setUnit(isRadian ? kRadian : kDegree);
-    m_angleBox->setFixedDecimals(isRadian ? 4 : 2);
-    m_angleBox->setStep(isRadian ? 0.02 : 1.0);
+    constexpr int kDecimalsOfRadians = 4;
+    constexpr int kDecimalsOfDegrees = 2;
+    constexpr double kStepInRadians = 0.02;
+    constexpr double kStepInDegrees = 1.0;
+    m_angleBox->setFixedDecimals(isRadian ? kDecimalsOfRadians : kDecimalsOfDegrees);
+    m_angleBox->setStep(isRadian ? kStepInRadians : kStepInDegrees);
 }
 
 void Timeline::goToAngle(double angle)
