@@ -9,7 +9,7 @@ namespace slidercrank
 {
 
 /// Returns the range, widened a little and rounded outwards, so that small changes of the values do not move the axis.
-/// A range of length zero is widened, too. A lower end of 0 remains 0.
+/// A lower end of 0 remains 0. A range of length zero is widened on both sides, also at 0.
 Interval roundedOutwards(const Interval &range);
 
 } // namespace slidercrank

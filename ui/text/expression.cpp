@@ -31,6 +31,7 @@ public:
     }
 
 private:
+    /// Removes the sign if it comes next. Returns whether it did.
     bool takes(QChar sign)
     {
         const bool isNext = m_rest.startsWith(sign);
@@ -38,6 +39,7 @@ private:
         return isNext;
     }
 
+    /// Removes a sum from the text and returns its value; NaN if it is not valid.
     double sum()
     {
         double result = product();
@@ -52,6 +54,7 @@ private:
         }
     }
 
+    /// Removes a product from the text and returns its value.
     double product()
     {
         double result = factor();
@@ -66,6 +69,8 @@ private:
         }
     }
 
+    /// Removes a factor from the text and returns its value: a number, π, a sum in parentheses, or a factor with a
+    /// minus sign.
     double factor()
     {
         if (m_depth > kMaxDepth) {

@@ -92,7 +92,7 @@ struct LengthAndBound {
 LengthAndBound distinctTexts(double length, double bound)
 {
     const int digits = digitsToTellApart(length, bound);
-    return {parameterText(Parameter::B, length, digits), parameterText(Parameter::B, bound, digits)};
+    return {.length = parameterText(Parameter::B, length, digits), .bound = parameterText(Parameter::B, bound, digits)};
 }
 
 /// Returns the first time (s) in the time range at which the crank has the angle theta2 (rad). At a limit of the
@@ -229,9 +229,14 @@ std::vector<MotionFact> motionFacts(const Mechanism &mechanism, const MotionLimi
 {
     std::vector<MotionFact> facts;
     for (const Limit &limit : findLimits(mechanism, motion)) {
-        facts.push_back({limit.kind, limitName(limit.kind), shownLimit(limit, mechanism.branch(), notation),
-                         unitText(describe(limit.kind).measure, notation.units), limitExplanation(limit), limit.theta2,
-                         peakRemark(limit), timeOf(limit, mechanism, sampling)});
+        facts.push_back({.kind = limit.kind,
+                         .name = limitName(limit.kind),
+                         .number = shownLimit(limit, mechanism.branch(), notation),
+                         .unit = unitText(describe(limit.kind).measure, notation.units),
+                         .explanation = limitExplanation(limit),
+                         .theta2 = limit.theta2,
+                         .remark = peakRemark(limit),
+                         .time = timeOf(limit, mechanism, sampling)});
     }
     return facts;
 }
