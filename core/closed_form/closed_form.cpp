@@ -51,6 +51,8 @@ double fineGap(const MotionConstants &k, double gapSide, TwoPart theta2)
     return std::abs(difference) < kLastDigits * k.reach ? 0.0 : difference;
 }
 
+/// Returns p, m and h at a crank angle. Near a limit position of a rocker, they are computed from a sine with about 30
+/// digits.
 Clearance clearanceAt(const MotionConstants &k, TwoPart theta2)
 {
     const SinCos crank = sinCos(theta2);

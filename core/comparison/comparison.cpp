@@ -305,7 +305,8 @@ MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other
     otherMotion.time = sampling.timeStamps();
     Trajectory motion = sample(other, otherMotion.time, plottedChannels(), kClosedFormSettings);
     for (const Channel channel : kPlottedChannels) {
-        otherMotion.series.push_back({channel, std::move(motion.values[indexOf(channel)]), Rounding()});
+        otherMotion.series.push_back(
+            {.channel = channel, .values = std::move(motion.values[indexOf(channel)]), .rounding = Rounding()});
     }
     MotionDifference difference{compareExactly(mechanism, otherMotion).channels};
     difference.hasGaps = std::ranges::any_of(difference.channels, [](const ChannelComparison &channel) {

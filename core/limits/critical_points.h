@@ -27,8 +27,8 @@ struct CriticalPoint {
     Kind kind = Kind::Extremum;
 };
 
-/// In ascending order of the crank angle; empty if there is no motion. The same extremum can occur twice, with angles
-/// that differ by rounding only.
+/// The critical points of one curve, ascending by the crank angle; empty if there is no motion. The same extremum can
+/// occur twice, with angles that differ by rounding only.
 using CriticalPoints = std::vector<CriticalPoint>;
 
 /// The functions of the crank angle of which every channel is a multiple, except for a constant.

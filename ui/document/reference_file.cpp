@@ -254,7 +254,9 @@ std::variant<ReferenceData, ReadError> readBytes(const QStringList &paths, const
 {
     std::vector<FileBytes> files;
     for (qsizetype i = 0; i < paths.size(); ++i) {
-        files.push_back({toView(bytes[i]), fileName(paths[i]), bytes[i].size() < QFileInfo(paths[i]).size()});
+        files.push_back({.bytes = toView(bytes[i]),
+                         .name = fileName(paths[i]),
+                         .isBeginning = bytes[i].size() < QFileInfo(paths[i]).size()});
     }
     return readFiles(files, options);
 }

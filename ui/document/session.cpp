@@ -54,7 +54,7 @@ Session::Session(QObject *parent)
     : QObject(parent)
 {
     m_choices.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
-    m_result = compute(m_choices, {});
+    m_result = compute(m_choices, std::stop_token());
     m_settling.setSingleShot(true);
     connect(&m_settling, &QTimer::timeout, this, &Session::startIdentification);
     for (BackgroundTask *task : {&m_computation, &m_reading, &m_identifying}) {
@@ -280,7 +280,7 @@ void Session::loadReference(const QStringList &paths)
 }
 
 /// Returns choices for the same motion whose result is computed at once: in closed form, with the default number of
-/// time steps, and without a reference.
+/// time steps, and without a reference or pinned motions.
 static Choices quickChoices(const Choices &choices)
 {
     return {.parameters = choices.parameters,

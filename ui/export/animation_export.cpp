@@ -28,7 +28,7 @@ struct AnimationExport {
 
 using Problem = std::optional<QString>;
 
-/// Finds the faults that can be found before anything is drawn.
+/// Returns a message if the animation certainly cannot be written to `path`; checks it before anything is drawn.
 Problem findFault(const QString &path)
 {
     const QFileInfo target(path);

@@ -236,7 +236,11 @@ public:
     }
 
     /// Returns whether no line is wider than the page.
-    bool fits() const { return m_document.size().width() <= m_document.pageSize().width() + 0.5; }
+    bool fits() const
+    {
+        constexpr double kRounding = 0.5; // px
+        return m_document.size().width() <= m_document.pageSize().width() + kRounding;
+    }
 
     /// Returns whether the last page has only a few lines.
     bool endsWithFewLines() const

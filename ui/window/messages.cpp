@@ -28,7 +28,7 @@ const QString kProblem = "problem";
 /// file if they have no columns.
 Message refusedReferenceMessage(MainWindow *window, const QStringList &paths, const QString &sentence)
 {
-    Message message{kReference, Message::Kind::Problem, sentence};
+    Message message{.id = kReference, .kind = Message::Kind::Problem, .text = sentence};
     if (window->scene().lacksReference()) {
         message.text = Messages::tr("The scene is open without its reference. %1").arg(sentence);
     }
