@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The program as a web page: the window alone. main() returns at once, and the browser goes on to call Qt's event loop.
-// What a page does differently from a desktop program is here, in ui/widgets/page_dialogs.cpp, and in
-// ui/document/background_task.cpp, which does without threads.
+// The differences between a page and a desktop program are here, in ui/widgets/page_dialogs.cpp, and in
+// ui/document/background_task.cpp, which needs no threads.
 
 #include "ui/document/scene_link.h"
 #include "ui/document/whole_file.h"

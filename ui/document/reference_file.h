@@ -43,11 +43,12 @@ using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>
 /// What a file is expected to hold.
 enum class Content { Table, Scene };
 
-/// Reads a file, a pipe or standard input. Returns a sentence if that fails, if the content is too large, or if a table
-/// is expected and the bytes have a different format; then it may have read a part. May run in any thread.
+/// Reads a file, a pipe or standard input. Returns a message on failure, if the content is too large, or if a table is
+/// expected and the bytes have a different format; `bytes` may then contain a part. May run in any thread.
 std::optional<QString> readWhole(const QString &path, Content content, QByteArray &bytes);
 
-/// Whether the sentence about a file that cannot be read ends with the option of the command line that would help.
+/// What the message about a file that cannot be read ends with: nothing, or the option of the command line that would
+/// help.
 enum class Advice { None, Option };
 
 /// Reads files, pipes or standard input. May run in any thread.

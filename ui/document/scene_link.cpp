@@ -127,7 +127,7 @@ std::optional<QString> readNumber(const QString &field, const QString &text, QJs
     return std::nullopt;
 }
 
-/// Puts a field of the link into the scene. Returns a sentence if that is not possible.
+/// Puts a field of the link into the scene. Returns a message if that is not possible.
 std::optional<QString> insertField(const QString &field, const QString &text, QJsonObject &scene)
 {
     const auto hasField = [&](const QString &section) { return isCarried(scene[section].toObject().value(field)); };

@@ -28,7 +28,7 @@ struct ReportContent {
     double time = 0.0;                    ///< s, at which the values are stated and the mechanism is drawn
     double alpha2 = 0.0;                  ///< rad/s²: acceleration of the crank, in the values only
     PaperSize paper = PaperSize::A4;
-    QDateTime written = QDateTime::currentDateTime();
+    QDateTime timeOfWriting = QDateTime::currentDateTime();
 };
 
 /// The paragraphs that stand for the drawings in the text of a report.

@@ -272,7 +272,7 @@ QString reportHtml(const ReportContent &content)
     }
     return element("h1", Report::tr("Motion of an offset slider-crank")) +
            note(Report::tr("%1, by %2 %3")
-                    .arg(textLocale().toString(content.written.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
+                    .arg(textLocale().toString(content.timeOfWriting.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
            sideBySide(parameterTable(content), kMechanismPlace) + note(caption) +
            heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) + derivedValues(content) +

@@ -36,12 +36,12 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
     connect(m_stroke, &NumberBox::edited, this,
             [this](double stroke) { requestStroke(coreValue(Measure::Length, stroke, notation().units)); });
     connect(m_timeRatio, &NumberBox::edited, this, [this](double timeRatio) {
-        // A ratio above 1 leaves the direction of the slower stroke unchanged; one below 1 reverses it.
-        const double wanted = m_parameters.c < 0.0 ? 1.0 / timeRatio : timeRatio;
+        // A ratio above 1 leaves the direction of the slower stroke unchanged; a ratio below 1 reverses it.
+        const double directedRatio = m_parameters.c < 0.0 ? 1.0 / timeRatio : timeRatio;
         if (m_keepsLinks->isChecked()) {
-            requestOffset(wanted);
+            requestOffset(directedRatio);
         } else {
-            requestDesign(with(m_request, &DesignRequest::timeRatio, wanted));
+            requestDesign(with(m_request, &DesignRequest::timeRatio, directedRatio));
         }
     });
     connect(m_transmissionAngle, &NumberBox::edited, this, [this](double angle) {

@@ -77,10 +77,10 @@ void drawArrow(QPainter &painter, QPointF from, QPointF to)
     painter.drawPolygon(QPolygonF{to, left.p2(), right.p2()});
 }
 
-/// Returns the magnitude of each vector: "v_A = 20.00", …, "v_B = 30.15 in/s". The last one has the unit.
+/// Returns the magnitude of each vector: "v_A = 20.00", …, "v_B = 30.15 in/s". The last text has the unit.
 QStringList magnitudes(const std::vector<PlacedVector> &polygon, Measure measure)
 {
-    constexpr double kRounding = 1e-12; // fraction of the largest magnitude: what is smaller is 0
+    constexpr double kRounding = 1e-12; // fraction of the largest magnitude: a smaller magnitude is 0
     std::vector<double> lengths;
     for (const PlacedVector &placed : polygon) {
         lengths.push_back(std::hypot(placed.to.x - placed.from.x, placed.to.y - placed.from.y));

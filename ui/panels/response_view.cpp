@@ -275,8 +275,10 @@ void ResponseView::requestAt(Chart &chart, double pixel)
     const double left = chart.positionOf({Curve, 0}).x();
     const double right = chart.positionOf({Curve, m_response.values.size() - 1}).x();
     const double value = std::lerp(lower, upper, (pixel - left) / (right - left));
-    const double step = nextRoundNumber((upper - lower) / 400.0);
-    const double rounded = QString::number(std::round(value / step) * step, 'g', 12).toDouble();
+    constexpr double kSteps = 400.0; // about as many as a chart has pixels
+    constexpr int kDigits = 12;      // so that 0.1 + 0.2 becomes 0.3
+    const double step = nextRoundNumber((upper - lower) / kSteps);
+    const double rounded = QString::number(std::round(value / step) * step, 'g', kDigits).toDouble();
     m_session->setParameter(m_response.parameter, std::clamp(rounded, lower, upper));
 }
 

@@ -215,7 +215,7 @@ private:
     bool m_isPresentation = false;
     std::vector<MotionCurves> m_motions; ///< the pinned motions and, last, the model
 
-    // These are computed for the time range and the pixels of the plots.
+    // Computed for the time range and the pixels of the plots.
     std::size_t m_columns = 1;                  ///< number of columns of details (about a pixel) in a plot
     std::vector<MotionCurves::Curves> m_curves; ///< of m_motions
     std::optional<MotionErrors> m_errors;

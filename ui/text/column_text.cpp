@@ -55,7 +55,7 @@ public:
 
 static_assert(isCompleteTable(ColumnText::kReasons, ColumnReason::Constant));
 
-/// Appends the name of the file if several files are joined.
+/// Returns the text, followed by the name of the file if several files are joined.
 QString withFile(const QString &text, const FileLayout &layout, std::size_t file)
 {
     return file < layout.files.size() ? ColumnText::tr("%1 (%2)").arg(text, QString::fromUtf8(layout.files[file]))

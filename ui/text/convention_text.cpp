@@ -33,8 +33,8 @@ public:
         OfChannel ///< in the unit of the first column
     };
 
-    /// %1 are the columns, %2 "+ 5 mm" or "− 5 mm", %3 the symbol of the first column, %4 "in radians, but read as
-    /// degrees", %5 "5 mm" or "−5 mm".
+    /// A row of the table of conventions. In its text, %1 stands for the columns, %2 for "+ 5 mm" or "− 5 mm", %3 for
+    /// the symbol of the first column, %4 for "in radians, but read as degrees", %5 for "5 mm" or "−5 mm".
     struct Row {
         Kind key;
         const char *name; ///< in files and JSON

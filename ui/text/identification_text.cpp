@@ -282,11 +282,11 @@ const char *reasonName(Reason reason)
 
 Notation notationOf(const Identification &found)
 {
-    Notation shown = notation();
-    if (shown.units.length == LengthUnit::Millimetre) { // the default: no unit was chosen
-        shown.units.length = lengthUnitOf(found.lengthUnit);
+    Notation notationOfFile = notation();
+    if (notationOfFile.units.length == LengthUnit::Millimetre) { // the default: no unit was chosen
+        notationOfFile.units.length = lengthUnitOf(found.lengthUnit);
     }
-    return shown;
+    return notationOfFile;
 }
 
 QString measuredText(Parameter parameter, const Identification &found, const Notation &shown)

@@ -136,7 +136,7 @@ QString limitExplanation(const Limit &limit)
                : MotionFacts::tr("Largest value over one revolution of the crank, where its derivative is zero");
 }
 
-/// Says why a peak belongs to no crank angle.
+/// Returns the reason why a peak belongs to no crank angle; empty for other limits.
 QString peakRemark(const Limit &limit)
 {
     if (!peakChannel(limit.kind) || limit.theta2) {

@@ -174,7 +174,8 @@ double NumberBox::valueFromText(const QString &text) const
         return value(); // the exact number instead of the shortened text
     }
     if (m_fixedDecimals == 0 && number.contains(u'.')) { // may separate thousands
-        m_refusal = refusalOf(0.5);
+        constexpr double kNotWhole = 0.5;                // refused for the same reason as every fraction
+        m_refusal = refusalOf(kNotWhole);
         return value();
     }
     const Quantity typed = readExpression(number, m_unit);
@@ -182,6 +183,7 @@ double NumberBox::valueFromText(const QString &text) const
     return m_refusal.isEmpty() ? typed.value : value();
 }
 
+/// Returns why the box does not accept the number; empty if it accepts the number.
 QString NumberBox::refusalOf(double value) const
 {
     const bool isWhole = m_fixedDecimals == 0;

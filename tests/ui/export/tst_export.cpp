@@ -315,7 +315,7 @@ private slots:
         const QByteArray rows = "time,Linear Displacement1 (mm),theta3\n0,80,22.6\n0.01,80.3,21.5\n0.02,80.5,20.5\n";
         const QString file = writeFile(*m_folder, "motion.csv", rows);
         ReportContent content = contentWith(65.0, referenceIn({file}));
-        content.written = QDateTime({2024, 5, 17}, {9, 41, 5}); // local time
+        content.timeOfWriting = QDateTime({2024, 5, 17}, {9, 41, 5}); // local time
         const ReportText report(content);
         QVERIFY2(report.has({"17 May 2024, 09:41", "“Linear Displacement1 (mm)” as R4_x", file}),
                  qPrintable(report.text));
