@@ -3689,6 +3689,14 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <source>difference from %1</source>
         <translation>diferencia respecto a %1</translation>
     </message>
+    <message>
+        <source>≈ time step: %1</source>
+        <translation>≈ paso de tiempo: %1</translation>
+    </message>
+    <message>
+        <source>≈ file: %1</source>
+        <translation>≈ archivo: %1</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::PlotGrid</name>

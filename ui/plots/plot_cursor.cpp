@@ -56,21 +56,22 @@ std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const QRectF &place, doub
     return covered;
 }
 
-/// Returns the place of a value that keeps its distance from its dot (Label::lastPlace). Returns nullopt if it has had
-/// no place, or a place that is far from the dot or is not within the axes now.
-std::optional<QRectF> keptPlace(const PlotCursor::Label &label, const QRectF &axes, double height)
+/// Returns the place of a value that keeps its distance from its anchor (Label::lastPlace). Returns nullopt if it has had no
+/// place, or a place that is far from the anchor or is not within the axes now.
+std::optional<QRectF> keptPlace(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
+                                double height)
 {
     constexpr double kFarInHeights = 1.6; // heights of a label
     if (!label.lastPlace || std::abs(label.lastPlace->center().y()) > kFarInHeights * height) {
         return std::nullopt;
     }
-    const QPointF dot = *label.dot;
+    const QPointF anchor = anchorOf(cursor, label);
     QRectF place(QPointF(), QSizeF(label.text.size().width(), height));
-    place.moveCenter(dot + label.lastPlace->center());
+    place.moveCenter(anchor + label.lastPlace->center());
     if (label.lastPlace->left() > 0.0) {
-        place.moveLeft(dot.x() + label.lastPlace->left());
+        place.moveLeft(anchor.x() + label.lastPlace->left());
     } else if (label.lastPlace->right() < 0.0) {
-        place.moveRight(dot.x() + label.lastPlace->right());
+        place.moveRight(anchor.x() + label.lastPlace->right());
     }
     return axes.contains(place) ? std::optional(place) : std::nullopt;
 }
@@ -86,9 +87,9 @@ std::vector<QRectF> possiblePlaces(const PlotCursor &cursor, const PlotCursor::L
     constexpr int kClearOfDotInHalfHeights = 2; // so that a label above or below its dot does not cover the dot
     const double height = QFontMetricsF(font).height();
     const double width = label.text.size().width();
-    const double middle = label.dot->y() - 0.5 * height;
+    const double middle = anchorOf(cursor, label).y() - 0.5 * height;
     std::vector<QRectF> places;
-    if (const std::optional<QRectF> kept = keptPlace(label, axes, height)) {
+    if (const std::optional<QRectF> kept = keptPlace(cursor, label, axes, height)) {
         places.push_back(*kept);
     }
     const auto add = [&](Side side, int first, int last) {
@@ -113,17 +114,20 @@ bool isInWrongOrder(const PlotCursor &cursor, const PlotCursor::Label &label, co
 {
     return std::ranges::any_of(cursor.labels, [&](const PlotCursor::Label &other) {
         return other.dot && !other.place.isEmpty() &&
-               (other.dot->y() - label.dot->y()) * (other.place.top() - place.top()) < 0.0;
+               (anchorOf(cursor, other).y() - anchorOf(cursor, label).y()) * (other.place.top() - place.top()) < 0.0;
     });
 }
 
 /// Places a value where it covers no other label and the fewest points of the curves. A place in the wrong order counts
-/// as one more point, except while the motion is played, because values would jump where curves cross. Returns the
-/// number of points, or nullopt if every place covers a label.
+/// as one more point, except while the motion is played, because values would jump where curves cross: then a place
+/// other than the one where the value stood before counts as some more points. Returns the number of points, or nullopt
+/// if every place covers a label.
 std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::Label &label, const QRectF &axes,
                                          const QFont &font)
 {
     constexpr std::ptrdiff_t kPointsOfWrongOrder = 1;
+    constexpr std::ptrdiff_t kPointsOfJump = 2;
+    const std::optional<QRectF> kept = keptPlace(cursor, label, axes, QFontMetricsF(font).height());
     std::optional<std::ptrdiff_t> fewest;
     QRectF best;
     for (const QRectF &place : possiblePlaces(cursor, label, axes, font)) {
@@ -133,6 +137,7 @@ std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::L
         }
         std::ptrdiff_t covered = coveredPoints(cursor, place, dotRadius(font));
         covered += !label.lastPlace && isInWrongOrder(cursor, label, place) ? kPointsOfWrongOrder : 0;
+        covered += kept && place != *kept ? kPointsOfJump : 0;
         if (!fewest || covered < *fewest) {
             fewest = covered;
             best = place;
@@ -248,6 +253,11 @@ void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, Cr
 
 } // namespace
 
+QPointF anchorOf(const PlotCursor &cursor, const PlotCursor::Label &label)
+{
+    return {cursor.x, label.crossing.value_or(label.dot ? label.dot->y() : 0.0)};
+}
+
 double curveReach(const QFont &font)
 {
     constexpr double kWidestValue = 5.0; // heights of its text, with the gap beside the line
@@ -300,7 +310,7 @@ void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> be
                 return label.dot && other.dot && other.colour == label.colour && !other.place.isEmpty();
             });
             if (same != old->labels.end()) {
-                label.lastPlace = same->place.translated(-*same->dot);
+                label.lastPlace = same->place.translated(-anchorOf(*old, *same));
             }
         }
     }

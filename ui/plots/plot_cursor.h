@@ -22,13 +22,18 @@ namespace slidercrank
 {
 
 struct PlotCursor {
+    /// The importance of a value, the most important first. Errors have that of the model.
+    enum class Rank { Model, File, Pinned };
+
     /// Text beside the line: a heading, or a value with a dot on its curve. Positions are in px.
     struct Label {
         QStaticText text;
         QColor colour;
-        std::optional<QPointF> dot = {};      ///< a heading has none
-        std::optional<QRectF> lastPlace = {}; ///< relative to the dot: a value stays there while it is free
-        QRectF place = {};                    ///< px, where the text stands; placeLabels() chooses it
+        std::optional<QPointF> dot = {};   ///< a heading has none
+        std::optional<QRectF> lastPlace = {}; ///< the last place, from anchorOf()
+        QRectF place = {};                 ///< px, where the text stands; placeLabels() chooses it
+        Rank rank = Rank::Model;
+        std::optional<double> crossing = {}; ///< px, where the curve crosses the line, if the dot is beside the line
     };
 
     double x = 0.0;       ///< px
@@ -36,6 +41,9 @@ struct PlotCursor {
     std::vector<Label> labels = {};
     std::vector<QPointF> curves = {}; ///< points (px) of the curves beside the line, which the labels shall not cover
 };
+
+/// Returns the point of the line beside which the value of a label stands: where the curve crosses the line.
+QPointF anchorOf(const PlotCursor &cursor, const PlotCursor::Label &label);
 
 /// Return the distance from the line (px) up to which PlotCursor::curves has points, and the spacing (px) of the
 /// points, for text in the font.

@@ -157,7 +157,10 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
     };
     for (std::size_t i = 0; i < pinned.size(); ++i) {
         PlotCurve &curve = add(pinnedText(pinned[i], parameters), kPinnedColours[i], m_curves[i][channel]);
-        curve.readout = [&motion = m_motions[i], channel](const ReadTime &at) { return motion.value(channel, at.t); };
+        curve.readout = [&motion = m_motions[i], channel](const ReadTime &at) {
+            return CurvePoint{at.t, motion.value(channel, at.t)};
+        };
+        curve.rank = PlotCursor::Rank::Pinned;
         curve.valueAt = [&motion = m_motions[i], channel](double t) { return motion.value(channel, t); };
         curve.dashes = m_curves[i][channel].isDense ? QVector<double>() : kPinnedDashes[i];
         curve.width = m_isPresentation ? curve.width : 1.0;
@@ -167,7 +170,7 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
         model().isExact() ? QString() : fewSamplesSentence(m_result->mechanism, m_result->sampling);
     const QString name = isNamed ? pinnedText(parameters, pinned.back()) : tr("model");
     PlotCurve &curve = add(fewSamples.isEmpty() ? name : fewSamples, &SeriesColours::model, m_curves.back()[channel]);
-    curve.readout = [this, channel](const ReadTime &at) { return modelValue(channel, at); };
+    curve.readout = [this, channel](const ReadTime &at) { return modelPoint(channel, at); };
     if (model().isExact()) {
         curve.valueAt = [this, channel](double t) { return model().value(channel, t); };
     } else {
@@ -189,7 +192,8 @@ void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
     if (series) {
         const std::vector<CurvePoint> points = decimate(file->data.time, series->values, timeRange(), m_columns);
         PlotCurve &reference = add(file->name, &SeriesColours::reference, {points, usualRange(points, timeRange())});
-        reference.readout = [this, channel](const ReadTime &at) { return referenceValue(channel, at); };
+        reference.readout = [this, channel](const ReadTime &at) { return filePoint(channel, at); };
+        reference.rank = PlotCursor::Rank::File;
         reference.dashes = kReferenceDashes;
     }
     if (plot.values) {
@@ -211,12 +215,10 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
         curve.name = name.arg(m_style.comparedWith);
     }
     curve.width = 1.6; // thin, since the errors of a matching file are noise
-    curve.readout = [this, channel](const ReadTime &at) {
-        return m_errors->error(channel, modelValue(channel, at), referenceValue(channel, at));
-    };
+    curve.readout = [this, channel](const ReadTime &at) { return errorPoint(channel, at); };
     if (!hasFile && model().isExact()) {
         curve.valueAt = [this, channel](double t) {
-            return m_errors->error(channel, model().value(channel, t), referenceValue(channel, {t, {}}));
+            return m_errors->error(channel, model().value(channel, t), lastPinnedValue(channel, t));
         };
     }
     const std::vector<double> &values = (*m_errors)[channel].values;
@@ -310,31 +312,68 @@ QString PlotFigure::missingErrors(std::size_t row) const
 
 ReadTime PlotFigure::readTime(double t) const
 {
-    if (m_result->reference) {
-        const std::vector<double> &time = m_result->reference->data.time;
-        if (t >= time.front() && t <= time.back()) {
-            const std::size_t row = nearestIndex(time, t);
-            return {time[row], row};
-        }
-    }
-    return {model().nearestTime(t), std::nullopt};
+    const std::optional<std::size_t> row = nearestRow(t);
+    return {row ? m_result->reference->data.time[*row] : model().nearestTime(t), row};
 }
 
-double PlotFigure::modelValue(std::size_t channel, const ReadTime &time) const
-{
-    // At the file's time stamps only the channels of the file are sampled.
-    const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
-    return time.row && *time.row < sampled.size() ? sampled[*time.row] : model().value(channel, time.t);
-}
-
-double PlotFigure::referenceValue(std::size_t channel, const ReadTime &time) const
+/// Returns the row of the file that is nearest to that time, or nullopt if there is no file or it does not reach there.
+std::optional<std::size_t> PlotFigure::nearestRow(double t) const
 {
     if (!m_result->reference) {
-        const MotionCurves &pinnedLast = *std::prev(m_motions.end(), 2); // the model is behind it
-        return pinnedLast.value(channel, time.t);
+        return std::nullopt;
     }
+    const std::vector<double> &time = m_result->reference->data.time;
+    return t >= time.front() && t <= time.back() ? std::optional(nearestIndex(time, t)) : std::nullopt;
+}
+
+/// Returns the value of the model. Besides its time steps, a sampled motion is known at the rows of the file.
+CurvePoint PlotFigure::modelPoint(std::size_t channel, const ReadTime &time) const
+{
+    const double nearest = model().nearestTime(time.t);
+    // At the file's time stamps only the channels of the file are sampled.
+    const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
+    if (time.row && *time.row < sampled.size()) {
+        const double ofRow = m_result->reference->data.time[*time.row];
+        if (std::abs(ofRow - time.t) <= std::abs(nearest - time.t)) {
+            return {ofRow, sampled[*time.row]};
+        }
+    }
+    return {nearest, model().value(channel, nearest)};
+}
+
+CurvePoint PlotFigure::filePoint(std::size_t channel, const ReadTime &time) const
+{
     const ReferenceSeries *series = m_result->reference->data.find(kPlottedChannels[channel]);
-    return series && time.row ? series->values[*time.row] : kNone;
+    return series && time.row ? CurvePoint{m_result->reference->data.time[*time.row], series->values[*time.row]}
+                              : CurvePoint{time.t, kNone};
+}
+
+double PlotFigure::lastPinnedValue(std::size_t channel, double t) const
+{
+    return std::prev(m_motions.end(), 2)->value(channel, t); // the model is behind it
+}
+
+/// Returns the difference from the file at its nearest row, or from the last pinned motion.
+CurvePoint PlotFigure::errorPoint(std::size_t channel, const ReadTime &time) const
+{
+    if (!m_result->reference) {
+        const CurvePoint model = modelPoint(channel, time);
+        return {model.t, m_errors->error(channel, model.value, lastPinnedValue(channel, model.t))};
+    }
+    const CurvePoint file = filePoint(channel, time);
+    return {file.t, m_errors->error(channel, modelPoint(channel, {file.t, time.row}).value, file.value)};
+}
+
+/// Returns the value of a drawn curve at that time, or nullopt where it has a gap.
+static std::optional<double> drawnValue(const std::vector<CurvePoint> &points, double t)
+{
+    const auto after = std::ranges::lower_bound(points, t, {}, &CurvePoint::t);
+    if (after == points.begin() || after == points.end()) {
+        return std::nullopt;
+    }
+    const CurvePoint &before = *std::prev(after);
+    const double value = std::lerp(before.value, after->value, (t - before.t) / (after->t - before.t));
+    return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, const QStringList &headings) const
@@ -344,20 +383,27 @@ std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, c
     if (!plot.values || !timeRange().contains(time)) {
         return std::nullopt;
     }
-    const ReadTime read = readTime(time);
+    const QString timeOfCursor = timeText(time);
     PlotCursor cursor{std::round(plot.timeAxis->coordToPixel(time))};
     for (const QString &heading : headings) {
         cursor.labels.push_back({QStaticText(heading), m_colours.text});
     }
-    for (const PlotReading &reading : readings(index, read)) {
-        const QPointF place(plot.timeAxis->coordToPixel(read.t), plot.valueAxis->coordToPixel(reading.value));
+    for (const PlotReading &reading : readings(index, {time, nearestRow(time)})) {
+        const QPointF place(plot.timeAxis->coordToPixel(reading.t), plot.valueAxis->coordToPixel(reading.value));
         if (QRectF(plot.axes->rect()).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
             // On a linear axis, a value that is far below a pixel is the rounding error of zero.
             const double range = shownScaleOf(index).factor * plot.valueAxis->range().size();
             const bool isZero = !isLogarithmic(index) && std::abs(reading.number) < kRoundingError * range;
-            cursor.labels.push_back({.text = QStaticText(shortNumber(isZero ? 0.0 : reading.number)),
-                                     .colour = m_colours.*reading.ink,
-                                     .dot = place});
+            const QString number = shortNumber(isZero ? 0.0 : reading.number);
+            const bool isOfCursor = timeText(reading.t) == timeOfCursor;
+            PlotCursor::Label &label = cursor.labels.emplace_back();
+            label.text = QStaticText(isOfCursor ? number : u'≈' + number);
+            label.colour = m_colours.*reading.ink;
+            label.dot = place;
+            label.rank = reading.rank;
+            if (const std::optional<double> drawn = drawnValue(plot.curves[reading.curve].points, time)) {
+                label.crossing = plot.valueAxis->coordToPixel(*drawn);
+            }
         }
     }
     addCurvesBeside(cursor, plot);
@@ -385,29 +431,50 @@ void PlotFigure::addCurvesBeside(PlotCursor &cursor, const Plot &plot) const
         if (!timeRange().contains(time)) {
             continue;
         }
-        const ReadTime read = readTime(time);
+        const ReadTime read{time, nearestRow(time)};
         for (std::size_t i = 0; i < plot.curves.size(); ++i) {
             const PlotCurve &curve = plot.curves[i];
-            const double value = curve.readout ? curve.readout(read) : kNone;
-            if (!std::isfinite(value)) {
+            const CurvePoint point = curve.readout ? curve.readout(read) : CurvePoint{time, kNone};
+            if (!std::isfinite(point.value)) {
                 previous[i].reset();
                 continue;
             }
-            const double y = std::clamp(plot.valueAxis->coordToPixel(value), axes.top(), axes.bottom());
-            addLine(cursor.curves, previous[i].value_or(QPointF(x - spacing, y)), {x, y}, spacing);
-            previous[i] = QPointF(x, y);
+            const double y = std::clamp(plot.valueAxis->coordToPixel(point.value), axes.top(), axes.bottom());
+            const QPointF place(plot.timeAxis->coordToPixel(point.t), y);
+            addLine(cursor.curves, previous[i].value_or(place - QPointF(spacing, 0.0)), place, spacing);
+            previous[i] = place;
         }
     }
+}
+
+/// Returns the time of a cursor and, where they differ, the times of the values that begin with "≈".
+QStringList PlotFigure::cursorTexts(double t) const
+{
+    const QString time = timeText(t);
+    QStringList texts(time);
+    const auto addIfDifferent = [&](const QString &name, double other) {
+        if (timeText(other) != time) {
+            texts << name.arg(timeText(other));
+        }
+    };
+    addIfDifferent(tr("≈ time step: %1"), modelPoint(0, {t, nearestRow(t)}).t);
+    if (const std::optional<std::size_t> row = nearestRow(t)) {
+        addIfDifferent(tr("≈ file: %1"), m_result->reference->data.time[*row]);
+    }
+    return texts;
 }
 
 std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &time) const
 {
     std::vector<PlotReading> readings;
-    for (const PlotCurve &curve : m_plots[plot].curves) {
-        const double value = curve.readout ? curve.readout(time) : kNone;
-        if (std::isfinite(value)) {
-            const double number = isLogarithmic(plot) ? std::pow(10.0, value) : shownScaleOf(plot).shown(value);
-            readings.push_back({.value = value, .number = number, .ink = curve.ink});
+    const std::vector<PlotCurve> &curves = m_plots[plot].curves;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        const PlotCurve &curve = curves[i];
+        const CurvePoint point = curve.readout ? curve.readout(time) : CurvePoint{time.t, kNone};
+        if (std::isfinite(point.value)) {
+            const double number =
+                isLogarithmic(plot) ? std::pow(10.0, point.value) : shownScaleOf(plot).shown(point.value);
+            readings.push_back({point.t, point.value, number, curve.ink, curve.rank, i});
         }
     }
     return readings;

@@ -401,14 +401,14 @@ void PlotFigure::paint(QPainter &painter, const std::optional<double> &cursorTim
     if (!cursorTime) {
         return;
     }
-    const QString time = timeText(*cursorTime);
-    const bool isBesideLegend = drawBesideLegend(painter, time);
+    const QStringList times = cursorTexts(*cursorTime);
+    const bool isBesideLegend = drawBesideLegend(painter, times.join("; "));
     const auto hasNoNote = [this](std::size_t index) { return m_plots[index].note.isEmpty(); };
     const auto firstFree = std::ranges::find_if(plots(), hasNoNote); // the time would cover the note
     const std::size_t withTime = firstFree == plots().end() ? plots().front() : *firstFree;
     for (const std::size_t index : plots()) {
         const QRectF axes = m_plots[index].axes->rect();
-        const QStringList heading = !isBesideLegend && index == withTime ? QStringList(time) : QStringList();
+        const QStringList heading = !isBesideLegend && index == withTime ? times : QStringList();
         std::vector<PlotCursor> cursors;
         if (const std::optional<PlotCursor> cursor = cursorAt(index, *cursorTime, heading)) {
             cursors.push_back(*cursor);

@@ -41,10 +41,11 @@ class PlotDrawing;
 /// A colour by its member of SeriesColours, so that it follows the palette.
 using Ink = QColor SeriesColours::*;
 
-/// A time at which values are read. Within the time of a reference file, it is one of the time stamps of the file.
+/// A time at which values are read. The model and pinned motions are read at `t`. A reference file has values at its
+/// time stamps only: its nearest row is read.
 struct ReadTime {
     double t = 0.0;
-    std::optional<std::size_t> row; ///< of the file
+    std::optional<std::size_t> row; ///< of the file; nullopt outside its time
 };
 
 /// A curve of a plot, clipped to the axes.
@@ -53,8 +54,9 @@ struct PlotCurve {
     Ink ink = &SeriesColours::model;
     std::vector<CurvePoint> points = {};
 
-    /// Returns the value for the cursor's label, in axis units. Empty if the curve has no label.
-    std::function<double(const ReadTime &)> readout = {};
+    /// Returns the value for the cursor's label, in axis units, with its time: that of a row of the file, or of a time
+    /// step, may differ from the time that is read. Empty if the curve has no label.
+    std::function<CurvePoint(const ReadTime &)> readout = {};
 
     /// Returns the exact value at a time, for drawing. Empty if the curve consists of samples.
     std::function<double(double)> valueAt = {};
@@ -62,6 +64,8 @@ struct PlotCurve {
     double width = 2.0;                ///< px
     QVector<double> dashes = {};       ///< lengths of dashes and gaps in line widths; empty for a solid line
     std::vector<CurvePoint> dots = {}; ///< samples that are drawn as single dots
+
+    PlotCursor::Rank rank = PlotCursor::Rank::Model; ///< of its value at a cursor
 
     /// A dot with this value is drawn at the upper edge of the axes.
     static constexpr double kUpperEdge = kInfinity;
@@ -83,9 +87,12 @@ struct Plot {
 
 /// A value read off a curve.
 struct PlotReading {
+    double t = 0.0;      ///< the time of the value, s
     double value = 0.0;  ///< position on the axis; a logarithm if the axis is logarithmic
     double number = 0.0; ///< the number to show
     Ink ink = &SeriesColours::text;
+    PlotCursor::Rank rank = PlotCursor::Rank::Model;
+    std::size_t curve = 0; ///< its index in the plot
 };
 
 /// What an exported figure contains.
@@ -153,14 +160,16 @@ public:
     const std::vector<std::size_t> &plots() const { return m_style.plots; }
     const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }
 
-    /// Returns the time nearest to t at which values can be read.
+    /// Returns the time nearest to t at which all curves have values: a time stamp of the file or, if the motion is
+    /// sampled, a time step.
     ReadTime readTime(double t) const;
 
     /// Returns the values of a plot that is shown, in the order of the legend.
     std::vector<PlotReading> readings(std::size_t plot, const ReadTime &time) const;
 
-    /// Returns a cursor of a plot that is shown, in px of the figure, with its headings and the values of the curves.
-    /// Returns nullopt outside the time shown.
+    /// Returns a cursor of a plot that is shown, in px of the figure, with its headings and the values of the curves at
+    /// that time. A value of another time, such as that of the nearest row of the file, has its dot there and begins
+    /// with "≈". Returns nullopt outside the time shown.
     std::optional<PlotCursor> cursorAt(std::size_t plot, double time, const QStringList &headings) const;
 
     /// Returns "t = 0.2500 s", or over the crank angle "θ₂ = 90.00°". With the time `since`, returns the difference
@@ -184,8 +193,12 @@ private:
     double perSecond() const; ///< numbers on the time axis per second: 1, or over the crank angle its shown speed
     double zeroTime() const;  ///< the time at which the number on the time axis is 0, s
     const MotionCurves &model() const { return m_motions.back(); }
-    double modelValue(std::size_t channel, const ReadTime &time) const;
-    double referenceValue(std::size_t channel, const ReadTime &time) const; ///< of the file or the last pinned motion
+    std::optional<std::size_t> nearestRow(double t) const;
+    CurvePoint modelPoint(std::size_t channel, const ReadTime &time) const;
+    CurvePoint filePoint(std::size_t channel, const ReadTime &time) const;
+    CurvePoint errorPoint(std::size_t channel, const ReadTime &time) const;
+    double lastPinnedValue(std::size_t channel, double t) const;
+    QStringList cursorTexts(double t) const;
     void computeMotions(Plot &plot, std::size_t channel);
     void computeErrors(Plot &plot, std::size_t row);
     void addCurvesBeside(PlotCursor &cursor, const Plot &plot) const;

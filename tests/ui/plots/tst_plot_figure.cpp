@@ -7,6 +7,7 @@
 #include "tests/ui/plots/plot_results.h"
 #include "ui/plots/plot_cursor.h"
 #include "ui/plots/plot_drawing.h"
+#include "ui/text/written_number.h"
 
 #include <QPainter>
 #include <QScopeGuard>
@@ -112,7 +113,7 @@ private:
                     for (const PlotCurve &curve : shown.curves) {
                         int columns = 0; // of pixels in which the curve is behind the value
                         for (double x = place.left(); curve.readout && x <= place.right(); x += 1.0) {
-                            const double value = curve.readout(figure.readTime(shown.timeAxis->pixelToCoord(x)));
+                            const double value = curve.readout(figure.readTime(shown.timeAxis->pixelToCoord(x))).value;
                             columns += place.contains(x, shown.valueAxis->coordToPixel(value)) ? 1 : 0;
                         }
                         QVERIFY2(columns <= kCorner, qPrintable(QString("plot %1, step %2").arg(plot).arg(step)));
@@ -390,6 +391,51 @@ private slots:
         }
     }
 
+    /// A former defect: the line stood at 0.1250 s, and the value beside it was the model's at the nearest row, 0.1 s.
+    void valuesOfTheModelAreThoseOfTheTimeOfTheCursor_data()
+    {
+        QTest::addColumn<double>("time");
+        QTest::addColumn<bool>("isARow"); // the file has a row every 0.025 s
+        QTest::addRow("between two rows") << 0.13 << false;
+        QTest::addRow("at a row") << 0.125 << true;
+        QTest::addRow("at a row within the digits shown") << 0.12500001 << true;
+    }
+    void valuesOfTheModelAreThoseOfTheTimeOfTheCursor()
+    {
+        QFETCH(double, time);
+        QFETCH(bool, isARow);
+        constexpr double kRow = 0.125;
+        PlotFigure &figure = figureOf({.reference = referenceOf(65.0)});
+        for (const std::size_t plot : {kCouplerAngle, kSliderPosition}) {
+            plotOf(figure, plot);
+            const PlotCursor cursor = *figure.cursorAt(plot, time, {});
+            QCOMPARE(cursor.labels.size(), std::size_t(2));
+            const QString file = shortNumber(positionsAt(kRow, 65.0)[plot]);
+            QCOMPARE(cursor.labels[0].text.text(), shortNumber(positionsAt(time, 60.0)[plot]));
+            QCOMPARE(cursor.labels[1].text.text(), isARow ? file : u'≈' + file);
+            const QCPAxis &axis = *figure.shownPlot(plot).timeAxis;
+            QVERIFY(isNear(cursor.labels[0].dot->x(), axis.coordToPixel(time), 1e-9));
+            QVERIFY(isNear(cursor.labels[1].dot->x(), axis.coordToPixel(kRow), 1e-9));
+        }
+        TextRecorder recorder(QSize(800, 600));
+        QPainter painter(&recorder);
+        figure.compose({{kSliderPosition}, QFont(), QPalette()}, {800, 600});
+        figure.paint(painter, time);
+        painter.end();
+        const QString wanted = isARow ? "t = 0.1250 s" : "t = 0.1300 s; ≈ file: t = 0.1250 s";
+        QVERIFY(std::ranges::count(recorder.texts, wanted, &TextRecorder::Text::first) == 1);
+    }
+
+    /// The same of a motion that is known at its time steps only.
+    void aValueOfTheNearestTimeStepSaysSo()
+    {
+        PlotFigure &figure = figureOf({.sampling = {0.0, 1.0, 10}, .method = Method::Newton});
+        plotOf(figure, kSliderPosition);
+        const QString value = shortNumber(positionsAt(0.1, 60.0)[kSliderPosition]);
+        QCOMPARE(figure.cursorAt(kSliderPosition, 0.12, {})->labels[0].text.text(), u'≈' + value);
+        QCOMPARE(figure.cursorAt(kSliderPosition, 0.1, {})->labels[0].text.text(), value);
+    }
+
     void overTheCrankAngleEverythingIsReadInDegrees()
     {
         Parameters parameters;
@@ -450,8 +496,9 @@ private slots:
         }
     }
 
-    /// A former defect: of two dots close together, the value of the lower one could stand above that of the upper one.
-    void valuesAreInTheOrderOfTheirDots()
+    /// A former defect: of two curves close together, the value of the lower one could stand above that of the upper
+    /// one.
+    void valuesAreInTheOrderOfTheirCurves()
     {
         QFont font;
         font.setPixelSize(12);
@@ -468,11 +515,13 @@ private slots:
                 const std::vector<PlotCursor::Label> &labels = cursors.front().labels;
                 for (std::size_t i = 1; i < labels.size(); ++i) {
                     const bool isAbove = labels[i].place.center().y() < labels[i - 1].place.center().y();
-                    ++((labels[i].dot->y() < labels[i - 1].dot->y()) == isAbove ? inOrder : exchanged);
+                    const double y = anchorOf(cursors.front(), labels[i]).y();
+                    const bool isHigher = y < anchorOf(cursors.front(), labels[i - 1]).y();
+                    ++(isHigher == isAbove ? inOrder : exchanged);
                 }
             }
         }
-        qInfo("%d pairs of values are in the order of their dots, %d are exchanged", inOrder, exchanged);
+        qInfo("%d pairs of values are in the order of their curves, %d are exchanged", inOrder, exchanged);
         QVERIFY(exchanged < inOrder / 20);
     }
 
@@ -496,7 +545,7 @@ private slots:
                 placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick,
                             CrowdedLabelPolicy::CoverLeast);
                 for (const PlotCursor::Label &label : cursors.front().labels) {
-                    const QPointF fromDot = label.place.center() - *label.dot;
+                    const QPointF fromDot = label.place.center() - anchorOf(cursors.front(), label);
                     ++values;
                     jumps += label.lastPlace && QLineF(label.lastPlace->center(), fromDot).length() > kJump ? 1 : 0;
                 }
