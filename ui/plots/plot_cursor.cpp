@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 namespace slidercrank
@@ -180,25 +181,45 @@ constexpr std::ptrdiff_t kPointsWithoutPlace = 10000;
 /// The order in which the values are placed: from the highest dot to the lowest, or from the lowest to the highest.
 enum class Direction { Downwards, Upwards };
 
-/// Places the values one after the other. Returns how many points of the curves they cover, with a penalty for each
-/// value that has no place or is left out.
+/// Returns the indices of the labels in that direction; where values may be left out, the most important ranks first.
+std::vector<std::size_t> orderOfPlacing(const PlotCursor &cursor, Direction direction, CrowdedLabelPolicy policy)
+{
+    std::vector<std::size_t> order(cursor.labels.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    if (direction == Direction::Upwards) {
+        std::ranges::reverse(order);
+    }
+    if (policy == CrowdedLabelPolicy::LeaveOut) {
+        std::ranges::stable_sort(order, {}, [&cursor](std::size_t i) { return cursor.labels[i].rank; });
+    }
+    return order;
+}
+
+/// Places the values one after the other. Of the values of a rank, all are placed or none, and none if one of a more
+/// important rank is left out: a single value would be taken for that of the model. Returns how many points of the
+/// curves they cover, with a penalty for each value that has no place or is left out.
 std::ptrdiff_t placeValues(PlotCursor &cursor, Direction direction, const QRectF &axes, const QFont &font,
                            CrowdedLabelPolicy policy)
 {
     constexpr std::ptrdiff_t kMaxCovered = 1; // points: the corner of a label may touch a curve
     std::ptrdiff_t total = 0;
-    const std::size_t count = cursor.labels.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        PlotCursor::Label &label = cursor.labels[direction == Direction::Downwards ? i : count - 1 - i];
-        if (!label.dot) {
+    std::optional<PlotCursor::Rank> missing; // the most important rank of which a value has no place
+    for (const std::size_t i : orderOfPlacing(cursor, direction, policy)) {
+        PlotCursor::Label &label = cursor.labels[i];
+        if (!label.dot || missing) {
             continue;
         }
-        std::ptrdiff_t covered = placeValue(cursor, label, axes, font).value_or(kPointsWithoutPlace);
+        const std::ptrdiff_t covered = placeValue(cursor, label, axes, font).value_or(kPointsWithoutPlace);
         if (covered > kMaxCovered && policy == CrowdedLabelPolicy::LeaveOut) {
-            leaveOut(label);
-            covered = kPointsWithoutPlace;
+            missing = label.rank;
         }
         total += covered;
+    }
+    for (PlotCursor::Label &label : cursor.labels) {
+        if (label.dot && missing && label.rank >= *missing) {
+            leaveOut(label);
+            total += kPointsWithoutPlace;
+        }
     }
     return total;
 }

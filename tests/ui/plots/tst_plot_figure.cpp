@@ -436,6 +436,41 @@ private slots:
         QCOMPARE(figure.cursorAt(kSliderPosition, 0.1, {})->labels[0].text.text(), value);
     }
 
+    /// A former defect: of a figure with a pinned motion, the pinned value stood where the model's had no place.
+    void theModelsValueIsTheLastToBeLeftOut_data()
+    {
+        QTest::addColumn<std::shared_ptr<Reference>>("reference");
+        QTest::addRow("a pinned motion") << std::shared_ptr<Reference>();
+        QTest::addRow("a file and a pinned motion") << referenceOf(62.0);
+    }
+    void theModelsValueIsTheLastToBeLeftOut()
+    {
+        QFETCH(std::shared_ptr<Reference>, reference);
+        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
+        QFont font;
+        font.setPixelSize(12);
+        PlotFigure &figure = figureOf({.reference = reference, .pinned = {withCoupler(65.0)}});
+        figure.compose({all, font, paletteFor(Theme::Light)}, {605, PlotFigure::heightFor(all, 605, font)});
+        std::array<int, 3> shown{}; // by rank
+        for (const std::size_t plot : all) {
+            for (int step = 0; step <= 200; ++step) {
+                std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 200.0, {})};
+                placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick, CrowdedLabelPolicy::LeaveOut);
+                std::optional<PlotCursor::Rank> missing;
+                for (const PlotCursor::Label &label : cursors.front().labels) {
+                    const bool isMissing = label.place.isEmpty();
+                    missing = isMissing ? std::min(missing.value_or(label.rank), label.rank) : missing;
+                    shown[static_cast<std::size_t>(label.rank)] += isMissing ? 0 : 1;
+                }
+                for (const PlotCursor::Label &label : cursors.front().labels) {
+                    QVERIFY(!missing || label.place.isEmpty() == (label.rank >= *missing));
+                }
+            }
+        }
+        qInfo("%d values of the model are shown, %d of the file, %d pinned", shown[0], shown[1], shown[2]);
+        QVERIFY(shown[0] > shown[2] && shown[2] > 0);
+    }
+
     void overTheCrankAngleEverythingIsReadInDegrees()
     {
         Parameters parameters;
