@@ -57,8 +57,8 @@ std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const QRectF &place, doub
     return covered;
 }
 
-/// Returns the place of a value that keeps its distance from its anchor (Label::lastPlace). Returns nullopt if it has had no
-/// place, or a place that is far from the anchor or is not within the axes now.
+/// Returns the place of a value that keeps its distance from its anchor (Label::lastPlace). Returns nullopt if it has
+/// had no place, or a place that is far from the anchor or is not within the axes now.
 std::optional<QRectF> keptPlace(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
                                 double height)
 {
@@ -258,10 +258,15 @@ void placeHeadings(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 }
 
 /// Places the labels of one cursor. If a value has no place near its dot, all labels are in a column.
-void placeLabelsOf(PlotCursor &cursor, const QRectF &axes, const QFont &font, CrowdedLabelPolicy policy)
+void placeLabelsOf(PlotCursor &cursor, const QRectF &wholeAxes, const QFont &font, CrowdedLabelPolicy policy)
 {
-    std::ranges::stable_sort(cursor.labels, {},
-                             [](const PlotCursor::Label &label) { return label.dot ? label.dot->y() : 0.0; });
+    // Beside the left edge, where the axis has its numbers, a value looks like one of them. A figure has little space.
+    constexpr double kBesideNumbers = 3.0; // px
+    const bool isFigure = policy == CrowdedLabelPolicy::LeaveOut;
+    const QRectF axes = isFigure ? wholeAxes : wholeAxes.adjusted(kBesideNumbers, 0.0, 0.0, 0.0);
+    std::ranges::stable_sort(cursor.labels, {}, [&cursor](const PlotCursor::Label &label) {
+        return label.dot ? anchorOf(cursor, label).y() : 0.0;
+    });
     for (PlotCursor::Label &label : cursor.labels) {
         label.text.prepare({}, font);
     }

@@ -29,9 +29,9 @@ struct PlotCursor {
     struct Label {
         QStaticText text;
         QColor colour;
-        std::optional<QPointF> dot = {};   ///< a heading has none
+        std::optional<QPointF> dot = {};      ///< a heading has none
         std::optional<QRectF> lastPlace = {}; ///< the last place, from anchorOf()
-        QRectF place = {};                 ///< px, where the text stands; placeLabels() chooses it
+        QRectF place = {};                    ///< px, where the text stands; placeLabels() chooses it
         Rank rank = Rank::Model;
         std::optional<double> crossing = {}; ///< px, where the curve crosses the line, if the dot is beside the line
     };

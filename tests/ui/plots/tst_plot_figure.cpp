@@ -455,7 +455,8 @@ private slots:
         for (const std::size_t plot : all) {
             for (int step = 0; step <= 200; ++step) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 200.0, {})};
-                placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick, CrowdedLabelPolicy::LeaveOut);
+                placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick,
+                            CrowdedLabelPolicy::LeaveOut);
                 std::optional<PlotCursor::Rank> missing;
                 for (const PlotCursor::Label &label : cursors.front().labels) {
                     const bool isMissing = label.place.isEmpty();
@@ -494,6 +495,7 @@ private slots:
     {
         constexpr std::array<std::size_t, 2> kPlots{0, 1}; // θ³ and Rₓ⁴
         constexpr int kCorner = 6;                         // px: where no place is free, a corner is covered
+        constexpr double kBesideNumbers = 3.0; // px: a value that touches the axis looks like one of its numbers
         QFont font;
         font.setPixelSize(12);
         int covering = 0;
@@ -508,6 +510,7 @@ private slots:
                 placeLabels(cursors, shown.axes->rect(), PlotFonts(font).tick, CrowdedLabelPolicy::CoverLeast);
                 const QRectF place = cursors.front().labels.front().place.adjusted(0.0, 2.0, 0.0, -2.0);
                 QVERIFY(QRectF(shown.axes->rect()).contains(place));
+                QVERIFY(place.left() >= shown.axes->rect().left() + kBesideNumbers);
                 int columns = 0; // of pixels in which the curve is behind the value
                 for (double x = place.left(); x <= place.right(); x += 1.0) {
                     const double value = positionsAt(shown.timeAxis->pixelToCoord(x), 60.0)[plot];
