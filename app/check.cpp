@@ -145,9 +145,7 @@ ExitStatus checkCommand(const OptionReader &options, const Streams &streams)
                  {"slip", result.explanation == CheckOutcome::Named ? candidates.first() : QJsonValue()},
                  {"candidates", candidates},
                  {"conclusion", jsonText(conclusion)}}};
-    const ChannelSet noChannels; // the status is sufficient
-    const SamplingSummary summary = sample(position.mechanism, {0.0}, noChannels, SolverSettings()).summary;
-    output.status = reportTimeSteps(streams, summary, position.mechanism, NewtonOptions());
+    output.status = reportPosition(streams, result.status, position.mechanism, position.mechanism.theta20());
     if (!wrongNames.isEmpty()) {
         output.status = moreSevere(output.status, ExitStatus::Differs);
     }

@@ -156,13 +156,20 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
         return ExitStatus::FileError;
     }
     SamplingSummary summary;
+    JumpingRows jumps;
     const auto write = [&](const Trajectory &motion) {
         summary.add(motion.summary);
+        if (!hasPositions) {
+            jumps.add(mechanism, motion.time);
+        }
         return isJson ? output.write(motionJson(mechanism, solver.method, table, motion))
                       : writeRows(output, table, motion);
     };
     if (!isJson) {
         output.write(headerOf(table));
+    }
+    for (const Positions &each : positions) {
+        jumps.add(each.mechanism, each.timeStamps, channels.alpha2);
     }
     if (hasPositions) {
         write(samplePositions(positions, channels, solver));
@@ -173,6 +180,9 @@ ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
     }
     if (output.finish() != ExitStatus::Success) {
         return ExitStatus::FileError;
+    }
+    if (solver.method == Method::ClosedForm) {
+        jumps.report(streams);
     }
     return reportTimeSteps(streams, summary, mechanism, solver.newton);
 }

@@ -38,7 +38,23 @@ constexpr EnumText<Status> kMessages[] = {
          "The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer to 0.")}};
 static_assert(isCompleteTable(kMessages, Status::NotFinite));
 
+ExitStatus exitStatusOf(Status status)
+{
+    return status == Status::NotAssemblable ? ExitStatus::NotAssemblable : ExitStatus::NotSolved;
+}
+
 } // namespace
+
+ExitStatus reportPosition(const Streams &streams, Status status, const Mechanism &mechanism, double theta2)
+{
+    if (status == Status::Solved) {
+        return ExitStatus::Success;
+    }
+    streams.report(CommandLine::tr(rowOf(kMessages, status).text)
+                       .replace("%2", atLeastText(shortestCouplerForFullTurn(mechanism)))
+                       .replace("%1", QString("θ₂ = %1°").arg(crankAngleText(theta2))));
+    return exitStatusOf(status);
+}
 
 ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summary, const Mechanism &mechanism,
                            const NewtonOptions &newton, const QString &prefix)
@@ -70,13 +86,37 @@ ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summar
         if (status == Status::IterationLimit && newton.toleranceKind == ToleranceKind::Absolute) {
             messages += CommandLine::tr("Very long links need --tolerance-kind relative.");
         }
-        exitStatus = moreSevere(exitStatus,
-                                status == Status::NotAssemblable ? ExitStatus::NotAssemblable : ExitStatus::NotSolved);
+        exitStatus = moreSevere(exitStatus, exitStatusOf(status));
     }
     if (!messages.isEmpty()) {
         streams.report(prefix + messages.join(u' '));
     }
     return exitStatus;
+}
+
+void JumpingRows::add(const Mechanism &mechanism, std::span<const double> timeStamps, double alpha2)
+{
+    if (mechanism.omega2() == 0.0 && alpha2 == 0.0) {
+        return;
+    }
+    for (const double t : timeStamps) {
+        const double theta2 = mechanism.theta20() + mechanism.omega2() * t;
+        if (velocitiesJumpAt(mechanism, theta2) && m_count++ == 0) {
+            m_firstTime = t;
+            m_firstAngle = theta2;
+        }
+    }
+}
+
+void JumpingRows::report(const Streams &streams) const
+{
+    if (m_count > 0) {
+        streams.report(
+            CommandLine::tr("The velocities jump at %1 (rows: %2), where the coupler is perpendicular to the "
+                            "slider's line: velocities and accelerations there are those of one side only.")
+                .arg(QString("t = %1 s (θ₂ = %2°)").arg(numberText(m_firstTime), crankAngleText(m_firstAngle)),
+                     QString::number(m_count)));
+    }
 }
 
 } // namespace slidercrank

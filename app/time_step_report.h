@@ -15,4 +15,23 @@ namespace slidercrank
 ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summary, const Mechanism &mechanism,
                            const NewtonOptions &newton, const QString &prefix = {});
 
+/// Reports a single position that is not solved, at a crank angle (rad).
+ExitStatus reportPosition(const Streams &streams, Status status, const Mechanism &mechanism, double theta2);
+
+/// Collects the rows of a table in which the velocities jump. The closed form has the values of one side there.
+class JumpingRows
+{
+public:
+    /// Adds those of a motion whose crank has the acceleration alpha2 (rad/s²) at each time stamp (s).
+    void add(const Mechanism &mechanism, std::span<const double> timeStamps, double alpha2 = 0.0);
+
+    /// Says which rows they are, if there are any.
+    void report(const Streams &streams) const;
+
+private:
+    int m_count = 0;
+    double m_firstTime = 0.0;  ///< s
+    double m_firstAngle = 0.0; ///< rad
+};
+
 } // namespace slidercrank

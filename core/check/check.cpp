@@ -240,7 +240,7 @@ bool areRoundedEarlier(const CrankPosition &position, const OutputState &exact, 
 
 CheckResult check(const CrankPosition &position, std::span<const GivenValue> given)
 {
-    const OutputState exact = outputStateAt(position.mechanism, 0.0, position.alpha2);
+    const OutputState exact = unambiguousStateAt(position.mechanism, 0.0, position.alpha2);
     CheckResult result{.status = exact.state.status};
     double coincidence = 1.0;
     for (const GivenValue &each : given) {

@@ -91,6 +91,11 @@ std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double thet
 /// nearer end.
 double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, double R4x);
 
+/// Returns whether the velocities jump at a crank angle (rad), because the crank only just makes full turns, b = a +
+/// |c|, and the coupler is perpendicular to the slider's line there: the motion on either side has a limit of its own.
+/// An angle counts if it is so within rounding.
+bool velocitiesJumpAt(const Mechanism &mechanism, double theta2);
+
 /// Returns the shortest coupler with which the mechanism can be assembled, |c| - a (any length suffices if this is
 /// negative), and with which the crank makes full turns, a + |c| (mm).
 inline double shortestCouplerForAnyPose(const Mechanism &mechanism)

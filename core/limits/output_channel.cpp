@@ -3,6 +3,7 @@
 
 #include "core/closed_form/crank_acceleration.h"
 #include "core/closed_form/state_at.h"
+#include "core/limits/mobility.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -230,6 +231,17 @@ OutputState outputStateAt(const Mechanism &mechanism, double t, double alpha2)
     output.state = ClosedForm(mechanism).stateAt(t);
     addCrankAcceleration(mechanism, t, alpha2, output.state);
     output.derived = derivedState(mechanism, output.state, ClosedForm(mechanism).motionAt(t).s);
+    return output;
+}
+
+OutputState unambiguousStateAt(const Mechanism &mechanism, double t, double alpha2)
+{
+    OutputState output = outputStateAt(mechanism, t, alpha2);
+    const bool isAtRest = mechanism.omega2() == 0.0 && alpha2 == 0.0;
+    if (!isAtRest && velocitiesJumpAt(mechanism, output.state.q[Theta2])) {
+        output.state.setStatus(Status::Singular);
+        output.derived = derivedState(mechanism, output.state, ClosedForm(mechanism).motionAt(t).s);
+    }
     return output;
 }
 

@@ -101,4 +101,8 @@ double withoutNoise(double value, const OutputChannel &channel, const Mechanism 
 /// Returns the exact motion at time t (s), at which the crank has the speed ω2 and the acceleration alpha2 (rad/s²).
 OutputState outputStateAt(const Mechanism &mechanism, double t, double alpha2 = 0.0);
 
+/// Returns the same without velocities and accelerations where these jump (mobility.h): outputStateAt() has those of
+/// one side there. The status is Singular then, as it is for Newton-Raphson.
+OutputState unambiguousStateAt(const Mechanism &mechanism, double t, double alpha2 = 0.0);
+
 } // namespace slidercrank

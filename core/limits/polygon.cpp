@@ -46,7 +46,7 @@ std::vector<PlacedVector> placed(const std::vector<NamedVector> &chain, const Na
 Polygons polygonsAt(const Mechanism &mechanism, double t, double alpha2)
 {
     using enum PolygonVector;
-    const OutputState output = outputStateAt(mechanism, t, alpha2);
+    const OutputState output = unambiguousStateAt(mechanism, t, alpha2);
     const State &state = output.state;
     if (state.status != Status::Solved) {
         return {};

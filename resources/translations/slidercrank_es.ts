@@ -1277,6 +1277,26 @@ Equipo: %1. Tiempo: %2 s.
         <source>There is no position with %1 = %2: %1 lies between %3 and %4.</source>
         <translation>No hay ninguna posición con %1 = %2: %1 está entre %3 y %4.</translation>
     </message>
+    <message>
+        <source>--tolerance: &quot;%1&quot; is not one of the lengths a, b and c.</source>
+        <translation>--tolerance: &quot;%1&quot; no es ninguna de las longitudes a, b y c.</translation>
+    </message>
+    <message>
+        <source>--tolerance gives %1 twice: keep one of them.</source>
+        <translation>--tolerance indica %1 dos veces: deje solo una.</translation>
+    </message>
+    <message>
+        <source>--vary: &quot;%1&quot; is no parameter: choose a, b, c, omega2 or theta20.</source>
+        <translation>--vary: &quot;%1&quot; no es un parámetro: elija a, b, c, omega2 o theta20.</translation>
+    </message>
+    <message>
+        <source>Only a report and polygons show an acceleration of the crank, and everything else is for a constant crank speed: remove %1.</source>
+        <translation>Solo el informe y los polígonos muestran una aceleración de la manivela; todo lo demás es para una velocidad constante: quite %1.</translation>
+    </message>
+    <message>
+        <source>The velocities jump at %1 (rows: %2), where the coupler is perpendicular to the slider&apos;s line: velocities and accelerations there are those of one side only.</source>
+        <translation>Las velocidades dan un salto en %1 (filas: %2), donde la biela es perpendicular a la línea de la corredera: las velocidades y aceleraciones de allí son solo las de un lado.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ConventionText</name>
@@ -3010,6 +3030,10 @@ PA = %4, PB = %5</translation>
     <message>
         <source>The largest angle of the coupler minus its smallest</source>
         <translation>El mayor ángulo de la biela menos el menor</translation>
+    </message>
+    <message>
+        <source>Here the coupler is perpendicular to the slider&apos;s line, and the velocities jump: just before and just after this position, velocities and accelerations are different.</source>
+        <translation>Aquí la biela es perpendicular a la línea de la corredera y las velocidades dan un salto: justo antes y justo después de esta posición, las velocidades y aceleraciones son distintas.</translation>
     </message>
 </context>
 <context>

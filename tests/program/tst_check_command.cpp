@@ -82,6 +82,26 @@ private slots:
         }
     }
 
+    /// A former defect: the value just after the position was named as that of the other assembly.
+    void namesNoSlipWhereTheVelocitiesJump()
+    {
+        const RunResult outcome = run("check --a 40 --b 60 --c 20 --omega2 360deg/s --at-angle 270 x=0 v=559.1");
+        QCOMPARE(outcome.status, 5);
+        QVERIFY2(outcome.output.contains("does not exist here"), outcome.output.constData());
+        QVERIFY2(!outcome.output.contains("assembly"), outcome.output.constData());
+        QVERIFY2(outcome.error.contains("Velocity and acceleration do not exist at θ₂ = 270.00°:"),
+                 outcome.error.constData());
+    }
+
+    /// A former defect: "cannot be assembled at t = 0 s (θ₂ = 60.00°)", where the crank is at 0°.
+    void namesTheCrankAngleOfAnImpossiblePosition()
+    {
+        const RunResult outcome = run("check --a 40 --b 30 --c 80 --at-angle 60 x=50");
+        QCOMPARE(outcome.status, 4);
+        QVERIFY2(outcome.error.contains("The mechanism cannot be assembled at θ₂ = 60.00°:"),
+                 outcome.error.constData());
+    }
+
     void writesJson()
     {
         const RunResult outcome = run(QString(kExample) + "x=9.79 theta3=-154 v=41.46 omega3=-310.4 --format json");

@@ -72,6 +72,23 @@ private slots:
         }
     }
 
+    /// A former defect: where the velocities jump, the closed form gave one of two values without a word.
+    void saysWhereTheVelocitiesJump()
+    {
+        const QString mechanism("solve --a 40 --b 60 --c 20 --channels v,a ");
+        const RunResult atAngle = run(mechanism + "--at-angle 270");
+        QCOMPARE(atAngle.status, 0);
+        QVERIFY2(atAngle.error.contains("The velocities jump at t = 0.75 s (θ₂ = 270.00°) (rows: 1)"),
+                 atAngle.error.constData());
+        const RunResult sampled = run(mechanism + "--duration 2");
+        QVERIFY2(sampled.error.contains("(rows: 2)"), sampled.error.constData());
+        const RunResult beside = run(mechanism + "--at-angle 269.9");
+        QCOMPARE(beside.error, QByteArray());
+        const RunResult newton = run(mechanism + "--at-angle 270 --method newton");
+        QCOMPARE(newton.status, 5);
+        QVERIFY(!newton.error.contains("jump"));
+    }
+
     void writesTheRequestedRows()
     {
         const CsvTable sampled(run("solve --steps 4 --duration 2 --start -1").output);

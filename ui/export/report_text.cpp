@@ -86,7 +86,7 @@ QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn
 QString equation(const ReportContent &content, const OutputChannel &channel)
 {
     const Mechanism &mechanism = content.result->mechanism;
-    const OutputState state = outputStateAt(mechanism, content.time, content.alpha2);
+    const OutputState state = unambiguousStateAt(mechanism, content.time, content.alpha2);
     const double exact = withoutNoise(state.valueOf(channel), channel, mechanism, content.alpha2);
     const double value = shownChannel(channel, mechanism.branch(), exact);
     return QStringLiteral("%1 = %2").arg(symbolOf(channel), withUnit(shortNumber(value, kDigits), shownUnit(channel)));
@@ -112,6 +112,15 @@ QString derivedValues(const ReportContent &content)
     return paragraph(
         QStringLiteral("%1: %2; %3: %4.")
             .arg(nameText(mu), equation(content, mu), nameText(displacement), equation(content, displacement)));
+}
+
+/// Returns the note that the velocities jump at the chosen position; empty if they do not.
+QString jumpNote(const ReportContent &content)
+{
+    const Mechanism &mechanism = content.result->mechanism;
+    const bool jumps = mechanism.omega2() != 0.0 &&
+                       velocitiesJumpAt(mechanism, mechanism.theta20() + mechanism.omega2() * content.time);
+    return jumps ? note(jumpSentence()) : QString();
 }
 
 /// Returns the note that motion limits and plots are those of a constant crank speed; empty without an acceleration.
@@ -276,7 +285,7 @@ QString reportHtml(const ReportContent &content)
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
            sideBySide(parameterTable(content), kMechanismPlace) + note(caption) +
            heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) + derivedValues(content) +
-           accelerationNote(content) + heading(Report::tr("Motion limits")) +
+           jumpNote(content) + accelerationNote(content) + heading(Report::tr("Motion limits")) +
            paragraph(mobilitySentence(result.mechanism, result.limits)) +
            table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling, notation()))) +
            heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +

@@ -139,8 +139,9 @@ std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
 TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &mechanism, double alpha2,
                         const TablePlace &place)
 {
-    const OutputState state = outputStateAt(withCrankAt(mechanism, place.theta2), 0.0, alpha2);
+    const OutputState state = unambiguousStateAt(withCrankAt(mechanism, place.theta2), 0.0, alpha2);
     TableRow row;
+    row.explanation = velocitiesJumpAt(mechanism, place.theta2) ? jumpSentence() : QString();
     row.time = place.time;
     TableCell timeCell = place.time ? tableNumber(*place.time) : TableCell{.text = dash()};
     timeCell.tone = place.time ? Tone::Link : Tone::Normal;

@@ -446,6 +446,10 @@ TableRow MotionTablePanel::myValues()
     if (!values.empty() && !isIncomplete) {
         sentences << explanationText(result, wrong);
     }
+    if (!values.empty() && result.status == Status::Singular &&
+        velocitiesJumpAt(position.mechanism, currentPlace().theta2)) {
+        sentences << jumpSentence();
+    }
     m_judgement->setText(subscriptHtml(sentences.join(u' ')));
     return row;
 }

@@ -2,6 +2,7 @@
 #include "ui/plots/motion_curves.h"
 
 #include "core/closed_form/closed_form.h"
+#include "core/limits/mobility.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -51,6 +52,10 @@ double MotionCurves::value(std::size_t channel, double time) const
     const Channel plotted = kPlottedChannels[channel];
     if (!isExact()) {
         return (*m_samples)[plotted][nearestIndex(m_samples->time, time)];
+    }
+    const double theta2 = m_mechanism.theta20() + m_mechanism.omega2() * time;
+    if (plotted.order != Order::Position && m_mechanism.omega2() != 0.0 && velocitiesJumpAt(m_mechanism, theta2)) {
+        return kNone;
     }
     double value = kNone;
     Status status = Status::Solved;

@@ -155,6 +155,13 @@ QString atLeastText(double limit)
     return withUnit(numberText(std::ceil(shownLimit * unit - kSlack) / unit), shownUnit(Measure::Length));
 }
 
+QString jumpSentence()
+{
+    return MotionFacts::tr(
+        "Here the coupler is perpendicular to the slider's line, and the velocities jump: just before "
+        "and just after this position, velocities and accelerations are different.");
+}
+
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
 {
     const LengthAndBound fullTurn = distinctTexts(mechanism.b(), shortestCouplerForFullTurn(mechanism));

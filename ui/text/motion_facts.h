@@ -29,6 +29,9 @@ struct MotionFact {
     std::optional<double> time = {};   ///< first time at which the crank has this angle, s
 };
 
+/// Says that the velocities jump at the position that is shown (velocitiesJumpAt()).
+QString jumpSentence();
+
 /// States whether the crank can make full turns, with the inequality that decides it.
 QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits);
 

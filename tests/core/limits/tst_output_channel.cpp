@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/limits/mobility.h"
 #include "core/limits/output_channel.h"
 #include "tests/support/accelerating_motion.h"
 #include "tests/support/random_mechanisms.h"
@@ -88,6 +89,42 @@ private slots:
             const double exact = static_cast<double>(exactPositions(p, p.theta20).at("transmission_angle"));
             QVERIFY2(std::abs(computed - exact) <= 2e-15 * exact, describe(p).c_str());
         }
+    }
+
+    /// A former defect: where the velocities jump, one of two values was given without a word.
+    void whereVelocitiesJumpThereAreNone_data()
+    {
+        QTest::addColumn<double>("b");
+        QTest::addColumn<double>("c");
+        QTest::addColumn<double>("degrees");
+        QTest::addColumn<bool>("jumps");
+        QTest::addRow("b = a + c, below") << 60.0 << 20.0 << 270.0 << true;
+        QTest::addRow("two turns later") << 60.0 << 20.0 << 990.0 << true;
+        QTest::addRow("b = a + c, above") << 60.0 << 20.0 << 90.0 << false;
+        QTest::addRow("beside it") << 60.0 << 20.0 << 270.001 << false;
+        QTest::addRow("b = a + |c|, above") << 60.0 << -20.0 << 90.0 << true;
+        QTest::addRow("b = a") << 40.0 << 0.0 << 90.0 << true;
+        QTest::addRow("b = a, below") << 40.0 << 0.0 << -90.0 << true;
+        QTest::addRow("a longer coupler") << 60.001 << 20.0 << 270.0 << false;
+        QTest::addRow("a shorter coupler") << 59.0 << 20.0 << 230.0 << false;
+    }
+    void whereVelocitiesJumpThereAreNone()
+    {
+        QFETCH(double, b);
+        QFETCH(double, c);
+        QFETCH(double, degrees);
+        QFETCH(bool, jumps);
+        const double theta2 = degrees * std::numbers::pi / 180.0;
+        const Mechanism mechanism({.a = 40.0, .b = b, .c = c, .omega2 = 2.0, .theta20 = theta2});
+        QCOMPARE(velocitiesJumpAt(mechanism, theta2), jumps);
+        const OutputState state = unambiguousStateAt(mechanism, 0.0);
+        QCOMPARE(state.state.status, jumps ? Status::Singular : Status::Solved);
+        QCOMPARE(std::isnan(state.valueOf(Channel{R4x, Order::Velocity})), jumps);
+        QCOMPARE(std::isnan(state.valueOf(DerivedChannel{DerivedQuantity::Displacement, Order::Acceleration})), jumps);
+        QVERIFY(std::isfinite(state.valueOf(Channel{R4x, Order::Position})));
+        QVERIFY(std::isfinite(state.derived.transmissionAngle.position));
+        const Mechanism atRest({.a = 40.0, .b = b, .c = c, .omega2 = 0.0, .theta20 = theta2});
+        QCOMPARE(unambiguousStateAt(atRest, 0.0).state.status, Status::Solved);
     }
 
     void understandsSymbolsAsTheyAreWritten()

@@ -340,6 +340,19 @@ private slots:
                  qPrintable(report.text));
     }
 
+    /// A former defect: a⁴ = 0 on the same page as a peak acceleration of ∞ at the same position.
+    void reportsNoVelocitiesWhereTheyJump()
+    {
+        Session session;
+        session.setParameters({.a = 40.0, .b = 60.0, .c = 20.0});
+        ReportContent content{session.result(), {}};
+        content.time = 0.75; // 270°
+        const ReportText report(content);
+        QVERIFY2(report.has({"v⁴ = –", "a⁴ = –", "the velocities jump: just before"}), qPrintable(report.text));
+        content.time = 0.7;
+        QVERIFY(!ReportText(content).has("v⁴ = –") && !ReportText(content).has("just before"));
+    }
+
     void reportsPinnedMotionsAndTheMethod()
     {
         Session session;

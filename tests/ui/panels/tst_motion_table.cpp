@@ -140,6 +140,22 @@ private slots:
         }
     }
 
+    /// A former defect: the table had one of two velocities without a word.
+    void aRowWhereVelocitiesJumpSaysSo()
+    {
+        MotionTableSettings settings;
+        settings.columns = {Channel{R4x, Order::Position}, Channel{R4x, Order::Velocity},
+                            Channel{R4x, Order::Acceleration}};
+        for (const double degrees : {255.0, 270.0}) {
+            const TableRow row = motionTableRow(settings, Mechanism({.a = 40.0, .b = 60.0, .c = 20.0}), 0.0,
+                                                {degrees / kDegreesPerRadian, 0.0});
+            QCOMPARE(row.cells[3].text == "–", degrees == 270.0);
+            QCOMPARE(row.cells[4].text == "–", degrees == 270.0);
+            QCOMPARE(row.explanation.contains("velocities jump"), degrees == 270.0);
+            QVERIFY(row.cells[2].text != "–");
+        }
+    }
+
     void showsRoundingNoiseAsZero()
     {
         MotionTableSettings settings;
