@@ -71,6 +71,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     m_layout->setContentsMargins(6, 4, 6, 2);
     m_layout->setSpacing(3);
     m_layout->addLayout(makeControls());
+    m_layout->addWidget(m_constantSpeed); // beside the controls of a narrow window it would be a column of letters
     m_layout->addLayout(makeFindLine());
     m_layout->addWidget(m_answer);
     m_answer->setTextFormat(Qt::RichText);
@@ -114,7 +115,6 @@ QLayout *MotionTablePanel::makeControls()
     label->setBuddy(m_alpha2);
     row->addWidget(m_alpha2);
     m_constantSpeed->hide();
-    row->addWidget(m_constantSpeed, 1);
     row->addStretch();
     connect(m_step, &NumberBox::edited, this, [this](double step) {
         MotionTableSettings settings = m_settings;

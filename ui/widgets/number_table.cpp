@@ -224,7 +224,7 @@ void NumberTable::copy()
 
 QSize NumberTable::contentSize() const
 {
-    return {horizontalHeader()->length(),
+    return {horizontalHeader()->length() + (hasNames() ? m_namesWidth - columnWidth(0) : 0),
             horizontalHeader()->sizeHint().height() + m_model->rowCount() * verticalHeader()->defaultSectionSize()};
 }
 
@@ -235,6 +235,7 @@ void NumberTable::fitColumns()
     for (int column = 0; column < m_model->columnCount(); ++column) {
         const auto index = static_cast<std::size_t>(column);
         setColumnWidth(column, 0);
+        m_namesWidth = column == 0 ? 0 : m_namesWidth;
         widen(column, m_columns[index].title);
         for (const TableRow &row : m_rows) {
             widen(column, row.cells[index].text);
@@ -245,7 +246,26 @@ void NumberTable::fitColumns()
 /// Makes the column wide enough for the text.
 void NumberTable::widen(int column, const QString &text)
 {
-    setColumnWidth(column, std::max(columnWidth(column), fontMetrics().horizontalAdvance(text) + kCellMargin));
+    const int needed = fontMetrics().horizontalAdvance(text) + kCellMargin;
+    setColumnWidth(column, std::max(columnWidth(column), needed));
+    if (hasNames()) {
+        m_namesWidth = column == 0 ? std::max(m_namesWidth, needed) : m_namesWidth;
+        setColumnWidth(0, widthOfNames());
+    }
+}
+
+/// Returns whether numbers follow the texts of the first column.
+bool NumberTable::hasNames() const
+{
+    return m_columns.size() > 1 && !m_columns.front().isNumber && m_columns[1].isNumber;
+}
+
+/// Returns the width of the first column. Names are shortened where the numbers behind them would be cut off.
+int NumberTable::widthOfNames() const
+{
+    constexpr int kShortestNames = 12; // letters
+    const int shortest = std::min(m_namesWidth, kShortestNames * fontMetrics().averageCharWidth() + kCellMargin);
+    return std::clamp(viewport()->width() - columnWidth(1), shortest, m_namesWidth);
 }
 
 /// While the table has the focus, the copy key copies its rows instead of triggering the window's shortcut.
@@ -294,6 +314,14 @@ void NumberTable::keyPressEvent(QKeyEvent *event)
         copy();
     } else {
         QTableView::keyPressEvent(event);
+    }
+}
+
+void NumberTable::resizeEvent(QResizeEvent *event)
+{
+    QTableView::resizeEvent(event);
+    if (hasNames()) {
+        setColumnWidth(0, widthOfNames());
     }
 }
 

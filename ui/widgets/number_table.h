@@ -84,15 +84,19 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
     bool edit(const QModelIndex &index, EditTrigger trigger, QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void goToRow(const QModelIndex &index);
+    bool hasNames() const;
+    int widthOfNames() const;
     void fillCells();
     void fitColumns();
     void widen(int column, const QString &text);
 
     std::vector<TableColumn> m_columns;
     std::vector<TableRow> m_rows{};
+    int m_namesWidth = 0;   ///< px, that the texts of the first column need
     int m_editableRow = -1; ///< -1: none
     int m_firstEditableColumn = 0;
     bool m_isFilling = false;

@@ -380,6 +380,18 @@ private slots:
         QVERIFY2(rows->height() < rows->minimumSizeHint().height(), qPrintable(QString::number(rows->height())));
     }
 
+    /// A former defect: at 764×450 the note was a column of letters, which pushed the table out of sight.
+    void theNoteAboutTheSpeedIsAsWideAsThePanel()
+    {
+        ShownTable shown;
+        shown.panel.resize(390, 300);
+        shown.session.setAlpha2(30.0);
+        settle(shown.panel);
+        const auto *note = child<QLabel>(shown.panel, "constantSpeed");
+        QVERIFY(note->isVisible());
+        QVERIFY2(note->height() < 2 * note->fontMetrics().height(), qPrintable(QString::number(note->height())));
+    }
+
     void aDoubleClickOnMyValueReplacesAllOfIt()
     {
         ShownTable shown;

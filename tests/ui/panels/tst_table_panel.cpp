@@ -166,6 +166,26 @@ private slots:
         QVERIFY(shown.panel.exportTo(folder.filePath("none/x.csv")).value_or("").contains("cannot be written"));
     }
 
+    /// A former defect: where the columns were wider than the panel, the values were cut off.
+    void namesAreShortenedBeforeValuesAreCutOff()
+    {
+        Page page = pageWith({1234.5});
+        page.tables[0].rows[0].cells[0].text = "a name that is as long as that of the longest limit";
+        ShownTable shown(page);
+        const auto edgeOfValues = [&shown] { return shown.table()->columnWidth(0) + shown.table()->columnWidth(1); };
+        shown.panel.resize(900, 300);
+        settle(shown.panel);
+        const int whole = shown.table()->columnWidth(0);
+        QVERIFY(whole > shown.table()->fontMetrics().horizontalAdvance(page.tables[0].rows[0].cells[0].text));
+        shown.panel.resize(260, 300);
+        settle(shown.panel);
+        QVERIFY(shown.table()->columnWidth(0) < whole);
+        QVERIFY2(edgeOfValues() <= shown.table()->viewport()->width(), qPrintable(QString::number(edgeOfValues())));
+        shown.panel.resize(900, 300);
+        settle(shown.panel);
+        QCOMPARE(shown.table()->columnWidth(0), whole);
+    }
+
     void offersTheRemedyOfAFindingAndDisablesItDuringASearch()
     {
         Page page = pageWith({1.0});
