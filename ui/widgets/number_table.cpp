@@ -139,6 +139,11 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     horizontalHeader()->setMinimumSectionSize(1);
     connect(this, &QTableView::clicked, this, &NumberTable::goToRow);
     connect(this, &QTableView::activated, this, &NumberTable::goToRow); // Enter
+    connect(this, &QTableView::clicked, this, [this](const QModelIndex &index) {
+        if (isTypedInto(index) && state() != EditingState) { // it was the current cell before
+            QTableView::edit(index);
+        }
+    });
     connect(this, &QTableView::entered, this, [this](const QModelIndex &index) {
         emit partHovered(m_rows[static_cast<std::size_t>(index.row())].part);
         emit rowHovered(index.row());
@@ -310,8 +315,11 @@ bool NumberTable::eventFilter(QObject *watched, QEvent *event)
 
 void NumberTable::keyPressEvent(QKeyEvent *event)
 {
+    const bool isErasing = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
     if (event->matches(QKeySequence::Copy)) {
         copy();
+    } else if (isErasing && isTypedInto(currentIndex())) {
+        m_model->setData(currentIndex(), QString(), Qt::DisplayRole);
     } else {
         QTableView::keyPressEvent(event);
     }
@@ -323,6 +331,11 @@ void NumberTable::resizeEvent(QResizeEvent *event)
     if (hasNames()) {
         setColumnWidth(0, widthOfNames());
     }
+}
+
+bool NumberTable::isTypedInto(const QModelIndex &index) const
+{
+    return m_editableRow >= 0 && index.row() == m_editableRow && index.column() >= m_firstEditableColumn;
 }
 
 void NumberTable::goToRow(const QModelIndex &index)

@@ -88,6 +88,7 @@ protected:
 
 private:
     void goToRow(const QModelIndex &index);
+    bool isTypedInto(const QModelIndex &index) const; ///< whether a person can type into the cell
     bool hasNames() const;
     int widthOfNames() const;
     void fillCells();

@@ -380,6 +380,38 @@ private slots:
         QVERIFY2(rows->height() < rows->minimumSizeHint().height(), qPrintable(QString::number(rows->height())));
     }
 
+    /// A former defect: neither did anything to the cell that had just been typed into.
+    void aSelectedCellIsErasedByAKeyAndOpenedByAClick()
+    {
+        for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace}) {
+            ShownTable shown;
+            auto *table = child<NumberTable>(shown.panel, "presentPosition");
+            const QModelIndex cell = table->model()->index(1, 3);
+            const auto editors = [table] { return table->viewport()->findChildren<QLineEdit *>().size(); };
+            const auto click = [&] {
+                QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(cell).center());
+            };
+            click();
+            QCOMPARE(editors(), 1);
+            QTest::keyClicks(table->viewport()->findChild<QLineEdit *>(), "33.3");
+            QTest::keyClick(table->viewport()->findChild<QLineEdit *>(), Qt::Key_Return);
+            settle(shown.panel);
+            QCOMPARE(cell.data().toString(), "33.3");
+            QCOMPARE(editors(), 0);
+            click();
+            QCOMPARE(editors(), 1);
+            QTest::keyClick(table->viewport()->findChild<QLineEdit *>(), Qt::Key_Escape);
+            settle(shown.panel);
+            QTest::keyClick(table, key);
+            settle(shown.panel);
+            QCOMPARE(cell.data().toString(), QString());
+            QVERIFY(child<QLabel>(shown.panel, "judgement")->isHidden());
+            table->setCurrentIndex(table->model()->index(0, 3));
+            QTest::keyClick(table, key);
+            QVERIFY(!table->model()->index(0, 3).data().toString().isEmpty());
+        }
+    }
+
     /// A former defect: at 764×450 the note was a column of letters, which pushed the table out of sight.
     void theNoteAboutTheSpeedIsAsWideAsThePanel()
     {
