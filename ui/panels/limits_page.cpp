@@ -19,6 +19,19 @@ struct LimitsPage {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::LimitsPage)
 };
 
+/// Returns the name of a limit in files, as the command line writes it in every language.
+QString csvName(const MotionFact &fact)
+{
+    const std::string_view key = describe(fact.kind).key;
+    QString name = key.empty() ? "crank-limit" : QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
+    const bool isCouplerAngle =
+        fact.kind == LimitKind::MinimumCouplerAngle || fact.kind == LimitKind::MaximumCouplerAngle;
+    if (isCouplerAngle && notation().symbols == Symbols::Textbook) {
+        name += " at B";
+    }
+    return fact.unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, fact.unit);
+}
+
 std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
 {
     std::vector<TableRow> rows;
@@ -30,8 +43,7 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
                                               : LimitsPage::tr("Outside the simulated time range"));
             angle = {.text = crankAngleText(*fact.theta2), .number = shownCrankAngle(*fact.theta2)};
         }
-        rows.push_back({{{.text = fact.name,
-                          .csv = fact.unit.isEmpty() ? fact.name : QStringLiteral("%1 [%2]").arg(fact.name, fact.unit)},
+        rows.push_back({{{.text = fact.name, .csv = csvName(fact)},
                          {.text = valueText(fact, kReadoutDigits), .number = fact.number},
                          angle,
                          {.text = fact.theta2 ? numberText(fact.time, kReadoutDigits) : QString(),

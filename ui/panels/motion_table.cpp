@@ -6,6 +6,7 @@
 #include "core/sampling/crank_time.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
+#include "ui/text/record.h"
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
@@ -160,7 +161,7 @@ TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &me
 
 QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows, const CsvStyle &style)
 {
-    const QString separator = style.isLocal && QLocale().decimalPoint() == u"," ? ";" : ",";
+    const QChar separator = delimiter(style.isLocal ? CsvSeparators::OfLanguage : CsvSeparators::Standard);
     QStringList line;
     for (const TableColumn &column : columns) {
         line << column.csvName;

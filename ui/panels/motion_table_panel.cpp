@@ -13,6 +13,7 @@
 #include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/record.h"
 #include "ui/text/subscripts.h"
 #include "ui/text/typed_value.h"
 #include "ui/text/word_list.h"
@@ -195,7 +196,11 @@ void MotionTablePanel::fillExportMenu(QToolButton *button)
         QAction *action = menu->addAction(text);
         action->setObjectName(name);
         action->setCheckable(true);
-        connect(action, &QAction::triggered, this, [this, member](bool isOn) { m_style.*member = isOn; });
+        connect(action, &QAction::triggered, this, [this, member](bool isOn) {
+            CsvStyle style = m_style;
+            style.*member = isOn;
+            setCsvStyle(style);
+        });
         connect(menu, &QMenu::aboutToShow, action, [this, action, member] { action->setChecked(m_style.*member); });
     };
     addSwitch("everyDigit", tr("Every digit, not six"), &CsvStyle::hasEveryDigit);
@@ -224,6 +229,7 @@ void MotionTablePanel::setSettings(const MotionTableSettings &settings)
 void MotionTablePanel::setCsvStyle(const CsvStyle &style)
 {
     m_style = style;
+    setCsvSeparators(style.isLocal ? CsvSeparators::OfLanguage : CsvSeparators::Standard);
 }
 
 void MotionTablePanel::offerTextbookNotation()

@@ -349,7 +349,7 @@ void ResponseView::fillExportMenu(QMenu *menu)
 
 std::optional<QString> ResponseView::exportTo(const QString &path) const
 {
-    return writeWhole(path, csvText(recordsOf(m_response)));
+    return writeWhole(path, csvText(recordsOf(m_response), csvSeparators()));
 }
 
 void ResponseView::copy()

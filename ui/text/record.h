@@ -21,8 +21,20 @@ using Record = std::vector<std::pair<QString, QJsonValue>>;
 
 QJsonObject jsonObject(const Record &record);
 
+enum class CsvSeparators {
+    Standard,  ///< decimal point and comma
+    OfLanguage ///< the decimal sign of the language, and a semicolon if that is a comma
+};
+
+/// The separators of the files and of the clipboard that the window writes.
+CsvSeparators csvSeparators();
+void setCsvSeparators(CsvSeparators separators);
+
+/// Returns the delimiter between the cells of a line.
+QChar delimiter(CsvSeparators separators);
+
 /// Returns a line of keys and a line for each record. Numbers have as few digits as read back the same number.
-QByteArray csvText(const std::vector<Record> &records);
+QByteArray csvText(const std::vector<Record> &records, CsvSeparators separators = CsvSeparators::Standard);
 
 /// Returns null if there is no value, or if it is not finite.
 QJsonValue jsonNumber(std::optional<double> value);

@@ -87,7 +87,7 @@ QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<Ta
             record.emplace_back(columns[i].csvName, csvValue(columns[i], row.cells[i]));
         }
     }
-    return csvText(records);
+    return csvText(records, csvSeparators());
 }
 
 QColor toneColour(Tone tone, const QPalette &palette)

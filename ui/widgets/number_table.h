@@ -46,7 +46,7 @@ struct TableRow {
     QString explanation = {};                 ///< tool tip; if empty, the numbers with every digit
 };
 
-/// Returns a line of headings and a line for each row; numbers have every digit and a decimal point. Returns an empty
+/// Returns a line of headings and a line for each row, with csvSeparators(); numbers have every digit. Returns an empty
 /// text without rows.
 QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows);
 

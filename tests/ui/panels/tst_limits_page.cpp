@@ -6,6 +6,7 @@
 #include "ui/text/motion_facts.h"
 
 #include <QLocale>
+#include <QScopeGuard>
 #include <QTest>
 
 #include <algorithm>
@@ -41,6 +42,26 @@ class TestLimitsPage : public QObject
 
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    /// A former defect: the file had the names of the language of the window.
+    void filesHaveTheNamesOfTheCommandLine()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        const auto namesOf = [](const Page &page) {
+            QStringList names;
+            for (const TableRow &row : page.tables[0].rows) {
+                names << row.cells[Name].csv;
+            }
+            return names;
+        };
+        const QStringList names = namesOf(pageOf({}));
+        QVERIFY2(names.contains("outer-dead-centre [mm]") && names.contains("time-ratio") &&
+                     names.contains("minimum-coupler-angle [°]"),
+                 qPrintable(names.join(", ")));
+        QVERIFY(namesOf(pageOf({20, 40, 25})).contains("crank-limit [mm]"));
+        setNotation({.symbols = Symbols::Textbook});
+        QVERIFY(namesOf(pageOf({})).contains("minimum-coupler-angle at B [°]"));
+    }
 
     void saysWhetherTheCrankMakesFullTurnsAndWhy()
     {

@@ -9,6 +9,7 @@
 #include "ui/panels/polygon_view.h"
 #include "ui/panels/response_view.h"
 #include "ui/text/notation.h"
+#include "ui/text/record.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_slider.h"
 #include "ui/window/main_window.h"
@@ -296,6 +297,25 @@ private slots:
             shown.finish();
             QVERIFY(response.range.assembled.upper < 5.0 * b); // the dot is not at the left edge
         }
+    }
+
+    /// A former defect: only the table of the motion had the separators of the language.
+    void writesTheNumbersWithTheChosenSeparators()
+    {
+        const auto restore = qScopeGuard([] {
+            setCsvSeparators(CsvSeparators::Standard);
+            QLocale::setDefault(QLocale::c());
+        });
+        const ShownResponse shown(Parameter::B);
+        const QTemporaryDir folder;
+        QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
+        setCsvSeparators(CsvSeparators::OfLanguage);
+        QVERIFY(!shown.view.exportTo(folder.filePath("r.csv")));
+        QFile file(folder.filePath("r.csv"));
+        QVERIFY(file.open(QFile::ReadOnly));
+        const QByteArray text = file.readAll();
+        QVERIFY2(text.startsWith("b;stroke;time-ratio;") && text.contains(',') && !text.contains('.'),
+                 text.first(200).constData());
     }
 
     void exportsTheChartsAndTheNumbersOfTheCurves()

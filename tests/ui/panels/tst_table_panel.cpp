@@ -2,6 +2,7 @@
 #include "ui/document/session.h"
 #include "ui/panels/table_panel.h"
 #include "ui/plots/chart.h"
+#include "ui/text/record.h"
 
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
@@ -13,6 +14,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -184,6 +186,21 @@ private slots:
         shown.panel.resize(900, 300);
         settle(shown.panel);
         QCOMPARE(shown.table()->columnWidth(0), whole);
+    }
+
+    /// A former defect: only the table of the motion had the separators of the language.
+    void writesTheChosenSeparators()
+    {
+        const auto restore = qScopeGuard([] {
+            setCsvSeparators(CsvSeparators::Standard);
+            QLocale::setDefault(QLocale::c());
+        });
+        QLocale::setDefault(QLocale(QLocale::Spanish, QLocale::Spain));
+        QCOMPARE(csvOf(pageWith({0.25})), "name,number\n\"row, 0\",0.25\n");
+        setCsvSeparators(CsvSeparators::OfLanguage);
+        QCOMPARE(csvOf(pageWith({0.25})), "name;number\n\"row, 0\";0,25\n");
+        QLocale::setDefault(QLocale::c());
+        QCOMPARE(csvOf(pageWith({0.25})), "name,number\n\"row, 0\",0.25\n");
     }
 
     void offersTheRemedyOfAFindingAndDisablesItDuringASearch()
