@@ -24,17 +24,6 @@ void requireOneOf(const QStringList &words, const QString &word, const char *opt
     }
 }
 
-/// Returns the unit that a number without one has, after a space; empty if it has none.
-static QString unitAfterNumber(const std::optional<Unit> &unit)
-{
-    for (const QString &name : unit ? unitsFor(*unit) : QStringList()) {
-        if (parseUnit(name.toStdString()) == *unit) {
-            return ' ' + name;
-        }
-    }
-    return {};
-}
-
 double parseNumber(const char *option, const QString &text, const std::optional<Unit> &unit, double smallest,
                    double largest)
 {
@@ -43,9 +32,9 @@ double parseNumber(const char *option, const QString &text, const std::optional<
         throw UsageError{QString("--%1: %2").arg(option, quantityFaultText(text, *fault, unit))};
     }
     if (value < smallest || value > largest) {
-        throw UsageError{
-            CommandLine::tr("--%1 must be between %2 and %3, not \"%4\".")
-                .arg(option, typedNumberText(smallest), typedNumberText(largest) + unitAfterNumber(unit), text)};
+        throw UsageError{CommandLine::tr("--%1 must be between %2 and %3, not \"%4\".")
+                             .arg(option, typedNumberText(smallest),
+                                  typedNumberText(largest) + (unit ? unitAfterNumber(*unit) : QString()), text)};
     }
     return value;
 }

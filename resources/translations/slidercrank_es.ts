@@ -4529,6 +4529,26 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <source>The link contains “%1”, which is not a setting. It is written as in %2.</source>
         <translation>El enlace contiene «%1», que no es un ajuste. Se escribe como en %2.</translation>
     </message>
+    <message>
+        <source>The link says %1=%2:</source>
+        <translation>El enlace dice %1=%2:</translation>
+    </message>
+    <message>
+        <source>that is no choice for %1.</source>
+        <translation>no es una opción de %1.</translation>
+    </message>
+    <message>
+        <source>%1 must be a whole number from %2 to %3.</source>
+        <translation>%1 debe ser un número entero de %2 a %3.</translation>
+    </message>
+    <message>
+        <source>%1 must be between %2 and %3.</source>
+        <translation>%1 debe estar entre %2 y %3.</translation>
+    </message>
+    <message>
+        <source>The link contains %1 more than once: keep one of them.</source>
+        <translation>El enlace contiene %1 más de una vez: deje solo una.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::SceneText</name>

@@ -5,6 +5,7 @@
 #include "ui/document/settings_fields.h"
 #include "ui/text/printable_text.h"
 #include "ui/text/quantity_text.h"
+#include "ui/text/written_number.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -15,6 +16,7 @@
 #include <QUrlQuery>
 
 #include <algorithm>
+#include <limits>
 
 namespace slidercrank
 {
@@ -127,6 +129,41 @@ std::optional<QString> readNumber(const QString &field, const QString &text, QJs
     return std::nullopt;
 }
 
+/// Returns the number that is nearest to `number` among those that a scene accepts in the field.
+double nearestAccepted(QJsonObject scene, const QString &section, const QString &field, double number)
+{
+    QJsonObject fields = scene[section].toObject();
+    fields[field] = number;
+    scene[section] = fields;
+    return sceneObject(fromJson<Scene>(scene))[section].toObject()[field].toDouble();
+}
+
+/// Returns a message if the scene does not accept the value that the link gives the field.
+std::optional<QString> findRefusal(const QJsonObject &scene, const QString &section, const QString &field,
+                                   const QString &text)
+{
+    const QJsonValue given = scene[section].toObject()[field];
+    if (sceneObject(fromJson<Scene>(scene))[section].toObject()[field] == given) {
+        return std::nullopt;
+    }
+    const QString said = SceneLinkText::tr("The link says %1=%2:").arg(field, printableText(text)) + u' ';
+    if (!given.isDouble()) {
+        return said + SceneLinkText::tr("that is no choice for %1.").arg(field);
+    }
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    constexpr double kLargestWhole = std::numeric_limits<int>::max();
+    const double smallest = nearestAccepted(scene, section, field, -kLargest);
+    const double largest = nearestAccepted(scene, section, field, kLargest);
+    const bool isWhole = smallest == largest; // a number that is no integer counts as the smallest one
+    const QList<NamedUnit> units = unitsOf(field);
+    const QString unit = units.isEmpty() ? QString() : unitAfterNumber(units.first().unit);
+    return said + (isWhole ? SceneLinkText::tr("%1 must be a whole number from %2 to %3.")
+                                 .arg(field, typedNumberText(smallest),
+                                      typedNumberText(nearestAccepted(scene, section, field, kLargestWhole)))
+                           : SceneLinkText::tr("%1 must be between %2 and %3.")
+                                 .arg(field, typedNumberText(smallest), typedNumberText(largest) + unit));
+}
+
 /// Puts a field of the link into the scene. Returns a message if that is not possible.
 std::optional<QString> insertField(const QString &field, const QString &text, QJsonObject &scene)
 {
@@ -147,14 +184,14 @@ std::optional<QString> insertField(const QString &field, const QString &text, QJ
     }
     fields[field] = value;
     scene[*section] = fields;
-    return std::nullopt;
+    return findRefusal(scene, *section, field, text);
 }
 
 } // namespace
 
 bool isSceneLink(const QString &text)
 {
-    static const QRegularExpression kLink("(^|/|\\.html?)#[^#]*=");
+    static const QRegularExpression kLink("(^|/|\\.html?)#[^#]*=|\\.html?#$");
     return text.contains(kLink) && !QFileInfo::exists(text);
 }
 
@@ -180,6 +217,10 @@ std::variant<Scene, QString> parseSceneLink(const QString &link)
     QJsonObject scene = sceneObject(initialScene());
     const QUrlQuery query(link.section(u'#', 1));
     for (const auto &[field, text] : query.queryItems(QUrl::FullyDecoded)) {
+        if (query.allQueryItemValues(field).size() > 1) {
+            return SceneLinkText::tr("The link contains %1 more than once: keep one of them.")
+                .arg(printableText(field));
+        }
         if (const auto sentence = insertField(field, text, scene)) {
             return *sentence;
         }

@@ -51,6 +51,16 @@ QStringList unitsFor(const Unit &wanted)
     return units;
 }
 
+QString unitAfterNumber(const Unit &unit)
+{
+    for (const QString &name : unitsFor(unit)) {
+        if (parseUnit(name.toStdString()) == unit) {
+            return ' ' + name;
+        }
+    }
+    return {};
+}
+
 QString quantityFaultText(const QString &text, QuantityFault fault, const std::optional<Unit> &wanted)
 {
     switch (fault) {

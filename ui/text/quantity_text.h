@@ -20,4 +20,7 @@ QString quantityFaultText(const QString &text, QuantityFault fault, const std::o
 /// Returns the units that can be entered for a quantity of this dimension.
 QStringList unitsFor(const Unit &wanted);
 
+/// Returns the name of the unit after a space; empty if it is not among unitsFor().
+QString unitAfterNumber(const Unit &unit);
+
 } // namespace slidercrank

@@ -172,9 +172,15 @@ private slots:
         QTest::newRow("no number") << "#b=long"
                                    << "b=long";
         QTest::newRow("negative") << "#b=-3"
-                                  << "“mechanism.b”";
+                                  << "The link says b=-3: b must be between 1e-9 and 1e12 mm.";
+        QTest::newRow("negative, with a unit") << "#a=40&b=-3in"
+                                               << "The link says b=-3in: b must be between 1e-9 and 1e12 mm.";
+        QTest::newRow("no whole number") << "#steps=2.5"
+                                         << "The link says steps=2.5: steps must be a whole number from 1 to 1e6.";
         QTest::newRow("branch") << "#branch=upper"
-                                << "“mechanism.branch”";
+                                << "The link says branch=upper: that is no choice for branch.";
+        QTest::newRow("twice") << "#a=40&a=50"
+                               << "The link contains a more than once";
     }
 
     void refusesLinksWithAReason()
@@ -184,6 +190,15 @@ private slots:
         const auto outcome = readScene(link);
         QVERIFY(std::holds_alternative<QString>(outcome));
         QVERIFY2(std::get<QString>(outcome).contains(part), qPrintable(std::get<QString>(outcome)));
+    }
+
+    /// A former defect: "No such file or directory".
+    void aPageWithoutSettingsIsTheInitialScene()
+    {
+        const auto outcome = readScene("https://example.org/slidercrank.html#");
+        QVERIFY(std::holds_alternative<Scene>(outcome));
+        QVERIFY(std::get<Scene>(outcome).parameters == Parameters());
+        QVERIFY(!isSceneLink("motion#") && !isSceneLink("data.csv#"));
     }
 
     /// With its conventions and chosen columns, also after the scene and the reference were moved together.
