@@ -100,7 +100,8 @@ Interval valueRange(const Response &response, std::size_t limit)
 struct ChartRows {
     int columns = 1;
     int rows = 1;
-    int title = 0; ///< height of a title of two lines, px
+    int above = 0; ///< px, above a title
+    int title = 0; ///< height of a title of two lines, with the space above it, px
     int chart = 0; ///< height of a chart, px
 
     ChartRows(int width, const QFont &font)
@@ -108,11 +109,13 @@ struct ChartRows {
         constexpr int kMinWidth = 13; // heights of a line of text, for the words of a title
         constexpr int kLowest = 8;
         constexpr double kHeightRatio = 0.75; // height of a chart over its width
+        constexpr double kAboveTitle = 0.4;   // heights of a line
         constexpr int kCharts = static_cast<int>(kResponseLimits.size());
         const int line = QFontMetrics(font).height();
         columns = std::clamp(width / (kMinWidth * line), 1, kCharts);
         rows = (kCharts + columns - 1) / columns;
-        title = 2 * line;
+        above = static_cast<int>(kAboveTitle * line);
+        title = above + 2 * line;
         chart = std::max(kLowest * line, static_cast<int>(kHeightRatio * width / columns));
     }
 
@@ -314,8 +317,8 @@ void ResponseView::draw(QPainter &painter, const QSize &size) const
         painter.save();
         const int row = place / rows.columns;
         painter.translate(place % rows.columns * part.width(), row * part.height());
-        painter.drawText(QRect(0, 0, part.width(), rows.title), Qt::AlignCenter | Qt::TextWordWrap,
-                         unbroken(m_charts[i]->accessibleName()));
+        painter.drawText(QRect(0, rows.above, part.width(), rows.title - rows.above),
+                         Qt::AlignCenter | Qt::TextWordWrap, unbroken(m_charts[i]->accessibleName()));
         painter.translate(0, rows.title);
         m_charts[i]->paint(painter, part - QSize(0, rows.title), light);
         painter.restore();

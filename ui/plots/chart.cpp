@@ -32,8 +32,9 @@ void setAxis(QCPAxis &axis, const ChartAxis &content, int pixels, int pixelsPerL
 }
 
 void addSeries(PlotDrawing &drawing, const ChartContent &content, const ChartSeries &series,
-               const SeriesColours &colours)
+               const SeriesColours &colours, double lineFactor)
 {
+    constexpr double kCurveWidth = 2.0; // px, as in the plots
     std::vector<CurvePoint> points;
     for (const QPointF &point : series.points) {
         points.push_back({coordinate(point.x(), content.x), coordinate(point.y(), content.y)});
@@ -48,7 +49,8 @@ void addSeries(PlotDrawing &drawing, const ChartContent &content, const ChartSer
     }
     const QColor colour = colours.*series.colour;
     graph->setLineStyle(series.line == ChartSeries::Line::None ? QCPGraph::lsNone : QCPGraph::lsLine);
-    graph->setPen(QPen(colour, 1.0, series.line == ChartSeries::Line::Dashed ? Qt::DashLine : Qt::SolidLine));
+    graph->setPen(QPen(colour, kCurveWidth * lineFactor,
+                       series.line == ChartSeries::Line::Dashed ? Qt::DashLine : Qt::SolidLine));
     if (!series.mark.isEmpty()) {
         constexpr double kUnscaled = 6.0; // the size at which QCustomPlot does not scale the path
         graph->setScatterStyle(
@@ -128,7 +130,7 @@ void Chart::rebuildDrawing(const QSize &size, const QFont &font, const QPalette 
         shadeOutside(*m_drawing, *m_content.unshaded, colours.warning);
     }
     for (const ChartSeries &series : m_content.series) {
-        addSeries(*m_drawing, m_content, series, colours);
+        addSeries(*m_drawing, m_content, series, colours, fonts.lineFactor);
     }
     QCPLegend *legend = m_drawing->legend;
     legend->setFont(fonts.tick);

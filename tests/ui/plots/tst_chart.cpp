@@ -5,6 +5,7 @@
 #include "ui/plots/chart.h"
 #include "ui/plots/plot_drawing.h"
 
+#include <QImage>
 #include <QPainter>
 #include <QPicture>
 #include <QTest>
@@ -47,6 +48,30 @@ class TestChart : public QObject
     Q_OBJECT
 
 private slots:
+    /// A former defect: in a picture of 300 dpi, curves were a hairline beside an axis of three pixels.
+    void curvesAreThickerThanTheGridAtEveryResolution()
+    {
+        Chart chart;
+        chart.setContent({.x = {"b", {0.0, 1.0}},
+                          .y = {{}, {0.0, 1.0}},
+                          .series = {{.points = {{0.0, 0.53}, {1.0, 0.53}}, .line = ChartSeries::Line::Solid}}});
+        const QSize size(300, 200);
+        const QColor colour = seriesColours(paletteFor(Theme::Light)).model;
+        for (const int scale : {1, 3}) {
+            QImage picture(scale * size, QImage::Format_RGB32);
+            picture.fill(Qt::white);
+            QPainter painter(&picture);
+            painter.scale(scale, scale);
+            chart.paint(painter, size, paletteFor(Theme::Light));
+            painter.end();
+            int height = 0;
+            for (int y = 0; y < picture.height(); ++y) {
+                height += picture.pixelColor(picture.width() / 2 + 5, y) == colour ? 1 : 0;
+            }
+            QVERIFY2(height >= 2 * scale - 1, qPrintable(QString("scale %1: %2 px").arg(scale).arg(height)));
+        }
+    }
+
     void placesPointsOnItsAxes()
     {
         Chart chart;
