@@ -3355,16 +3355,8 @@ PA = %4, PB = %5</translation>
         <translation>C_q</translation>
     </message>
     <message>
-        <source>Angle of the %1; lengths in mm</source>
-        <translation>Ángulo: %1; longitudes en mm</translation>
-    </message>
-    <message>
         <source>Centre of mass of the %1</source>
         <translation>Centro de masa: %1</translation>
-    </message>
-    <message>
-        <source>Condition number of the Jacobian κ = %1; its determinant −b cos θ³ = %2 mm</source>
-        <translation>Número de condición del jacobiano κ = %1; su determinante −b cos θ³ = %2 mm</translation>
     </message>
     <message>
         <source>From a rough start: θ₂ exact, θ³ = 0 (crossed: 180°)</source>
@@ -3480,6 +3472,14 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
             <numerusform>Newton-Raphson no convergió en %n iteración: permita más iteraciones o una tolerancia mayor.</numerusform>
             <numerusform>Newton-Raphson no convergió en %n iteraciones: permita más iteraciones o una tolerancia mayor.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Angle of the %1; lengths in %2</source>
+        <translation>Ángulo: %1; longitudes en %2</translation>
+    </message>
+    <message>
+        <source>Lengths in %1. Condition number of the Jacobian κ = %2; its determinant −b cos θ³ = %3</source>
+        <translation>Longitudes en %1. Número de condición del jacobiano κ = %2; su determinante −b cos θ³ = %3</translation>
     </message>
 </context>
 <context>

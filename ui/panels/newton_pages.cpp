@@ -7,6 +7,7 @@
 #include "ui/text/axis_scale.h"
 #include "ui/text/channel_text.h"
 #include "ui/text/enum_table.h"
+#include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
 #include <algorithm>
@@ -213,10 +214,19 @@ Page NewtonPages::equations(const Result &result, double time)
     return page;
 }
 
+/// Returns an entry of C_q in the unit that is shown: it is a length where the constraint is a length and the
+/// coordinate an angle, and otherwise a pure number.
+static double shownEntry(const Matrix12 &Cq, Eigen::Index row, Eigen::Index column)
+{
+    const bool isLength = !isAngle(static_cast<Constraint>(row)) && isAngle(static_cast<Coordinate>(column));
+    return isLength ? shownValue(Measure::Length, Cq(row, column), notation().units) : Cq(row, column);
+}
+
 Page NewtonPages::jacobian(const Result &result, double time)
 {
     const TimeStepEquations equations = solvedEquations(result, time);
     Page page = emptyPage(equations.state.status, result);
+    const QString length = shownUnit(Measure::Length);
     PageTable table{
         "jacobianTable",
         tr("Jacobian C_q, a row for each constraint, a column for each coordinate"),
@@ -225,29 +235,32 @@ Page NewtonPages::jacobian(const Result &result, double time)
               "∂C/∂q: a row for each constraint, a column for each coordinate.\n"
               "κ is the largest singular value divided by the smallest, mm and rad mixed. The larger it is, the more\n"
               "digits are lost; it is infinite where the coupler is perpendicular to the slider's line."),
-          .csvName = "constraint",
+          .csvName = QStringLiteral("constraint (lengths in %1)").arg(unitText(Measure::Length, notation().units)),
           .isNumber = false}}};
     for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
         const auto coordinate = static_cast<Coordinate>(j);
         const QString body = partName(partOf(coordinate));
         table.columns.push_back({.title = symbolText(coordinate),
-                                 .explanation = isAngle(coordinate) ? tr("Angle of the %1; lengths in mm").arg(body)
-                                                                    : tr("Centre of mass of the %1").arg(body),
+                                 .explanation = isAngle(coordinate)
+                                                    ? tr("Angle of the %1; lengths in %2").arg(body, length)
+                                                    : tr("Centre of mass of the %1").arg(body),
                                  .csvName = columnName(Channel{coordinate, Order::Position})});
     }
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
         TableRow tableRow{
             .cells = {{.text = constraintName(row)}}, .part = partOf(row), .explanation = rowOf(kEquations, row).text};
-        for (const double value : equations.Cq.row(i)) {
-            tableRow.cells.push_back(jacobianCell(value));
+        for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
+            tableRow.cells.push_back(jacobianCell(shownEntry(equations.Cq, i, j)));
         }
         table.rows.push_back(tableRow);
     }
     page.tables = {table};
     if (equations.hasPosition()) {
-        page.note = tr("Condition number of the Jacobian κ = %1; its determinant −b cos θ³ = %2 mm")
-                        .arg(shortNumber(conditionNumber(equations.Cq)), shortNumber(equations.determinant));
+        const double determinant = shownValue(Measure::Length, equations.determinant, notation().units);
+        page.note =
+            tr("Lengths in %1. Condition number of the Jacobian κ = %2; its determinant −b cos θ³ = %3")
+                .arg(length, shortNumber(conditionNumber(equations.Cq)), withUnit(shortNumber(determinant), length));
     }
     return page;
 }

@@ -5,6 +5,8 @@
 #include "ui/document/session.h"
 #include "ui/panels/newton_pages.h"
 #include "ui/panels/solver_form.h"
+#include "ui/text/notation.h"
+#include "ui/text/written_number.h"
 #include "ui/widgets/number_box.h"
 
 #include "tests/support/suite.h"
@@ -12,9 +14,11 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QScopeGuard>
 #include <QTest>
 
 #include <cmath>
+#include <numbers>
 
 using namespace slidercrank;
 
@@ -108,6 +112,29 @@ private slots:
         QCOMPARE(series.size(), 3u); // and the tolerance
         QCOMPARE(series[0].points.size(), page.tables[0].rows.size());
         QCOMPARE(series[2].points[0].y(), options.tolerance);
+    }
+
+    /// A former defect: the Jacobian stayed in mm in a window in inches.
+    void theJacobianIsInTheChosenUnitOfLength()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        const auto result = resultOf({});
+        const Page mm = NewtonPages::jacobian(*result, 0.3);
+        setNotation({.units = {LengthUnit::Inch, AngleUnit::Degree}});
+        const Page inches = NewtonPages::jacobian(*result, 0.3);
+        const auto entry = [](const Page &page, Constraint row, Coordinate column) {
+            return number(page, row, column + 1);
+        };
+        for (const auto &[row, column] : {std::pair{CrankPinX, Theta3}, {SliderPinY, Theta3}, {CrankPivotX, Theta2}}) {
+            QVERIFY(std::abs(entry(mm, row, column) / entry(inches, row, column) - 25.4) < 1e-12);
+        }
+        QCOMPARE(entry(inches, SliderAngle, Theta4), 1.0);
+        QCOMPARE(entry(inches, SliderPinX, R4x), 1.0);
+        const double angle = std::asin((25.0 - 20.0 * std::sin(0.6 * std::numbers::pi)) / 65.0); // of the coupler
+        const QString determinant = shortNumber(-65.0 * std::cos(angle) / 25.4);
+        QVERIFY2(inches.note.contains("= " + determinant + " in") && inches.note.contains("Lengths in in."),
+                 qPrintable(inches.note));
+        QVERIFY(mm.note.contains("Lengths in mm."));
     }
 
     void saysWhyNumbersAreMissing()
