@@ -157,7 +157,13 @@ LengthTolerances readTolerances(const OptionReader &options)
         const QString name = part.section('=', 0, 0).trimmed();
         const auto *const length =
             std::ranges::find(kLengths, name, [](const LengthName &each) { return QString(each.name); });
-        if (length == std::end(kLengths) || names.contains(name)) {
+        if (length == std::end(kLengths) && part.contains('=')) {
+            throw UsageError{CommandLine::tr("--tolerance: \"%1\" is not one of the lengths a, b and c.").arg(name)};
+        }
+        if (names.contains(name)) {
+            throw UsageError{CommandLine::tr("--tolerance gives %1 twice: keep one of them.").arg(name)};
+        }
+        if (length == std::end(kLengths)) {
             throw UsageError{CommandLine::tr("--tolerance must be a list such as a=0.05,b=0.1,c=0.05, not \"%1\".")
                                  .arg(options.text("tolerance"))};
         }
@@ -175,7 +181,11 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
     const QRegularExpressionMatch match = syntax.match(options.text("vary"));
     const auto parameter =
         std::ranges::find(kAllParameters, match.captured(1), [](Parameter each) { return QString(optionName(each)); });
-    if (parameter == kAllParameters.end()) {
+    if (match.hasMatch() && parameter == kAllParameters.end()) {
+        throw UsageError{CommandLine::tr("--vary: \"%1\" is no parameter: choose a, b, c, omega2 or theta20.")
+                             .arg(match.captured(1))};
+    }
+    if (!match.hasMatch()) {
         throw UsageError{CommandLine::tr("--vary must be a parameter and a range of its values, such as b=50..120, not "
                                          "\"%1\".")
                              .arg(options.text("vary"))};

@@ -350,7 +350,7 @@ private slots:
               Row{"solve --length-unit ft", "--length-unit must be mm, cm, m or in"},
               Row{"solve --start 1e12 --omega2 1e6 --step-angle 90", "too close in time"},
               Row{"solve --omega2 1e-300 --step-angle 90", "larger --omega2"},
-              Row{"limits --tolerance d=5", "such as a=0.05"}, Row{"limits --tolerance a=-5", "between 0 and"},
+              Row{"limits --tolerance d", "such as a=0.05"}, Row{"limits --tolerance a=-5", "between 0 and"},
               Row{"limits --vary b=50..60 --tolerance a=1", "remove --tolerance"},
               Row{"limits --design time-ratio=1.2", "--a and --b"},
               Row{"limits --design time-ratio=1.2 --a 40 --b 120 --c 5", "remove --c"}}) {
