@@ -3851,10 +3851,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>«%1» es demasiado grande.</translation>
     </message>
     <message>
-        <source>“%1”: the unit must be one of %2.</source>
-        <translation>«%1»: la unidad debe ser una de %2.</translation>
-    </message>
-    <message>
         <source>, </source>
         <translation>, </translation>
     </message>
@@ -3865,6 +3861,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>A comma is not accepted: write %1, or %2 if it separates thousands.</source>
         <translation>No se admite una coma: escriba %1, o %2 si separa los miles.</translation>
+    </message>
+    <message>
+        <source>“%1”: use a unit such as %2.</source>
+        <translation>«%1»: use una unidad como %2.</translation>
     </message>
 </context>
 <context>

@@ -248,11 +248,11 @@ private slots:
         QTest::newRow("nothing behind the equals sign") << "x= 9"
                                                         << "x has no value";
         QTest::newRow("other dimension") << "x=9deg"
-                                         << "the unit must be one of mm, cm, m, in.";
+                                         << "use a unit such as mm, cm, m, km, in, ft, yd.";
         QTest::newRow("length for a velocity") << "v=9mm"
-                                               << "the unit must be one of mm/s, cm/s, m/s, in/s.";
+                                               << "use a unit such as mm/s, cm/s, m/s, km/s, in/s, ft/s, yd/s.";
         QTest::newRow("rpm for an acceleration") << "alpha3=9rpm"
-                                                 << "the unit must be one of deg/s^2, rad/s^2.";
+                                                 << "use a unit such as deg/s^2, rad/s^2, rev/s^2.";
         QTest::newRow("twice") << "v=1 R4_x_diff=2"
                                << "is given more than once";
         QTest::newRow("acceleration without a number") << "x=1 --alpha2 5mm"

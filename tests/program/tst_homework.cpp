@@ -340,7 +340,7 @@ private slots:
              {Row{"solve --alpha2 5", "add --at-angle"}, Row{"solve --when R4_x", "such as R4_x=60"},
               Row{"solve --when R4_y=25", "does not depend"},
               Row{"solve --when nothing=25", "\"nothing\" is no quantity: choose x, v, a,"},
-              Row{"solve --when R4_x=60s", "the unit must be one of"},
+              Row{"solve --when R4_x=60s", "use a unit such as mm, cm, m, km, in, ft, yd"},
               Row{"solve --when R4_x=60 --steps 5", "remove --steps"},
               Row{"solve --when R4_x=60 --at-angle 5", "remove one"},
               Row{"solve --when R4_x_diff=60 --omega2 0", "stands still"},

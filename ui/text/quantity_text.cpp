@@ -37,16 +37,16 @@ QStringList unitsFor(const Unit &wanted)
 {
     QStringList units;
     switch (wanted.dimension) {
-    case Dimension::Length: units = {"mm", "cm", "m", "in"}; break;
-    case Dimension::Angle: units = {"deg", "rad"}; break;
-    case Dimension::Time: return {"s", "ms"};
+    case Dimension::Length: units = {"mm", "cm", "m", "km", "in", "ft", "yd"}; break;
+    case Dimension::Angle: units = {"deg", "rad", "rev"}; break;
+    case Dimension::Time: return {"s", "ms", "min"};
     }
     constexpr std::array kPerTime{"", "/s", "/s^2"};
     for (QString &unit : units) {
         unit += QLatin1String(kPerTime[static_cast<std::size_t>(wanted.order)]);
     }
     if (wanted.dimension == Dimension::Angle && wanted.order == 1) {
-        units += "rpm";
+        units += {"rpm", "Hz"};
     }
     return units;
 }
@@ -79,7 +79,7 @@ QString quantityFaultText(const QString &text, QuantityFault fault, const std::o
     case QuantityFault::UnknownUnit:
     case QuantityFault::WrongUnit: break;
     }
-    return wanted ? QuantityText::tr("“%1”: the unit must be one of %2.")
+    return wanted ? QuantityText::tr("“%1”: use a unit such as %2.")
                         .arg(quoted(text), unitsFor(*wanted).join(QuantityText::tr(", ")))
                   : QuantityText::tr("“%1”: enter this number without a unit.").arg(quoted(text));
 }

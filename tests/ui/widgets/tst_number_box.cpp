@@ -92,7 +92,7 @@ private slots:
                             {"20/", "“20/” is not a number."},
                             {"30,5", "Write the decimal sign as “.”: 30.5."},
                             {"1,234.5", "“1,234.5” is not a number."},
-                            {"30 s", "“30 s”: the unit must be one of mm, cm, m, in."},
+                            {"30 s", "“30 s”: use a unit such as mm, cm, m, km, in, ft, yd."},
                             {"inf", "“inf” is not a number."},
                             {QString(400, '9'), "“999999999999999999999999…” is too large."},
                             {"0", "This must be at least 10⁻¹² mm."},
