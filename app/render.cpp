@@ -236,8 +236,8 @@ void readAcceleration(const OptionReader &options, RenderRequest &request)
 {
     request.scene.alpha2 = readCrankAcceleration(options);
     if (request.subject != Subject::Report && request.subject != Subject::Polygons) {
-        options.refuse({"alpha2"}, CommandLine::tr("Plots are for a constant crank speed, and only a report and "
-                                                   "polygons show an acceleration of the crank: remove %1."));
+        options.refuse({"alpha2"}, CommandLine::tr("Only a report and polygons show an acceleration of the crank, and "
+                                                   "everything else is for a constant crank speed: remove %1."));
     }
 }
 

@@ -1250,10 +1250,6 @@ Equipo: %1. Tiempo: %2 s.
         <translation>figure (todas las gráficas), mechanism, polygons (de velocidad y aceleración), frames (el mecanismo en movimiento), report, o una gráfica: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</translation>
     </message>
     <message>
-        <source>Plots are for a constant crank speed, and only a report and polygons show an acceleration of the crank: remove %1.</source>
-        <translation>Las gráficas son para una velocidad constante de la manivela; solo un informe y los polígonos muestran una aceleración de la manivela: quite %1.</translation>
-    </message>
-    <message>
         <source>coupler angles in the text: absolute coordinates (θ³ at A), or those of textbooks (θ₃ at B) (absolute)</source>
         <translation>ángulos de la biela en el texto: coordenadas absolutas (θ³ en A), o los de los libros de texto (θ₃ en B) (absolute)</translation>
     </message>

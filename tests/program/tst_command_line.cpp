@@ -84,6 +84,7 @@ private slots:
             {"limits --tolerance a=0.05,d=1", "--tolerance: \"d\" is not one of the lengths a, b and c."},
             {"limits --tolerance a=0.05,a=1", "--tolerance gives a twice: keep one of them."},
             {"limits --vary q=1..2", "--vary: \"q\" is no parameter: choose a, b, c, omega2 or theta20."},
+            {"render --what mechanism --alpha2 30 -o m.png", "Only a report and polygons show an acceleration"},
             {"solve --a 40rpm", "--a: “40rpm”: use a unit such as mm, cm, m, km, in, ft, yd."},
             {"solve --omega2 40mm", "use a unit such as deg/s, rad/s, rev/s, rpm, Hz."},
             {"solve --b 12abc", "--b: “12abc”: use a unit such as mm"},
