@@ -3547,6 +3547,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <source>This must be at most %1.</source>
         <translation>Debe ser como máximo %1.</translation>
     </message>
+    <message>
+        <source>This must be greater than 0.</source>
+        <translation>Debe ser mayor que 0.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ParameterPanel</name>

@@ -25,7 +25,8 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kDecimals = 60; // so many that QDoubleSpinBox does not round the number
+constexpr int kDecimals = 60;              // so many that QDoubleSpinBox does not round the number
+constexpr double kOnlyExcludesZero = 1e-6; // a smallest value up to this one means that the number is positive
 constexpr std::chrono::seconds kNoteDuration{10};
 constexpr int kMinimumDigits = 2; // significant digits of a number that is shortened to fit into the box
 
@@ -192,6 +193,9 @@ QString NumberBox::refusalOf(double value) const
     };
     if (isWhole && (value != std::round(value) || value < minimum() || value > maximum())) {
         return tr("This must be a whole number from %1 to %2.").arg(withUnit(minimum()), withUnit(maximum()));
+    }
+    if (value <= 0.0 && minimum() > 0.0 && minimum() <= kOnlyExcludesZero) {
+        return tr("This must be greater than 0.");
     }
     if (value < minimum()) {
         return tr("This must be at least %1.").arg(withUnit(minimum()));

@@ -95,8 +95,9 @@ private slots:
                             {"30 s", "“30 s”: use a unit such as mm, cm, m, km, in, ft, yd."},
                             {"inf", "“inf” is not a number."},
                             {QString(400, '9'), "“999999999999999999999999…” is too large."},
-                            {"0", "This must be at least 10⁻¹² mm."},
-                            {"-5", "This must be at least 10⁻¹² mm."},
+                            {"0", "This must be greater than 0."},
+                            {"-5", "This must be greater than 0."},
+                            {"1e-13", "This must be at least 10⁻¹² mm."},
                             {"1e13", "This must be at most 10¹² mm."}};
         for (const Row &row : rows) {
             Shown shown;
