@@ -67,6 +67,7 @@ void DesignForm::createControls()
 {
     auto *form = new QFormLayout;
     form->setVerticalSpacing(4);
+    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     m_stroke = addField(form, "designStroke", tr("Stroke"), new NumberBox,
                         tr("Type a stroke: the mechanism is scaled; its time ratio and its angles do not change"));
@@ -81,6 +82,7 @@ void DesignForm::createControls()
                                    tr("Type the smallest transmission angle that you accept: the mechanism with the "
                                       "largest minimum transmission angle is chosen, stroke and time ratio stay"));
     for (NumberBox *box : {m_stroke, m_timeRatio, m_transmissionAngle}) {
+        box->setWidestNumber(QStringLiteral("0000.00000000")); // these are computed, and have many digits
         box->setRange(kSmallestPositive, kLargestParameter);
     }
     m_ratio = addField(form, "designRatio", tr("Ratio b/a"), new NumberSlider,

@@ -103,6 +103,12 @@ void NumberBox::setFixedDecimals(int decimals)
     showValue();
 }
 
+void NumberBox::setWidestNumber(const QString &number)
+{
+    m_widestNumber = number;
+    updateGeometry();
+}
+
 bool NumberBox::isTyping() const
 {
     return m_isEditing && lineEdit()->text().trimmed() != shownText();
@@ -115,7 +121,7 @@ QSize NumberBox::sizeHint() const
     initStyleOption(&option);
     constexpr int kCursor = 4; // px
     int width = 0;             // of the wider one: an ordinary number, or one with a power of ten
-    for (const QString &number : {QStringLiteral("-000.000"), numberText(-8.8e-8, kMinimumDigits)}) {
+    for (const QString &number : {m_widestNumber, numberText(-8.8e-8, kMinimumDigits)}) {
         width = std::max(width, fontMetrics().horizontalAdvance(number + suffix()));
     }
     const QSize content(width + kCursor, lineEdit()->sizeHint().height());

@@ -39,6 +39,9 @@ public:
     /// With 0 decimals, only whole numbers are accepted, and the step is 1.
     void setFixedDecimals(int decimals);
 
+    /// The number for which the box has space, "-000.000" by default.
+    void setWidestNumber(const QString &number);
+
     /// Sets the change per arrow key. The default is a tenth of the number's power of ten.
     void setStep(double step);
 
@@ -72,7 +75,8 @@ private:
     void refuse(const QString &sentence);
 
     std::optional<Unit> m_unit;
-    int m_fixedDecimals = -1;  ///< negative: not fixed
+    int m_fixedDecimals = -1; ///< negative: not fixed
+    QString m_widestNumber = QStringLiteral("-000.000");
     bool m_isEditing = false;  ///< the box has the focus and shows every digit
     bool m_hasTyped = false;   ///< text was typed since the last number was accepted, even if it equals that number
     mutable QString m_refusal; ///< why the typed text is refused; empty if it is accepted

@@ -114,6 +114,21 @@ private slots:
         }
     }
 
+    /// A former defect: a focused box showed a computed number cut off and without its unit.
+    void hasSpaceForItsWidestNumber()
+    {
+        Shown shown(2.906599664);
+        const QString text = QStringLiteral("2.906599664 mm");
+        shown.box->setFocus();
+        QCOMPARE(shown.box->text(), text);
+        const auto fits = [&] { return shown.box->fontMetrics().horizontalAdvance(text) < shown.line()->width(); };
+        shown.box->resize(shown.box->sizeHint());
+        QVERIFY(!fits());
+        shown.box->setWidestNumber("0000.00000000");
+        shown.box->resize(shown.box->sizeHint());
+        QVERIFY(fits());
+    }
+
     void acceptsOnlyWholeNumbersIfRequested()
     {
         Shown shown;
