@@ -4060,6 +4060,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <source>The program ended before your changes were saved. They are kept, as of %1.</source>
         <translation>El programa terminó antes de que se guardaran sus cambios. Se conservan los del %1.</translation>
     </message>
+    <message>
+        <source>d MMMM yyyy, HH:mm</source>
+        <translation>d &apos;de&apos; MMMM &apos;de&apos; yyyy, HH:mm</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReferenceFileText</name>

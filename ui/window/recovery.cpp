@@ -2,13 +2,13 @@
 #include "ui/window/recovery.h"
 
 #include "ui/document/session.h"
+#include "ui/text/language.h"
 #include "ui/widgets/message_bar.h"
 #include "ui/window/scene_file.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QLocale>
 #include <QSettings>
 #include <QStandardPaths>
 
@@ -94,7 +94,8 @@ void Recovery::showOffer()
         m_messages->removeMessage(kMessage);
         return;
     }
-    const QString when = QLocale().toString(QFileInfo(m_offer->path).lastModified(), QLocale::ShortFormat);
+    // The times of some languages end with a full stop, as in "7:08 p. m.".
+    const QString when = textLocale().toString(QFileInfo(m_offer->path).lastModified(), tr("d MMMM yyyy, HH:mm"));
     m_messages->showMessage({kMessage, Message::Kind::Question,
                              tr("The program ended before your changes were saved. They are kept, as of %1.").arg(when),
                              tr("Restore"), [this] { restore(); }, tr("Discard"), [this] { discardOffer(); }});
