@@ -113,6 +113,9 @@ QString displayName(const QString &path)
     if (isStandardInput(path)) {
         return WholeFileText::tr("Standard input");
     }
+    if (path.startsWith(u':')) { // a file in the program
+        return QFileInfo(path).fileName();
+    }
     const QString &folder = unnamedFolder();
     const bool isInFolder = !folder.isEmpty() && path.startsWith(folder + u'/');
     return printableLine(QDir::toNativeSeparators(isInFolder ? path.mid(folder.size() + 1) : path));

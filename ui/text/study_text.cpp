@@ -170,7 +170,7 @@ QString machineText()
     if (const int threads = QThread::idealThreadCount(); threads > 1) {
         parts += StudyText::tr("%1 threads").arg(threads);
     }
-    parts += BOOST_COMPILER;
+    parts += QString(BOOST_COMPILER).remove(" version"); // "GNU C++ 12.2.0" needs no translation
 #ifndef NDEBUG
     parts += StudyText::tr("not optimized");
 #endif

@@ -7,6 +7,7 @@
 #include "tests/support/suite.h"
 #include "tests/support/waiting.h"
 #include "ui/document/session.h"
+#include "ui/document/whole_file.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -73,6 +74,13 @@ class TestSessionReference : public QObject
     Q_OBJECT
 
 private slots:
+    /// A former defect: the tab Reference showed ":/data/inventor_sample.csv".
+    void theSampleHasTheNameOfItsFile()
+    {
+        QCOMPARE(displayName(QString(":/data/inventor_sample.csv")), QString("inventor_sample.csv"));
+        QCOMPARE(displayName(QString("/data/inventor_sample.csv")), QString("/data/inventor_sample.csv"));
+    }
+
     void aFileOutsideTheTimeRangeReplacesIt()
     {
         const QTemporaryDir folder;

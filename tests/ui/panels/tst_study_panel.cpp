@@ -2,6 +2,7 @@
 #include "ui/document/session.h"
 #include "ui/panels/study_page.h"
 #include "ui/panels/study_panel.h"
+#include "ui/text/study_text.h"
 
 #include "tests/support/page_text.h"
 #include "tests/support/suite.h"
@@ -37,6 +38,9 @@ class TestStudyPanel : public QObject
 
 private slots:
     void initTestCase() { QLocale::setDefault(QLocale::c()); }
+
+    /// A former defect: the Spanish text contained "GNU C++ version 12.2.0".
+    void namesTheCompilerWithoutAWord() { QVERIFY2(!machineText().contains("version"), qPrintable(machineText())); }
 
     void listsMethodsWithTheirChannels()
     {
