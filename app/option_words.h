@@ -6,7 +6,6 @@
 #include "core/limits/mobility.h"
 #include "ui/export/report.h"
 #include "ui/text/enum_words.h"
-#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 
 namespace slidercrank
@@ -30,13 +29,6 @@ struct EnumWords<FirstColumn> {
     static constexpr EnumWord<FirstColumn> rows[] = {{FirstColumn::TimeStamps, "time"},
                                                      {FirstColumn::CrankAngles, "angle"}};
     static_assert(isCompleteTable(rows, FirstColumn::CrankAngles));
-};
-
-template <>
-struct EnumWords<Symbols> {
-    static constexpr EnumWord<Symbols> rows[] = {{Symbols::AbsoluteCoordinates, "absolute"},
-                                                 {Symbols::Textbook, "textbook"}};
-    static_assert(isCompleteTable(rows, Symbols::Textbook));
 };
 
 template <>

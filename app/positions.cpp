@@ -223,10 +223,10 @@ std::vector<Positions> readPositions(const OptionReader &options, const Mechanis
     return {};
 }
 
-Units readUnits(const OptionReader &options)
+Units readUnits(const OptionReader &options, const Units &defaults)
 {
-    return {.length = options.choice("length-unit", LengthUnit::Millimetre),
-            .angle = options.choice("angle-unit", AngleUnit::Degree)};
+    return {.length = options.choice("length-unit", defaults.length),
+            .angle = options.choice("angle-unit", defaults.angle)};
 }
 
 double readCrankAcceleration(const OptionReader &options)

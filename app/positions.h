@@ -27,7 +27,7 @@ std::vector<Positions> readPositions(const OptionReader &options, const Mechanis
                                      const Streams &streams);
 
 /// Reads --length-unit and --angle-unit.
-Units readUnits(const OptionReader &options);
+Units readUnits(const OptionReader &options, const Units &defaults = {});
 
 /// Reads --alpha2 (rad/s²), which applies to positions only.
 double readCrankAcceleration(const OptionReader &options);

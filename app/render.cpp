@@ -410,7 +410,10 @@ std::optional<QString> write(const RenderRequest &request, const std::shared_ptr
 ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
 {
     RenderRequest request = readRequest(options);
-    setNotation({.symbols = options.choice("notation", Symbols::AbsoluteCoordinates), .units = readUnits(options)});
+    const Notation ofScene = request.scene.notation.value_or(Notation());
+    setNotation({.symbols = options.choice("notation", ofScene.symbols),
+                 .units = readUnits(options, ofScene.units),
+                 .crankSpeed = ofScene.crankSpeed});
     Scene &scene = request.scene;
     const std::vector<ColumnChoice> columns = readColumns(options);
     if (!scene.reference) {

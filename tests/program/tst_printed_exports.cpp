@@ -9,6 +9,7 @@
 #include "tests/support/pixels.h"
 #include "tests/support/printed_picture.h"
 #include "tests/support/suite.h"
+#include "ui/document/scene.h"
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
@@ -24,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 using namespace slidercrank;
@@ -199,6 +201,23 @@ private slots:
         QCOMPARE(run(render + path("options.svg") + " --a 40 --b 120 --c 20 --omega2 60rpm").status, 0);
         QVERIFY(contentOf(path("link.svg")).contains("θ₂ = 0"));
         QCOMPARE(contentOf(path("link.svg")), contentOf(path("options.svg")));
+    }
+
+    /// A former defect: a scene that was saved in inches and textbook symbols was drawn in mm.
+    void aSceneIsDrawnInItsNotation()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        Scene scene;
+        scene.parameters = {.a = 76.2, .b = 203.2, .c = 50.8, .omega2 = std::numbers::pi};
+        scene.notation =
+            Notation{Symbols::Textbook, {LengthUnit::Inch, AngleUnit::Degree}, CrankSpeedUnit::TurnPerMinute};
+        QCOMPARE(writeScene(scene, path("inches.slidercrank")), std::nullopt);
+        const QString render = "render --scene " + path("inches.slidercrank") + " -o " + path("s.svg");
+        QCOMPARE(run(render).status, 0);
+        const QString drawing = QString::fromUtf8(contentOf(path("s.svg")));
+        QVERIFY(drawing.contains("a = 3 in") && drawing.contains("ω₂ = 30 ") && drawing.contains("[in]"));
+        QCOMPARE(run(render + " --length-unit cm").status, 0);
+        QVERIFY(QString::fromUtf8(contentOf(path("s.svg"))).contains("a = 7.62 cm"));
     }
 
     /// θ3 at B by a pocket calculator: 180° + asin(3.5/8) = 205.9°.

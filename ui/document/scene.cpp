@@ -105,6 +105,7 @@ static void readOrWrite(Scene &scene, JsonNode &node)
             mechanism("frame", scene.mechanismFrame);
         });
         view("table", scene.table);
+        view("notation", scene.notation);
     });
 }
 

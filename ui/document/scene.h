@@ -20,7 +20,9 @@
 //                     "mechanism": {"velocity", "acceleration", "path", "names", "dimensions": whether shown,
 //                                   "frame": null or [left, lower, right, upper]},                     mm
 //                     "table": null or {"step": "crank-angle"|"time", "angleStep", "timeStep",         °, s
-//                                       "columns": ["theta3", "R4_x_diff", "transmission_angle", …]}} }
+//                                       "columns": ["theta3", "R4_x_diff", "transmission_angle", …]},
+//                     "notation": null or {"symbols": "absolute"|"textbook", "length": "mm"|"cm"|"m"|"in",
+//                                          "angle": "deg"|"rad"|"deg-rad/s", "crankSpeed": "rad/s"|"deg/s"|"rpm"}} }
 //
 // Columns count from 1. The path of the reference file is relative to the scene's folder if the file is in or below
 // that folder. For joined files "file" is a list, and their columns are numbered on from file to file. The reference,
@@ -31,6 +33,7 @@
 #include "core/sampling/trajectory.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/view_settings.h"
+#include "ui/text/notation.h"
 
 #include <QByteArray>
 #include <QRectF>
@@ -56,6 +59,7 @@ struct Scene {
     MechanismSettings mechanism;
     std::optional<QRectF> mechanismFrame;     ///< visible part of the drawing, mm; nullopt: the whole motion
     std::optional<MotionTableSettings> table; ///< nullopt if the scene does not say what the table shows
+    std::optional<Notation> notation;         ///< symbols and units; nullopt if the scene does not say
 
     friend bool operator==(const Scene &, const Scene &) = default;
 };

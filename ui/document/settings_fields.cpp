@@ -159,6 +159,14 @@ void readOrWrite(OutputChannel &channel, JsonNode &node)
     channel = outputChannelNamed(name.toStdString()).value_or(channel);
 }
 
+void readOrWrite(Notation &notation, JsonNode &node)
+{
+    node("symbols", notation.symbols);
+    node("length", notation.units.length);
+    node("angle", notation.units.angle);
+    node("crankSpeed", notation.crankSpeed);
+}
+
 void readOrWrite(MotionTableSettings &table, JsonNode &node)
 {
     node("step", table.step);

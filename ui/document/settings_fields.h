@@ -9,6 +9,7 @@
 #include "ui/document/json_node.h"
 #include "ui/document/reference_file.h"
 #include "ui/document/view_settings.h"
+#include "ui/text/notation.h"
 
 namespace slidercrank
 {
@@ -23,6 +24,7 @@ void readOrWrite(PlotSettings &plots, JsonNode &node);
 void readOrWrite(PlotZoom &zoom, JsonNode &node);
 void readOrWrite(MechanismSettings &settings, JsonNode &node);
 void readOrWrite(OutputChannel &channel, JsonNode &node);
+void readOrWrite(Notation &notation, JsonNode &node);
 void readOrWrite(MotionTableSettings &table, JsonNode &node);
 
 /// Returns the name of a column's meaning in files and options: "ignored", "time", "crank-angle", or that of the
@@ -34,6 +36,10 @@ QString meaningName(ColumnRole role, Channel channel);
 void setMeaning(ColumnChoice &choice, const QString &name);
 
 bool isValid(const ReferenceSource &source); ///< Whether it names a file.
+inline bool isValid(const Notation &)
+{
+    return true;
+}
 inline bool isValid(const MotionTableSettings &)
 {
     return true;

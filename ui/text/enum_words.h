@@ -7,7 +7,7 @@
 #include "core/newton/newton_options.h"
 #include "core/sampling/trajectory.h"
 #include "ui/text/enum_table.h"
-#include "ui/text/units.h"
+#include "ui/text/notation.h"
 
 #include <QStringList>
 
@@ -60,6 +60,21 @@ struct EnumWords<Elimination> {
     static constexpr EnumWord<Elimination> rows[] = {{Elimination::Dense, "dense"},
                                                      {Elimination::Structured, "structured"}};
     static_assert(isCompleteTable(rows, Elimination::Structured));
+};
+
+template <>
+struct EnumWords<Symbols> {
+    static constexpr EnumWord<Symbols> rows[] = {{Symbols::AbsoluteCoordinates, "absolute"},
+                                                 {Symbols::Textbook, "textbook"}};
+    static_assert(isCompleteTable(rows, Symbols::Textbook));
+};
+
+template <>
+struct EnumWords<CrankSpeedUnit> {
+    static constexpr EnumWord<CrankSpeedUnit> rows[] = {{CrankSpeedUnit::RadianPerSecond, "rad/s"},
+                                                        {CrankSpeedUnit::DegreePerSecond, "deg/s"},
+                                                        {CrankSpeedUnit::TurnPerMinute, "rpm"}};
+    static_assert(isCompleteTable(rows, CrankSpeedUnit::TurnPerMinute));
 };
 
 template <>

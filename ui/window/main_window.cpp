@@ -166,6 +166,7 @@ void MainWindow::connectDocument()
     connect(m_session, &Session::resultChanged, this, &MainWindow::showResult);
     connect(m_session, &Session::referenceLoaded, this, &MainWindow::followReference);
     connect(m_scene, &SceneFile::changed, this, &MainWindow::showTitle);
+    connect(m_scene, &SceneFile::notationChosen, this, &MainWindow::setNotation);
     connect(m_session, &Session::busyChanged, m_status, &StatusBar::setBusy);
     connect(m_session, &Session::progressed, m_status, &StatusBar::setProgress);
     connect(m_status, &StatusBar::cancelled, m_session, &Session::cancel);

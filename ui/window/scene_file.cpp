@@ -68,7 +68,8 @@ Scene SceneFile::scene() const
             .zoom = m_views.plots->zoom(),
             .mechanism = m_views.mechanism->settings(),
             .mechanismFrame = m_views.mechanism->zoom(),
-            .table = m_views.table->settings()};
+            .table = m_views.table->settings(),
+            .notation = notation()};
 }
 
 void SceneFile::askThen(const std::function<void()> &proceed)
@@ -151,6 +152,9 @@ void SceneFile::show(const Scene &scene, const QString &path, const std::shared_
     m_views.mechanism->setZoom(scene.mechanismFrame);
     if (scene.table) {
         m_views.table->setSettings(*scene.table);
+    }
+    if (scene.notation && *scene.notation != notation()) {
+        emit notationChosen(*scene.notation);
     }
     emit changed();
 }

@@ -67,7 +67,8 @@ public slots:
     bool saveTo(const QString &path, const std::function<void()> &proceed = {});
 
 signals:
-    void changed(); ///< the path, or whether the scene is modified
+    void changed();                                             ///< the path, or whether the scene is modified
+    void notationChosen(const slidercrank::Notation &notation); ///< by the scene that is shown
 
 private:
     /// Shows the scene of that file, or of none if the path is empty. Reads its reference unless it is `loaded`.

@@ -62,6 +62,11 @@ Scene sceneNumber(int i, RandomMechanisms &random, const QString &folder)
             scene.table->columns.push_back(channels[static_cast<std::size_t>(5 * column + i) % channels.size()]);
         }
     }
+    if (flag(6)) {
+        scene.notation = Notation{static_cast<Symbols>(flag(0)),
+                                  {static_cast<LengthUnit>(i % 4), static_cast<AngleUnit>(i % 3)},
+                                  static_cast<CrankSpeedUnit>((i / 3) % 3)};
+    }
     if (flag(4)) {
         scene.reference.emplace();
         scene.reference->paths = {folder + "/a b/ñ \"2\".csv", "/elsewhere/results.csv", ":/data/inventor_sample.csv"};
@@ -139,6 +144,7 @@ private slots:
             scene.mechanism = {};
             scene.mechanismFrame.reset();
             scene.table.reset();
+            scene.notation.reset();
             const QString link = sceneLink(scene);
             QVERIFY2(isSceneLink(link) && isNamedAsScene(link), qPrintable(link));
             QVERIFY2(std::get<Scene>(readScene(link)) == scene, qPrintable(link));

@@ -11,6 +11,7 @@
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/motion_table_panel.h"
 #include "ui/plots/plot_grid.h"
+#include "ui/text/notation.h"
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/exports.h"
 #include "ui/window/scene_file.h"
@@ -28,6 +29,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
+#include <QScopeGuard>
 #include <QSpinBox>
 
 #include <utility>
@@ -92,6 +94,24 @@ private slots:
         QVERIFY(!m_window->isWindowModified());
         QVERIFY(recentFiles().contains(QStringList(rig)));
         AWAIT_COMPARE(picture("plot_R4_x_diff"), shown);
+    }
+
+    /// A former defect: a scene had neither units nor notation.
+    void aSceneHasItsNotation()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        const Notation inches{Symbols::Textbook, {LengthUnit::Inch, AngleUnit::Radian}, CrankSpeedUnit::TurnPerMinute};
+        m_window->setNotation(inches);
+        QVERIFY(m_window->scene().saveTo(path("inches.json")));
+        m_window->setNotation({});
+        m_window->scene().open(path("inches.json"));
+        QCOMPARE(notation(), inches);
+        Scene older = m_window->scene().scene();
+        older.notation.reset();
+        QCOMPARE(writeScene(older, path("older.json")), std::nullopt);
+        m_window->scene().open(path("older.json"));
+        QCOMPARE(notation(), inches);
+        m_window->setNotation({});
     }
 
     void copiesALinkThatOpensTheSameMechanism()

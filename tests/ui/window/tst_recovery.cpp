@@ -4,10 +4,12 @@
 
 #include "tests/ui/window/window_fixture.h"
 
+#include "ui/text/notation.h"
 #include "ui/window/recovery.h"
 #include "ui/window/scene_file.h"
 
 #include <QAbstractButton>
+#include <QDateTime>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QProcess>
@@ -97,11 +99,14 @@ private slots:
         scene.pinned = {Parameters()};
         scene.time = 0.25;
         scene.table = MotionTableSettings{.step = TableStep::Time, .columns = {Channel{R4x, Order::Position}}};
+        scene.notation = Notation();
         QCOMPARE(writeScene(scene, rig), std::nullopt);
         editElsewhere(rig);
         crash();
         openWindow();
         QVERIFY(offer().contains("ended before your changes were saved"));
+        const QString time = QLocale::c().toString(QDateTime::currentDateTime(), "d MMMM yyyy, HH:");
+        QVERIFY2(offer().contains("as of " + time), qPrintable(offer())); // a time of 12 hours may end with a full stop
         press("messageRemedy");
         AWAIT(session().reference());
         scene.parameters.b = 70.0;
