@@ -486,6 +486,10 @@
         <translation>Las longitudes no tienen unidad y se leen en mm. Si son metros, añada %1</translation>
     </message>
     <message>
+        <source>The lengths have no unit and are read as mm. If they are inches, add %1</source>
+        <translation>Las longitudes no tienen unidad y se leen en mm. Si son pulgadas, añada %1</translation>
+    </message>
+    <message>
         <source>If this is the speed of the crank in rad/s, add %1; in turns per second, add %2</source>
         <translation>Si es la velocidad de la manivela en rad/s, añada %1; en revoluciones por segundo, añada %2</translation>
     </message>
@@ -510,8 +514,8 @@
         <translation>numera las filas</translation>
     </message>
     <message>
-        <source>the magnitude of a vector, whose components are other columns</source>
-        <translation>es el módulo de un vector, cuyas componentes son otras columnas</translation>
+        <source>the magnitude of a vector, without its sign</source>
+        <translation>es el módulo de un vector, sin su signo</translation>
     </message>
     <message>
         <source>the same time stamps as in the column of the time</source>
@@ -1674,6 +1678,10 @@ difiere: lo demás</translation>
         <translation>Las demás columnas coinciden con este mecanismo.</translation>
     </message>
     <message>
+        <source>The other rows agree with this mechanism.</source>
+        <translation>Las demás filas coinciden con este mecanismo.</translation>
+    </message>
+    <message>
         <source>With these corrections, the file agrees with this mechanism.</source>
         <translation>Con estas correcciones, el archivo coincide con este mecanismo.</translation>
     </message>
@@ -2167,6 +2175,18 @@ difiere: lo demás</translation>
     <message>
         <source>Outliers that were excluded: %1 (lines %2).</source>
         <translation>Valores atípicos excluidos: %1 (líneas %2).</translation>
+    </message>
+    <message>
+        <source>Line %1 is far from the motion: a typing error?</source>
+        <translation>La línea %1 está lejos del movimiento: ¿un error de escritura?</translation>
+    </message>
+    <message>
+        <source>Lines %1 are far from the motion: typing errors?</source>
+        <translation>Las líneas %1 están lejos del movimiento: ¿errores de escritura?</translation>
+    </message>
+    <message>
+        <source>it has gaps, or its rows are too far apart</source>
+        <translation>tiene huecos, o sus filas están demasiado separadas</translation>
     </message>
     <message>
         <source>The coupler angle θ³ alone determines only b/a and c/a.</source>

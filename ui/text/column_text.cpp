@@ -36,7 +36,7 @@ public:
         {ColumnReason::UnknownName, QT_TR_NOOP("its heading names no quantity that is compared")},
         {ColumnReason::UnknownBody, QT_TR_NOOP("its heading does not name the body")},
         {ColumnReason::RowNumber, QT_TR_NOOP("it numbers the rows")},
-        {ColumnReason::Magnitude, QT_TR_NOOP("the magnitude of a vector, whose components are other columns")},
+        {ColumnReason::Magnitude, QT_TR_NOOP("the magnitude of a vector, without its sign")},
         {ColumnReason::SameTimeStamps, QT_TR_NOOP("the same time stamps as in the column of the time")},
         {ColumnReason::NoName, QT_TR_NOOP("no heading")},
         {ColumnReason::NoNumber, QT_TR_NOOP("it contains no number")},
@@ -79,28 +79,36 @@ QString channelMeaning(Channel channel)
     return isAtA ? ColumnText::tr("%1, measured at A").arg(symbolText(channel)) : symbolText(channel);
 }
 
-/// Says that lengths without a unit may be in metres, and the option for it, if the stroke is that short.
-QStringList hintsOfMetres(const ReferenceData &data)
+/// Says that lengths without a unit are read as mm, and the option for metres if the stroke is short, otherwise for
+/// inches. Says nothing of columns that have the name of a channel, whose unit is mm.
+QStringList hintsOfLengths(const ReferenceData &data)
 {
     constexpr double kShortestStroke = 1.0; // mm: a smaller stroke is probably in metres
     const ReferenceSeries *const x = data.find({R4x, Order::Position});
     const double stroke = x ? rangeOf(x->values).width() : 0.0;
-    std::vector<ColumnChoice> inMetres;
+    const bool areMetres = stroke > 0.0 && stroke < kShortestStroke;
+    std::vector<ColumnChoice> choices;
     for (const FileColumn &column : data.layout.columns) {
         const bool isLength = column.role == ColumnRole::Channel && !isAngle(column.channel.coordinate);
         if (isLength && !column.unit.empty()) {
             return {}; // then the other columns are not in metres either
         }
-        if (isLength && !column.heading.empty()) {
-            const std::string unit = std::string(fileUnit(column.channel)).substr(1); // "mm/s" without "m"
-            inMetres.push_back(
-                {.role = column.role, .channel = column.channel, .unit = unit, .heading = column.heading});
+        const bool isKnownUnit = !areMetres && channelNamed(column.heading);
+        if (isLength && !column.heading.empty() && !isKnownUnit) {
+            const std::string perTime = std::string(fileUnit(column.channel)).substr(2); // "mm/s" without "mm"
+            choices.push_back({.role = column.role,
+                               .channel = column.channel,
+                               .unit = (areMetres ? "m" : "in") + perTime,
+                               .heading = column.heading});
         }
     }
-    return stroke > 0.0 && stroke < kShortestStroke && !inMetres.empty()
-               ? QStringList(ColumnText::tr("The lengths have no unit and are read as mm. If they are metres, add %1")
-                                 .arg(optionText(inMetres)))
-               : QStringList();
+    if (choices.empty()) {
+        return {};
+    }
+    const QString text =
+        areMetres ? ColumnText::tr("The lengths have no unit and are read as mm. If they are metres, add %1")
+                  : ColumnText::tr("The lengths have no unit and are read as mm. If they are inches, add %1");
+    return {text.arg(optionText(choices))};
 }
 
 /// Names the options for speeds in 1/s or Hz that may be in rad/s or in turns per second.
@@ -193,7 +201,7 @@ QStringList doubtTexts(const ReferenceData &data)
 
 QStringList optionHints(const ReferenceData &data)
 {
-    return hintsOfMetres(data) + hintsOfRates(data.layout);
+    return hintsOfLengths(data) + hintsOfRates(data.layout);
 }
 
 QString meaningText(const FileColumn &column)

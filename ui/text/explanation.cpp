@@ -25,9 +25,11 @@ QString agreementText(const Identification &found)
     if (found.drive) {
         return ExplanationText::tr("Over the crank angle, the file agrees with this mechanism.");
     }
-    return found.conventions.empty() ? ExplanationText::tr("The other columns agree with this mechanism.")
-                                     : ExplanationText::tr("With these corrections, the file agrees with this "
-                                                           "mechanism.");
+    if (!found.conventions.empty()) {
+        return ExplanationText::tr("With these corrections, the file agrees with this mechanism.");
+    }
+    return found.leftOut.empty() ? ExplanationText::tr("The other rows agree with this mechanism.")
+                                 : ExplanationText::tr("The other columns agree with this mechanism.");
 }
 
 } // namespace
@@ -58,6 +60,7 @@ std::vector<Explanation> explainDifferences(const Identification &found, const P
     }
     add(driveText(found), Cause::Drive, Action::UseMechanism);
     add(leftOutText(found), Cause::LeftOut);
+    add(outlierText(found), Cause::Outlier);
     if (!explanations.empty()) {
         add(agreementText(found), Cause::Agreement);
     }

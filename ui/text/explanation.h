@@ -19,6 +19,7 @@ struct Explanation {
         Convention, ///< the file has to be read differently from its headings
         Drive,      ///< the crank speed is not constant
         LeftOut,    ///< some columns do not contain the motion of the others
+        Outlier,    ///< some rows are far from the motion of the others
         Length,     ///< one length of the model is different
         Mechanism,  ///< the mechanism that produced the file, or why it is unknown
         Agreement   ///< none: apart from the other causes, the file agrees with the model

@@ -197,13 +197,10 @@ QString possibleSpeedText(const Identification &found)
                                   .arg(anyOf(speeds));
 }
 
-/// Names the outliers by their lines in the file, the first ten of them.
-QString excludedText(const std::vector<std::size_t> &lines)
+/// Lists lines of a file, the first ten of them.
+QString linesText(const std::vector<std::size_t> &lines)
 {
     constexpr std::size_t kMaxListed = 10;
-    if (lines.empty()) {
-        return {};
-    }
     QStringList texts;
     for (const std::size_t line : std::span(lines).first(std::min(lines.size(), kMaxListed))) {
         texts << QString::number(line);
@@ -211,8 +208,15 @@ QString excludedText(const std::vector<std::size_t> &lines)
     if (lines.size() > kMaxListed) {
         texts << "…";
     }
-    return IdentificationText::tr("Outliers that were excluded: %1 (lines %2).")
-        .arg(QString::number(lines.size()), texts.join(", "));
+    return texts.join(", ");
+}
+
+/// Names the outliers by their lines in the file.
+QString excludedText(const std::vector<std::size_t> &lines)
+{
+    return lines.empty() ? QString()
+                         : IdentificationText::tr("Outliers that were excluded: %1 (lines %2).")
+                               .arg(QString::number(lines.size()), linesText(lines));
 }
 
 /// Returns the sentences that follow the parameters of a mechanism, from its residuals to the rows that were excluded.
@@ -360,11 +364,25 @@ QString singleLengthExplanation(const Identification &found, const Parameters &g
                        : sentence;
 }
 
+QString outlierText(const Identification &found)
+{
+    const std::vector<std::size_t> &lines = found.excludedRows;
+    if (lines.empty()) {
+        return {};
+    }
+    const QString text = lines.size() == 1 ? IdentificationText::tr("Line %1 is far from the motion: a typing error?")
+                                           : IdentificationText::tr("Lines %1 are far from the motion: typing errors?");
+    return text.arg(linesText(lines));
+}
+
 QString leftOutText(const Identification &found)
 {
     QStringList columns;
     for (const LeftOutColumn &column : found.leftOut) {
-        const QString reason = IdentificationText::tr(rowOf(IdentificationText::kReasons, column.reason).text);
+        const bool isUnusedAngle = column.channel == Channel{Theta2, Order::Position} && column.reason == Reason::OpenSpeed;
+        const QString reason = isUnusedAngle
+                                   ? IdentificationText::tr("it has gaps, or its rows are too far apart")
+                                   : IdentificationText::tr(rowOf(IdentificationText::kReasons, column.reason).text);
         columns << (std::isnan(column.percentOfPeak)
                         ? QStringLiteral("%1 (%2)").arg(symbolText(column.channel), reason)
                         : IdentificationText::tr("%1 (%2; off by up to %3 % of its peak)")

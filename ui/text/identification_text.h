@@ -45,6 +45,9 @@ QString roundNumbersText(const Identification &found);
 /// a single length of the given mechanism does not explain the file.
 QString singleLengthExplanation(const Identification &found, const Parameters &given);
 
+/// Names the lines of the file that were excluded as outliers, or returns an empty string.
+QString outlierText(const Identification &found);
+
 /// Lists the columns that were not used, with their reasons and deviations, or returns an empty string.
 QString leftOutText(const Identification &found);
 

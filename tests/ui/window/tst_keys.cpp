@@ -293,7 +293,7 @@ private slots:
              {Row{ErrorsTab, "errorTable", "channel,verdict,max_error,percent_of_peak,max_error_at [s]",
                   "\"R4_x_diff [mm/s]\",differs,9.46935096"},
               Row{LimitsTab, "limitTable", "limit,value,theta2 [°],time [s]",
-                  "\"inner dead centre [mm]\",37.4165738"}}) {
+                  "\"inner-dead-centre [mm]\",37.4165738"}}) {
             showTab(row.tab);
             auto *table = part<QTableView>(row.table);
             table->setFocus();
