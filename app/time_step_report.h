@@ -7,6 +7,8 @@
 #include "core/mechanism/mechanism.h"
 #include "core/sampling/trajectory.h"
 
+#include <span>
+
 namespace slidercrank
 {
 

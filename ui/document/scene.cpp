@@ -119,6 +119,11 @@ QByteArray sceneToJson(Scene scene, const QString &path)
     return QJsonDocument(toJson(scene).toObject()).toJson();
 }
 
+Scene acceptedScene(const QJsonObject &json)
+{
+    return fromJson<Scene>(json);
+}
+
 std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &path)
 {
     const QString shownName = displayName(path);
@@ -133,7 +138,7 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
     if (const auto sentence = versionFault(object.value("version"), shownName)) {
         return *sentence;
     }
-    auto scene = fromJson<Scene>(object);
+    Scene scene = acceptedScene(object);
     const QStringList faults = findDifferences(toJson(scene), object);
     if (scene.reference) {
         for (QString &file : scene.reference->paths) {

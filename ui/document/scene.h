@@ -36,6 +36,7 @@
 #include "ui/text/notation.h"
 
 #include <QByteArray>
+#include <QJsonObject>
 #include <QRectF>
 #include <QString>
 
@@ -66,6 +67,9 @@ struct Scene {
 
 /// Returns the scene as JSON text for a file at `path`, which the path of the reference is relative to.
 QByteArray sceneToJson(Scene scene, const QString &path);
+
+/// Returns the scene in which each field that is missing in `json`, or not valid, has a valid value.
+Scene acceptedScene(const QJsonObject &json);
 
 /// Return the scene, or a sentence that says what is wrong, where, and what to do.
 std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &path);

@@ -2,7 +2,6 @@
 #include "ui/document/scene_link.h"
 
 #include "core/import/quantity.h"
-#include "ui/document/settings_fields.h"
 #include "ui/text/printable_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"
@@ -135,7 +134,7 @@ double nearestAccepted(QJsonObject scene, const QString &section, const QString 
     QJsonObject fields = scene[section].toObject();
     fields[field] = number;
     scene[section] = fields;
-    return sceneObject(fromJson<Scene>(scene))[section].toObject()[field].toDouble();
+    return sceneObject(acceptedScene(scene))[section].toObject()[field].toDouble();
 }
 
 /// Returns a message if the scene does not accept the value that the link gives the field.
@@ -143,7 +142,7 @@ std::optional<QString> findRefusal(const QJsonObject &scene, const QString &sect
                                    const QString &text)
 {
     const QJsonValue given = scene[section].toObject()[field];
-    if (sceneObject(fromJson<Scene>(scene))[section].toObject()[field] == given) {
+    if (sceneObject(acceptedScene(scene))[section].toObject()[field] == given) {
         return std::nullopt;
     }
     const QString said = SceneLinkText::tr("The link says %1=%2:").arg(field, printableText(text)) + u' ';
