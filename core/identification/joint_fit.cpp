@@ -4,7 +4,11 @@
 #include "core/identification/column_scale.h"
 #include "core/identification/residual_test.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 namespace slidercrank
 {
@@ -33,6 +37,80 @@ bool areOthersStillExplained(const Observations &observations, const Fit &togeth
     return others.misfit - fit.misfit <= kSameMisfit || (isGeometryExact && isExact(observations, others));
 }
 
+/// The origin with which the prediction, multiplied by a factor, fits a column of positions best; 0 for derivatives.
+double bestOrigin(const Observations &observations, const Fit &fit, Index k, double factor)
+{
+    const ObservedColumn &column = observations.columns[k];
+    const Values differences = column.values - factor * computeMotion(fit.model, observations, {k}).col(0);
+    return column.isDerivative() ? 0.0 : median(differences);
+}
+
+/// Whether an origin of the column can be told from the motion: that of a position that changes, or of R4_y.
+bool mayHaveOrigin(const ObservedColumn &column)
+{
+    return !column.isDerivative() && (!column.isConstant() || column.channel == kSliderLine);
+}
+
+/// The readings of a column that are tried before one with a free origin, the simplest first. `factor`: the result of
+/// usualFactor(), ±1 or ± a conversion of units.
+///   1. If |factor| is not 1 and the model follows the time: ±1, the unit that the heading states. (If it follows the
+///      angle, findTableSpeeds() has chosen between the units.)
+///   2. `factor`.
+///   3. For positions: -factor.
+/// In 2 and 3, an angle gets the multiple of half a turn that is nearest to its best origin; other origins are 0.
+std::vector<ColumnReading> simpleReadings(const Observations &observations, const Fit &fit, Index k, double factor)
+{
+    const ObservedColumn &column = observations.columns[k];
+    std::vector<ColumnReading> readings;
+    if (std::abs(factor) != 1.0 && !fit.model.followsAngle) {
+        readings.push_back({std::copysign(1.0, factor), 0.0});
+    }
+    if (!mayHaveOrigin(column)) {
+        readings.push_back({factor, 0.0});
+        return readings;
+    }
+    for (const double signedFactor : {factor, -factor}) {
+        const double halfTurn = std::numbers::pi * signedFactor;
+        const double origin = bestOrigin(observations, fit, k, signedFactor);
+        readings.push_back({signedFactor, column.containsAngles() ? halfTurn * std::rint(origin / halfTurn) : 0.0});
+    }
+    return readings;
+}
+
+/// Whether the last column of a fit may be used: one that contains difference quotients may be a genuine derivative
+/// nevertheless.
+bool isLastColumnGenuine(const Observations &observations, const Fit &fit)
+{
+    const Index place = std::ssize(fit.columns) - 1;
+    return !observations.columns[fit.columns[place]].isDifference || isNearRounding(observations, fit, place);
+}
+
+/// Fits column k together with the columns of a fit, in the simplest reading with which a mechanism explains them all:
+/// one of simpleReadings(), otherwise with a free origin. Returns nullopt if there is none.
+std::optional<Fit> tryReadings(const Observations &observations, const Fit &fit, Index k, bool isGeometryExact)
+{
+    const double factor = usualFactor(observations, fit, k);
+    Model model = fit.model;
+    for (const ColumnReading &reading : simpleReadings(observations, fit, k, factor)) {
+        model.readings[k] = reading;
+        if (std::optional<Fit> together = tryToAddColumn(observations, fit, model, k, isGeometryExact)) {
+            return together;
+        }
+    }
+    if (!mayHaveOrigin(observations.columns[k])) {
+        return std::nullopt;
+    }
+    Fit withOrigin = fit;
+    withOrigin.unknowns.push_back({Unknown::Kind::Origin, k});
+    for (const double signedFactor : {factor, -factor}) {
+        model.readings[k] = {signedFactor, bestOrigin(observations, fit, k, signedFactor)};
+        if (std::optional<Fit> together = tryToAddColumn(observations, withOrigin, model, k, isGeometryExact)) {
+            return together;
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 std::optional<Fit> tryToAddColumn(const Observations &observations, const Fit &fit, const Model &model, Index k,
@@ -46,6 +124,12 @@ std::optional<Fit> tryToAddColumn(const Observations &observations, const Fit &f
         return std::nullopt;
     }
     return together;
+}
+
+std::optional<Fit> addInSimplestReading(const Observations &observations, const Fit &fit, Index k, bool isGeometryExact)
+{
+    std::optional<Fit> together = tryReadings(observations, fit, k, isGeometryExact);
+    return together && isLastColumnGenuine(observations, *together) ? std::move(together) : std::nullopt;
 }
 
 } // namespace slidercrank

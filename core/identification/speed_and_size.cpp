@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/identification/speed_and_size.h"
+
+#include "core/identification/column_scale.h"
+#include "core/identification/geometry.h"
+#include "core/identification/joint_fit.h"
+#include "core/identification/residual_test.h"
+#include "core/identification/table_speed.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+/// Whether the lengths in some columns over the angle of the crank are all velocities, which show only the product a
+/// ω2, or all accelerations, which show only a ω2², and no rate of an angle shows ω2.
+bool showOnlyProductWithSpeed(const Observations &observations, const Indices &columns)
+{
+    return !determineLengths(observations, columns) && !observations.containOnlyAngles(columns);
+}
+
+/// Multiplies the lengths of a mechanism by a factor.
+void scaleLengths(Parameters &mechanism, double factor)
+{
+    for (const Parameter length : kLengths) {
+        valueOf(mechanism, length) *= factor;
+    }
+}
+
+/// The model of a fit that contains velocities or accelerations of lengths over the angle of the crank, at another
+/// speed: the lengths and the signs of the readings change so that these columns remain the same. `order`: that of the
+/// columns. Other columns of the fit are angles, which do not depend on the speed.
+Model atOtherSpeed(const Observations &observations, const Fit &fit, Order order, double ratioOfSpeeds)
+{
+    const double factorOfColumns = std::pow(ratioOfSpeeds, static_cast<double>(order));
+    Model model = fit.model;
+    model.mechanism.omega2 *= ratioOfSpeeds;
+    scaleLengths(model.mechanism, 1.0 / std::abs(factorOfColumns));
+    for (const Index k : fit.columns) {
+        if (observations.columns[k].channel.order == order) {
+            model.readings[k].factor *= std::copysign(1.0, factorOfColumns);
+        }
+    }
+    return model;
+}
+
+/// By which factor the speed of a fit over the angle of the crank has to change so that the prediction of a column
+/// changes by `factorOfColumn` while the columns of the fit remain the same. `order`: that of the column;
+/// `fittedOrder`: that of the lengths in the fit. An even power of the speed does not show its sign.
+double ratioOfSpeeds(double factorOfColumn, Order order, Order fittedOrder)
+{
+    const int power = static_cast<int>(order) - static_cast<int>(fittedOrder);
+    const double base = power % 2 == 0 ? std::abs(factorOfColumn) : factorOfColumn;
+    return std::copysign(std::pow(std::abs(base), 1.0 / power), base);
+}
+
+/// Over the angle of the crank, velocities of lengths show the product a ω2, and accelerations a ω2². If a fit of
+/// columns of one of these orders (and of angles) has assumed another speed than the true one, it predicts lengths of
+/// other orders that are off by a factor, which shows the true speed. Returns the fit together with such a column, in
+/// which the speed is free; nullopt if no mechanism explains both, or if the column only contains difference quotients
+/// of the other one.
+std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool isGeometryExact)
+{
+    const auto isLength = [&](Index k) { return !observations.columns[k].containsAngles(); };
+    const Order fittedOrder = observations.columns[*std::ranges::find_if(fit.columns, isLength)].channel.order;
+    Fit start = fit;
+    start.unknowns.push_back({Unknown::Kind::Omega2});
+    for (Index k = 0; k < std::ssize(observations.columns); ++k) {
+        const ObservedColumn &column = observations.columns[k];
+        if (column.containsAngles() || column.isConstant() || column.channel.order == fittedOrder) {
+            continue;
+        }
+        const double factor = bestScale(observations, fit, fit.model, k);
+        start.model =
+            atOtherSpeed(observations, fit, fittedOrder, ratioOfSpeeds(factor, column.channel.order, fittedOrder));
+        if (std::optional<Fit> together = addInSimplestReading(observations, start, k, isGeometryExact)) {
+            return together;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Angles show only ratios of lengths. Returns a fit of angles together with the first column of lengths that the same
+/// mechanism explains in another size; the same fit if there is none. Where a table over the crank angle leaves ω2
+/// open, a derivative only shows the size at the assumed speed. `drive`: the kind of the drive; if it is Uneven,
+/// nothing predicts derivatives.
+Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::Kind drive, bool isGeometryExact)
+{
+    Fit start = fit;
+    start.unknowns.push_back({Unknown::Kind::A});
+    for (Index k = 0; k < std::ssize(observations.columns); ++k) {
+        const ObservedColumn &column = observations.columns[k];
+        const bool isPredicted = drive != Drive::Kind::Uneven || !column.isDerivative();
+        if (column.containsAngles() || column.isConstant() || !isPredicted) {
+            continue;
+        }
+        start.model = fit.model;
+        scaleLengths(start.model.mechanism, std::abs(bestScale(observations, fit, fit.model, k)));
+        if (std::optional<Fit> together = addInSimplestReading(observations, start, k, isGeometryExact)) {
+            return *std::move(together);
+        }
+    }
+    return fit;
+}
+
+/// Determines ω2 of a table over the crank angle from derivatives whose size the fit predicts at a known speed. If
+/// these show a single speed, it becomes an unknown of result.fit. If they allow several, result.speeds are these.
+void addSpeedOfTable(SpeedAndSize &result, const Observations &observations, double givenSpeed)
+{
+    Fit &fit = result.fit;
+    if (fit.isFree({Unknown::Kind::Omega2}) || showOnlyProductWithSpeed(observations, fit.columns)) {
+        return;
+    }
+    result.speeds = findTableSpeeds(observations, fit, givenSpeed);
+    if (result.speeds.size() == 1) { // the derivatives can be used, and improve it
+        fit.unknowns.push_back({Unknown::Kind::Omega2});
+        fit.model.mechanism.omega2 = result.speeds[0];
+    }
+}
+
+} // namespace
+
+SpeedAndSize withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
+                              double givenSpeed)
+{
+    const bool isGeometryExact = isExact(observations, geometry);
+    SpeedAndSize result{.fit = geometry};
+    Fit &fit = result.fit;
+    if (drive == Drive::Kind::OverAngle) {
+        addSpeedOfTable(result, observations, givenSpeed);
+    }
+    if (observations.containOnlyAngles(fit.columns) && result.speeds.size() < 2) {
+        fit = withSizeOfLengths(observations, fit, drive, isGeometryExact);
+    }
+    const bool isSpeedOpen = drive == Drive::Kind::OverAngle && !fit.isFree({Unknown::Kind::Omega2});
+    if (isSpeedOpen && showOnlyProductWithSpeed(observations, fit.columns)) {
+        fit = withSpeedOfTwoOrders(observations, fit, isGeometryExact).value_or(fit);
+    }
+    return result;
+}
+
+} // namespace slidercrank

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The speed of the crank and the size of the mechanism, where the columns from which the geometry was found leave them
+// open.
+
+#include "core/identification/drive.h"
+#include "core/identification/fit.h"
+
+#include <vector>
+
+namespace slidercrank
+{
+
+struct SpeedAndSize {
+    Fit fit; ///< of the geometry, with the columns that had to be added and the speed that they show
+
+    /// In a table over the crank angle, the values of ω2 that the derivatives allow, rad/s.
+    std::vector<double> speeds{};
+};
+
+/// Adds the columns to a fit of the geometry that show what it leaves open: in a table over the crank angle the speed,
+/// and beside angles, which show only ratios of lengths, the size. `drive`: the kind of the drive. `givenSpeed`:
+/// chooses among speeds that the units of a table leave open, rad/s.
+SpeedAndSize withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
+                              double givenSpeed);
+
+} // namespace slidercrank
