@@ -2101,8 +2101,8 @@ difiere: lo demás</translation>
         <translation>Sin determinar: %1. Ayudarían una parte mayor de la revolución, las derivadas, θ₂ o más cifras.</translation>
     </message>
     <message>
-        <source>The best attempt deviates by up to %1 % of the range of %2: check the meaning and the units of the columns.</source>
-        <translation>El mejor intento se desvía hasta un %1 % del intervalo de valores de %2: compruebe el significado y las unidades de las columnas.</translation>
+        <source>The best attempt deviates by up to %1 % of the range of %2: check the meaning and the units of the columns. Unless the crank speed is constant, the file must contain θ₂.</source>
+        <translation>El mejor intento se desvía hasta un %1 % del intervalo de valores de %2: compruebe el significado y las unidades de las columnas. Si la velocidad de la manivela no es constante, el archivo debe contener θ₂.</translation>
     </message>
     <message>
         <source>R4_y is not constant: the slider does not move parallel to the x axis.</source>
@@ -2157,8 +2157,8 @@ difiere: lo demás</translation>
         <translation>%1 en promedio</translation>
     </message>
     <message>
-        <source>The columns deviate from its motion by up to %1 % of the range of %2. What remains is systematic (filtered, interpolated or integrated data?), so that no standard errors can be given.</source>
-        <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2. Lo que queda es sistemático (¿datos filtrados, interpolados o integrados?), por lo que no se pueden dar errores estándar.</translation>
+        <source>The columns deviate from its motion by up to %1 % of the range of %2. What remains is systematic (filtered, interpolated or integrated data, or a crank speed that varies?), so that no standard errors can be given.</source>
+        <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2. Lo que queda es sistemático (¿datos filtrados, interpolados o integrados, o una velocidad de la manivela que varía?), por lo que no se pueden dar errores estándar.</translation>
     </message>
     <message>
         <source>The columns deviate from its motion by up to %1 % of the range of %2, more than by rounding; ± holds if these errors are independent.</source>

@@ -70,7 +70,8 @@ public:
     };
     static constexpr RejectionRow kRejections[] = {
         {Rejection::LargeResiduals, QT_TR_NOOP("The best attempt deviates by up to %1 % of the range of %2: "
-                                               "check the meaning and the units of the columns.")},
+                                               "check the meaning and the units of the columns. Unless the crank "
+                                               "speed is constant, the file must contain θ₂.")},
         {Rejection::SliderLine, QT_TR_NOOP("R4_y is not constant: the slider does not move parallel to the x axis.")},
         {Rejection::CannotBeAssembled,
          QT_TR_NOOP("The mechanisms that come near cannot be assembled in all of its rows: check the meaning "
@@ -159,13 +160,15 @@ QString residualText(const Identification &found)
     if (found.outcome != Outcome::Approximate || !worst) {
         return {};
     }
-    const QString text = found.hasSystematicResiduals
-                             ? IdentificationText::tr("The columns deviate from its motion by up to %1 % of the range "
-                                                      "of %2. What remains is systematic (filtered, interpolated or "
-                                                      "integrated data?), so that no standard errors can be given.")
-                             : IdentificationText::tr("The columns deviate from its motion by up to %1 % of the range "
-                                                      "of %2, more than by rounding; ± holds if these errors are "
-                                                      "independent.");
+    const QString text =
+        found.hasSystematicResiduals
+            ? IdentificationText::tr("The columns deviate from its motion by up to %1 % of the range "
+                                     "of %2. What remains is systematic (filtered, interpolated or "
+                                     "integrated data, or a crank speed that varies?), so that no standard "
+                                     "errors can be given.")
+            : IdentificationText::tr("The columns deviate from its motion by up to %1 % of the range "
+                                     "of %2, more than by rounding; ± holds if these errors are "
+                                     "independent.");
     return text.arg(errorText(worst->percentOfRange), symbolText(worst->channel));
 }
 
@@ -379,7 +382,8 @@ QString leftOutText(const Identification &found)
 {
     QStringList columns;
     for (const LeftOutColumn &column : found.leftOut) {
-        const bool isUnusedAngle = column.channel == Channel{Theta2, Order::Position} && column.reason == Reason::OpenSpeed;
+        const bool isUnusedAngle =
+            column.channel == Channel{Theta2, Order::Position} && column.reason == Reason::OpenSpeed;
         const QString reason = isUnusedAngle
                                    ? IdentificationText::tr("it has gaps, or its rows are too far apart")
                                    : IdentificationText::tr(rowOf(IdentificationText::kReasons, column.reason).text);

@@ -81,7 +81,7 @@ private slots:
                  QString("Mechanism that approximately explains this file: a ≈ 20 mm, b ≈ 60 mm, c ≈ 25 mm, "
                          "ω₂ ≈ 6.283 rad/s, θ₂₀ ≈ −2.177·10⁻⁵°, open assembly. The columns deviate from its motion by "
                          "up to 1.20 % of the range of Rₓ⁴. What remains is systematic (filtered, interpolated or "
-                         "integrated data?), so that no standard errors can be given."));
+                         "integrated data, or a crank speed that varies?), so that no standard errors can be given."));
         QCOMPARE(measuredText(Parameter::B, systematic, notation()), QString("60 mm"));
 
         QCOMPARE(residualTable(systematic.residuals),
@@ -237,7 +237,8 @@ private slots:
         none.outcome = Outcome::None;
         none.residuals = {{kTheta3, 1.0, 4.0, 12.345}, {kSlider, 1.0, 3.0, 5.0}};
         QCOMPARE(summaryText(none), QString("No mechanism explains this file. The best attempt deviates by up to 12.3 "
-                                            "% of the range of θ³: check the meaning and the units of the columns."));
+                                            "% of the range of θ³: check the meaning and the units of the columns. "
+                                            "Unless the crank speed is constant, the file must contain θ₂."));
         QCOMPARE(roundNumbersText(none), QString());
     }
 
