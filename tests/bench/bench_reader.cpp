@@ -24,7 +24,7 @@ const std::string &largeFile()
 {
     static const std::string text =
         printedMotion(Parameters(), {.to = 0.999999, .rows = 1'000'000, .format = "%.6f", .timeFormat = "%.6f"},
-                      [](int, std::size_t) { return false; });
+                      [](int, Channel) { return false; });
     return text;
 }
 
