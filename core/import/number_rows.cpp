@@ -12,6 +12,8 @@ namespace slidercrank
 namespace
 {
 
+using Kind = NameMeaning::Kind;
+
 /// Returns whether all cells are gaps or numbers, with or without units, and at least two are numbers.
 bool isRow(const Cells &cells)
 {
@@ -87,7 +89,6 @@ bool isProse(const std::vector<Line> &lines)
 
 bool isTransposed(Lines lines)
 {
-    using Kind = NameMeaning::Kind;
     constexpr std::size_t kFewestNumbers = 3;
     bool hasAbscissa = false;
     bool hasOther = false;
