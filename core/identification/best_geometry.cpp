@@ -6,6 +6,7 @@
 #include "core/identification/speed_candidates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace slidercrank
@@ -62,6 +63,17 @@ bool explainsBetter(const Observations &searched, const Fit &higher, const Fit &
     return misfitWithFreeOrigins(searched, higher, columns) < misfitWithFreeOrigins(searched, lowest, columns);
 }
 
+/// The largest rounding step of some columns, relative to the range of the column; infinite without columns.
+double coarsestStep(const Observations &observations, const Indices &columns)
+{
+    double coarsest = columns.empty() ? kInfinity : 0.0;
+    for (const Index k : columns) {
+        const ObservedColumn &column = observations.columns[k];
+        coarsest = std::max(coarsest, std::sqrt(12.0 * column.variance) / column.range); // variance of rounding
+    }
+    return coarsest;
+}
+
 } // namespace
 
 ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
@@ -82,8 +94,10 @@ ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observation
 ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, const Observations &searched,
                                                const Parameters &given)
 {
+    constexpr double kFiner = 3.0; // with similar steps, the lower derivatives have shown the geometry as well
     const Indices columns = shapeColumns(searched, 1);
-    return columns.empty() ? ConstrainedFit{} : findConstrainedGeometry(wholeFile, searched, columns, given);
+    const bool areFiner = kFiner * coarsestStep(searched, columns) < coarsestStep(searched, shapeColumns(searched));
+    return areFiner ? findConstrainedGeometry(wholeFile, searched, columns, given) : ConstrainedFit{};
 }
 
 } // namespace slidercrank

@@ -17,7 +17,8 @@ namespace slidercrank
 /// `searched`: selected rows of `wholeFile`.
 ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given);
 
-/// Finds the geometry from the next higher derivatives alone; not finite if the file contains none.
+/// Finds the geometry from the next higher derivatives alone. Not finite unless the file contains some that are rounded
+/// more finely than the lower ones.
 ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, const Observations &searched,
                                                const Parameters &given);
 

@@ -205,14 +205,19 @@ Fit withUsualReadings(const Observations &observations, Fit fit)
     return fit;
 }
 
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const Unknowns &earlierOrigins)
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ConstrainedFit &earlier)
 {
     ConstrainedFit result{.fit = std::move(fit)};
     if (!result.fit.isFinite()) {
         return result;
     }
     const Unknowns freeOrigins = originsAmong(result.fit);
-    freeOriginsAgain(observations, result.fit, earlierOrigins);
+    if (result.fit.columns == earlier.fit.columns) {
+        result.possibleOrigins = earlier.possibleOrigins;
+        result.possibleErrors = earlier.possibleErrors;
+    } else {
+        freeOriginsAgain(observations, result.fit, earlier.possibleOrigins);
+    }
     for (const Unknown origin : originsAmong(result.fit)) {
         const bool wasTakenBack = std::ranges::find(freeOrigins, origin) == freeOrigins.end();
         const double usual = nearestUsualValue(observations, result.fit.model, origin);

@@ -33,9 +33,9 @@ Fit withUsualReadings(const Observations &observations, Fit fit);
 ///      residuals of the fit with the free origin are systematic.
 /// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
 /// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are possible
-/// errors. `earlierOrigins`: the possible origins of a ConstrainedFit from which `fit` was made by adding columns. They
-/// remain at their usual values, and their possible errors are those that the columns of `fit` leave. A fit that is not
+/// errors. `earlier`: the result from which `fit` was made; {} if there is none. If columns were added, its possible
+/// origins keep their usual values, but their possible errors become those that all columns leave. A fit that is not
 /// finite remains as it is.
-ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const Unknowns &earlierOrigins = {});
+ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ConstrainedFit &earlier = {});
 
 } // namespace slidercrank

@@ -56,11 +56,11 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGe
     findings.lengthUnit = findLengthUnit(data);
     const Observations withoutOutliers = withoutSpikes(wholeFile);
     Observations searched = selectRows(withoutOutliers, kSearchedRows);
-    ConstrainedFit geometry = findGeometry(withoutOutliers, searched, given);
+    const ConstrainedFit geometry = findGeometry(withoutOutliers, searched, given);
     if (!geometry.fit.isFinite()) {
         return findings;
     }
-    ObservedFit current = withBestAbscissa({std::move(wholeFile), std::move(searched), std::move(geometry.fit)});
+    ObservedFit current = withBestAbscissa({std::move(wholeFile), std::move(searched), geometry.fit});
     current.fit = fitSimplestImage(current.searched, std::move(current.fit), given);
     findings.drive = findDrive(current.wholeFile, current.fit.model);
     current = withDriveOfFile(std::move(current), findings.drive);
@@ -68,8 +68,7 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGe
     findings.leftOut = std::move(further.leftOut);
     leaveOutUnusedAngle(findings.leftOut, data, current.wholeFile);
     findings.speeds = std::move(further.speeds);
-    const ConstrainedFit ofAllColumns =
-        withoutFreedoms(current.searched, std::move(further.fit), geometry.possibleOrigins);
+    const ConstrainedFit ofAllColumns = withoutFreedoms(current.searched, std::move(further.fit), geometry);
     findings.lastFit =
         fitAllRows(std::move(current.wholeFile), ofAllColumns.fit, ofAllColumns.possibleErrors, findings.drive);
     if (findings.lastFit.fit.isFinite()) {
@@ -132,50 +131,70 @@ bool isBetter(const Identification &result, const Identification &other)
     return rank(result) < rank(other);
 }
 
-} // namespace
-
-Identification identify(const ReferenceData &data, const Mechanism &given, std::stop_token stop)
+/// Identifies the mechanism of a table whose slider moves along y, after the axes are rotated: those of the positions,
+/// or also those of the angles. Returns nullopt if the slider moves along x.
+std::optional<Identification> identifyRotated(const ReferenceData &data, const Parameters &given,
+                                              const std::stop_token &stop)
 {
-    using Outcome = Identification::Outcome;
     std::optional<Identification> best;
     for (const bool rotatesAngles : {false, true}) {
         if (const std::optional<Convention> rotation = findAxisRotation(data, rotatesAngles)) {
-            Identification result = identifyTable(data, rotation, findBestGeometry, given.parameters(), stop).result;
+            Identification result = identifyTable(data, rotation, findBestGeometry, given, stop).result;
             if (!best || isBetter(result, *best)) {
                 best = std::move(result);
             }
         }
     }
-    if (!best) {
-        best = identifyTable(data, std::nullopt, findBestGeometry, given.parameters(), stop).result;
-        const auto replaceIfAllIsExplained = [&](Identification result) {
-            if (result.outcome == Outcome::Identified && result.leftOut.empty() && isBetter(result, *best)) {
-                best = std::move(result);
-            }
-        };
-        const std::vector<Convention> conventions = possibleTableConventions(data, *best);
-        // A mechanism that contradicts the derivatives may explain positions that were rounded coarsely.
-        if (!best->leftOut.empty() || best->outcome == Outcome::Insufficient) {
-            replaceIfAllIsExplained(
-                identifyTable(data, std::nullopt, findGeometryOfHigherDerivatives, given.parameters(), stop).result);
+    return best;
+}
+
+/// Tries unlikely readings of a table. Returns the best result of one that explains everything exactly, or `asInFile`,
+/// the result for the table as it is in the file, if that is as good.
+Identification tryUnlikelyReadings(Identification asInFile, const ReferenceData &data, const Parameters &given,
+                                   const std::stop_token &stop)
+{
+    const auto explainsAll = [](const Identification &result) {
+        return result.outcome == Identification::Outcome::Identified && result.leftOut.empty();
+    };
+    const std::vector<Convention> conventions = possibleTableConventions(data, asInFile);
+    Identification best = std::move(asInFile);
+    const auto tryResult = [&](Identification result) {
+        if (explainsAll(result) && isBetter(result, best)) {
+            best = std::move(result);
         }
-        for (const Convention &convention : conventions) { // these are unlikely
-            replaceIfAllIsExplained(identifyTable(data, convention, findBestGeometry, given.parameters(), stop).result);
-        }
-        const bool isDoubtful =
-            best->outcome != Outcome::Identified || !best->leftOut.empty() || !best->conventions.empty();
-        for (const std::size_t row : isDoubtful ? findSuspiciousRows(data) : std::vector<std::size_t>{}) {
-            if (std::optional<Identification> result = identifyWithoutRow(data, row, given.parameters(), stop)) {
-                replaceIfAllIsExplained(*std::move(result));
-            }
+    };
+    if (!explainsAll(best)) {
+        // Coarsely rounded positions may have been explained by a mechanism that contradicts their derivatives.
+        tryResult(identifyTable(data, std::nullopt, findGeometryOfHigherDerivatives, given, stop).result);
+    }
+    for (const Convention &convention : conventions) {
+        tryResult(identifyTable(data, convention, findBestGeometry, given, stop).result);
+    }
+    if (!explainsAll(best) || !best.conventions.empty()) {
+        const std::optional<std::size_t> row = findSuspiciousRow(data);
+        if (std::optional<Identification> result = row ? identifyWithoutRow(data, *row, given, stop) : std::nullopt) {
+            tryResult(*std::move(result));
         }
     }
+    return best;
+}
+
+} // namespace
+
+Identification identify(const ReferenceData &data, const Mechanism &given, std::stop_token stop)
+{
+    const Parameters &parameters = given.parameters();
+    std::optional<Identification> result = identifyRotated(data, parameters, stop);
+    if (!result) {
+        Identification asInFile = identifyTable(data, std::nullopt, findBestGeometry, parameters, stop).result;
+        result = tryUnlikelyReadings(std::move(asInFile), data, parameters, stop);
+    }
     if (stop.stop_requested()) {
-        Identification stopped{.parameters = given.parameters(), .rounded = given.parameters()};
+        Identification stopped{.parameters = parameters, .rounded = parameters};
         stopped.stopped = true;
         return stopped;
     }
-    return *std::move(best);
+    return *std::move(result);
 }
 
 } // namespace slidercrank

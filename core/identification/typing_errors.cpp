@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 namespace slidercrank
 {
@@ -55,39 +54,47 @@ std::vector<PossibleError> fitErrors(const std::vector<double> &values)
     return errors;
 }
 
-/// The row of a column that may contain a typing error; nullopt if no value is far from its neighbours.
-std::optional<std::size_t> findSuspiciousRow(std::vector<double> values)
+/// A value that is far from the curve through its neighbours.
+struct SuspiciousValue {
+    std::size_t row = 0;
+    double suspicion = 0.0; ///< its error, relative to the median of the errors of the other values and to its rounding
+};
+
+/// The value of a column that is most probably a typing error.
+SuspiciousValue findMostSuspicious(const ReferenceSeries &series)
 {
-    constexpr double kSuspicion = 6.0; // times the median of the other errors: few curves without an error reach it
+    constexpr double kSteps = 0.5; // rounding steps that count as much as the median of the errors
+    std::vector<double> values = series.values;
     std::vector<PossibleError> errors = fitErrors(values);
     const auto largest = std::ranges::max_element(errors, {}, &PossibleError::explained);
     const std::size_t row = static_cast<std::size_t>(largest - errors.begin());
     const double error = std::abs(largest->error);
+    const double step = series.rounding.stepAt(values[row]);
     values[row] -= largest->error; // which has also changed the errors of its neighbours
     errors = fitErrors(values);
     const auto magnitude = [](const PossibleError &possible) { return std::abs(possible.error); };
     const auto median = errors.begin() + std::ssize(errors) / 2;
     std::ranges::nth_element(errors, median, {}, magnitude);
-    return error > kSuspicion * magnitude(*median) ? std::optional(row) : std::nullopt;
+    const double usualError = std::max(magnitude(*median), kSteps * step);
+    return {.row = row, .suspicion = error > 0.0 ? error / usualError : 0.0};
 }
 
 } // namespace
 
-std::vector<std::size_t> findSuspiciousRows(const ReferenceData &data)
+std::optional<std::size_t> findSuspiciousRow(const ReferenceData &data)
 {
-    constexpr std::size_t kMinRows = 9;   // with fewer, five fourth differences are most of them
-    constexpr std::size_t kMaxRows = 400; // nobody types more
-    std::vector<std::size_t> rows;
+    constexpr std::size_t kMinRows = 9;    // with fewer, five fourth differences are most of them
+    constexpr std::size_t kMaxRows = 400;  // nobody types more
+    constexpr double kMinSuspicion = 10.0; // few curves without an error reach it
     if (data.time.size() < kMinRows || data.time.size() > kMaxRows) {
-        return rows;
+        return std::nullopt;
     }
+    SuspiciousValue worst;
     for (const ReferenceSeries &series : data.series) {
-        const std::optional<std::size_t> row = findSuspiciousRow(series.values);
-        if (row && std::ranges::find(rows, *row) == rows.end()) {
-            rows.push_back(*row);
-        }
+        const SuspiciousValue value = findMostSuspicious(series);
+        worst = value.suspicion > worst.suspicion ? value : worst;
     }
-    return rows;
+    return worst.suspicion > kMinSuspicion ? std::optional(worst.row) : std::nullopt;
 }
 
 ReferenceData withoutRow(ReferenceData data, std::size_t row)

@@ -6,15 +6,16 @@
 #include "core/import/reference_data.h"
 
 #include <cstddef>
-#include <vector>
+#include <optional>
 
 namespace slidercrank
 {
 
-/// Returns the rows that may contain a typing error: for each column, the row whose value is farthest from a smooth
-/// curve through its neighbours, if it is much farther than those of the other rows. None for tables of more rows than
-/// a person types. A curve with a corner, such as an angle that jumps by a turn, may also be returned.
-std::vector<std::size_t> findSuspiciousRows(const ReferenceData &data);
+/// Returns the row that may contain a typing error: that of the value which is farthest from a smooth curve through its
+/// neighbours, compared with the other values of its column. Returns nullopt if no value is much farther than the
+/// others and than its rounding, and for tables of more rows than a person types. A curve with a corner, such as an
+/// angle that jumps by a turn, may also be returned.
+std::optional<std::size_t> findSuspiciousRow(const ReferenceData &data);
 
 /// Returns the table with gaps in all columns of a row.
 ReferenceData withoutRow(ReferenceData data, std::size_t row);
