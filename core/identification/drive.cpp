@@ -20,8 +20,37 @@ namespace
 struct Polynomial {
     Eigen::VectorXd coefficients;
     Eigen::VectorXd standardErrors;
-    bool explainsAngles = false; ///< the residuals are rounding, or they are small and change their sign like noise
+    bool explainsAngles = false; ///< the residuals are rounding or noise
 };
+
+/// Fits a polynomial of the time, in half spans of the file, so that all powers are between -1 and 1. The coefficient
+/// of the constant is the first of `terms`.
+LinearFit fitPowers(const Observations &observations, const Values &angles, Index terms)
+{
+    Eigen::MatrixXd basis(angles.size(), terms);
+    for (Index k = 0; k < terms; ++k) {
+        basis.col(k) = (observations.time / (0.5 * observations.span())).pow(static_cast<double>(k));
+    }
+    return fitLinearly(basis, angles);
+}
+
+/// Whether the residuals of a polynomial with `terms` coefficients are errors of a sensor: small, with signs that
+/// change as those of noise do, and not, in large part, a curve that a polynomial with two more terms describes.
+bool areNoise(const Values &residuals, const Observations &observations, const Values &angles, Index terms)
+{
+    constexpr double kMaxNoise = 0.1;         // rad (6°): larger deviations are not those of a sensor
+    constexpr double kMinFraction = 0.5;      // of the sum of squares remains: less of it is a curve than noise
+    constexpr double kMinProbability = 0.001; // of noise that resembles a curve in few rows
+    if (residuals.abs().maxCoeff() > kMaxNoise || !changeSignLikeNoise(residuals)) {
+        return false;
+    }
+    const LinearFit curved = fitPowers(observations, angles, terms + 2);
+    const double fraction = curved.residuals.square().sum() / residuals.square().sum();
+    // Two more terms reduce the sum of squares of n independent errors to a fraction q or less with the probability
+    // q^((n - terms - 2) / 2) (the beta distribution).
+    const double probability = std::pow(fraction, 0.5 * static_cast<double>(angles.size() - terms - 2));
+    return fraction > kMinFraction || probability > kMinProbability;
+}
 
 /// Fits a polynomial with `terms` coefficients, the constant first. `halfStep`: half of the rounding step of the
 /// angles, rad.
@@ -29,16 +58,8 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
 {
     constexpr double kMaxBounds = 2.5;   // the largest error, in bounds of rounding: an encoder truncates
     constexpr double kArithmetic = 1e-9; // rad: rounding errors of angles that are printed with all digits
-    constexpr double kMaxNoise = 0.1;    // rad (6°): larger deviations are not those of a sensor
-    // The time is divided by half of its span, so that the powers in the basis are between -1 and 1.
     const double halfSpan = 0.5 * observations.span();
-    Eigen::MatrixXd basis(angles.size(), terms);
-    Eigen::ArrayXd scale(terms); // turns the coefficients into those of the time
-    for (Index k = 0; k < terms; ++k) {
-        basis.col(k) = (observations.time / halfSpan).pow(static_cast<double>(k));
-        scale[k] = std::pow(halfSpan, -static_cast<double>(k));
-    }
-    const LinearFit fit = fitLinearly(basis, angles);
+    const LinearFit fit = fitPowers(observations, angles, terms);
     const Values errors = fit.residuals.abs();
     // Half a rounding step of the angle, and the motion of the crank during half a step of the time.
     const double bound = halfStep + std::abs(fit.coefficients[1]) / halfSpan * observations.timeHalfStep + kArithmetic;
@@ -46,12 +67,15 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
     // all errors are rounding, it counts twice, so that the standard errors become too large and not too small.
     const double variance = errors.square().mean() + bound * bound / 3.0;
     const double percentWithin = 100.0 * (errors <= bound).cast<double>().mean();
-    const bool isRounding =
+    const bool areRounding =
         percentWithin >= static_cast<double>(kPercentWithinBound) && errors.maxCoeff() < kMaxBounds * bound;
-    const bool isNoise = changeSignLikeNoise(fit.residuals) && errors.maxCoeff() < kMaxNoise;
+    Eigen::ArrayXd scale(terms); // turns the coefficients of powers of half spans into those of powers of the time
+    for (Index k = 0; k < terms; ++k) {
+        scale[k] = std::pow(halfSpan, -static_cast<double>(k));
+    }
     return {.coefficients = fit.coefficients.array() * scale,
             .standardErrors = (variance * fit.variances).sqrt() * scale,
-            .explainsAngles = isRounding || isNoise};
+            .explainsAngles = areRounding || areNoise(fit.residuals, observations, angles, terms)};
 }
 
 /// The difference quotients from each row to the one `step` rows later.

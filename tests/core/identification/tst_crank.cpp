@@ -24,16 +24,15 @@ namespace tst_crank
 
 /// Observations with a time from 0 to 2 s and the angles θ2(t), rounded to a step.
 template <class Angle>
-Observations observationsOf(const Angle &angle, double step)
+Observations observationsOf(const Angle &angle, double step, Index rows = 201)
 {
-    constexpr Index kRows = 201;
     Observations observations;
-    observations.time = Values::LinSpaced(kRows, -1.0, 1.0);
+    observations.time = Values::LinSpaced(rows, -1.0, 1.0);
     observations.timeOrigin = 1.0;
     observations.angle =
         observations.time.unaryExpr([&](double time) { return step * std::rint(angle(time + 1.0) / step); });
     observations.angleHalfStep = 0.5 * step;
-    observations.rows.resize(kRows);
+    observations.rows.resize(static_cast<std::size_t>(rows));
     return observations;
 }
 
@@ -119,6 +118,10 @@ private slots:
         QCOMPARE(ripple.kind, Drive::Kind::Uneven);
         QVERIFY(std::abs(ripple.minSpeed - 4.8) < 0.05 && std::abs(ripple.maxSpeed - 7.2) < 0.05);
         QVERIFY(std::abs(ripple.omega2 - 6.0) < 0.1);
+
+        // Half a period of a ripple in a few rows resembles a parabola, but its residuals are a curve.
+        const auto halfPeriod = [](double t) { return 0.25 * kTurn * t + 0.05 * std::sin(0.25 * kTurn * t); };
+        QCOMPARE(findDrive(observationsOf(halfPeriod, 1e-5, 19), model).kind, Drive::Kind::Uneven);
     }
 
     void takesNoiseOfTheAngleForAConstantSpeed()
