@@ -67,7 +67,8 @@ Observations withPrintedAbscissa(Observations observations, const Model &model)
         observations.angle = observations.printedAngle;
     } else {
         observations.time = observations.printedTime;
-        observations.timeMargin = 0.0;
+        observations.startMargin = 0.0;
+        observations.durationMargin = 0.0;
     }
     return observations;
 }

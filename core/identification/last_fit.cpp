@@ -73,16 +73,15 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
     return rows;
 }
 
-/// The standard errors of the speed and the angle of the crank because of rounded time stamps: within their margin, the
-/// first and the last one may be anywhere, independently.
+/// The standard errors of the speed and the angle of the crank because of rounded time stamps, whose start and duration
+/// may be anywhere within their margins.
 ParameterErrors errorsOfClock(const Observations &observations, const Model &model)
 {
     ParameterErrors errors{};
     if (!model.followsAngle) {
-        const double errorOfTime = observations.timeMargin / std::numbers::sqrt3; // of an even distribution
-        const double speed = std::abs(model.mechanism.omega2);
-        errors[indexOf(Parameter::Theta20)] = speed * errorOfTime;
-        errors[indexOf(Parameter::Omega2)] = speed * std::numbers::sqrt2 * errorOfTime / observations.span();
+        const double speed = std::abs(model.mechanism.omega2) / std::numbers::sqrt3; // √3: of an even distribution
+        errors[indexOf(Parameter::Theta20)] = speed * observations.startMargin;
+        errors[indexOf(Parameter::Omega2)] = speed * observations.durationMargin / observations.span();
     }
     return errors;
 }

@@ -8,10 +8,12 @@
 #include "core/mechanism/turn.h"
 
 #include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -121,8 +123,29 @@ Indices rowsWithValues(const ReferenceData &data)
 /// Times (or angles of a table) of one spacing, some of which may be missing.
 struct Grid {
     Values times;
-    double margin = 0.0; ///< how far it can be moved so that rounding still explains it; 0 if rounding does not
+    // How far its start and its duration can differ so that rounding still explains it; 0 if rounding does not.
+    double startMargin = 0.0;
+    double durationMargin = 0.0;
 };
+
+/// The argument between `minimum` and `end` farthest from the minimum of a convex function where it is not positive:
+/// its root, or `end`. `minimum` if the function is positive everywhere.
+template <class Function>
+double farthestBelowZero(const Function &function, double minimum, double end)
+{
+    if (function(end) <= 0.0) {
+        return end;
+    }
+    if (function(minimum) >= 0.0) {
+        return minimum;
+    }
+    constexpr int kBits = 26; // of the result: the interval may be small
+    std::uintmax_t evaluations = 50;
+    const boost::math::tools::eps_tolerance<double> isClose(kBits);
+    const auto [left, right] = boost::math::tools::toms748_solve(function, std::min(minimum, end),
+                                                                 std::max(minimum, end), isClose, evaluations);
+    return 0.5 * (left + right);
+}
 
 /// The time stamps (or angles of a table) before they were rounded. Rounding explains a grid if each of its times is
 /// within half a rounding step of the printed time stamp. Returns the grid with the largest margin to these limits or,
@@ -146,8 +169,16 @@ Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<
     // a convex function, so that its only local minimum is the least.
     const auto excess = [&](double stretch) { return earliestStart(stretch) - latestStart(stretch); };
     const double best = boost::math::tools::brent_find_minima(excess, -1.0, 1.0, kBits).first;
-    return {.times = 0.5 * (earliestStart(best) + latestStart(best)) + gridFromZero(best),
-            .margin = std::max(0.0, -0.5 * excess(best))};
+    const double start = 0.5 * (earliestStart(best) + latestStart(best));
+    Grid grid{.times = start + gridFromZero(best)};
+    for (const double longest : {-1.0, 1.0}) {
+        const double stretch = farthestBelowZero(excess, best, longest);
+        const double otherStart = 0.5 * (earliestStart(stretch) + latestStart(stretch));
+        grid.startMargin = std::max({grid.startMargin, -0.5 * excess(best), std::abs(otherStart - start)});
+        grid.durationMargin =
+            std::max(grid.durationMargin, std::abs(gridFromZero(stretch)[last] - gridFromZero(best)[last]));
+    }
+    return grid;
 }
 
 /// Reads the time stamps of a file over the time.
@@ -161,7 +192,8 @@ void observeTime(Observations &observations, const ReferenceData &data)
         const auto halfStep = [&](double stamp) { return 0.5 * data.timeRounding.stepAt(stamp); };
         Grid grid = findGrid(printed, printed.unaryExpr(halfStep), clock.gridNumbers);
         time = std::move(grid.times);
-        observations.timeMargin = grid.margin;
+        observations.startMargin = grid.startMargin;
+        observations.durationMargin = grid.durationMargin;
     }
     observations.timeOrigin = 0.5 * (time[rows.front()] + time[rows.back()]);
     observations.time = time(rows) - observations.timeOrigin;
@@ -216,17 +248,32 @@ void observeTableAngle(Observations &observations, const CrankAngles &crank)
     observations.angleHalfStep = 0.5 * clock.step() / kDegreesPerRadian;
 }
 
+/// Whether the angles are multiples of the distance of two rows, as 30°, 45°, 60°: somebody chose them, and computed
+/// the other columns from them.
+bool areChosen(const Values &angle)
+{
+    constexpr double kArithmetic = 1e-9; // relative to the distance
+    const Values multiples = angle / (angle[1] - angle[0]);
+    const Values steps = multiples.tail(angle.size() - 1) - multiples.head(angle.size() - 1);
+    return (multiples - multiples.round()).abs().maxCoeff() < kArithmetic &&
+           (steps - 1.0).abs().maxCoeff() < kArithmetic;
+}
+
 /// Reads θ2 of a file over the time. It is not used if a row lacks it, or if the rows do not show how many turns the
 /// crank makes.
 void observeAngleColumn(Observations &observations, const ReferenceData &data)
 {
+    constexpr double kExact = 1e-9; // of the range: the error of angles that are not rounded
     const ReferenceSeries *const crank = data.find(kCrankAngle);
     if (!crank) {
         return;
     }
     const ObservedColumn column = readColumn(data, *crank, observations.rows);
     if (column.values.isFinite().all() && !hidesTurns(column.values)) {
-        observations.angleHalfStep = column.halfSteps.maxCoeff();
+        const double rounding = column.halfSteps.maxCoeff();
+        const double motionOfClock = observations.timeHalfStep / observations.span() * column.range;
+        const double exact = motionOfClock + kExact * column.range;
+        observations.angleHalfStep = areChosen(column.values) ? std::min(rounding, exact) : rounding;
         observations.angle = column.values;
         countTurnsInGaps(observations.angle, observations.time);
     }

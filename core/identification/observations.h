@@ -49,15 +49,16 @@ struct ObservedColumn {
 };
 
 struct Observations {
-    Values time;                ///< s, zero in the middle of the file; empty in a table over the crank angle
-    Values printedTime;         ///< the rounded time stamps if `time` is evenly spaced before rounding; otherwise empty
-    Values angle;               ///< θ2 as in the file, rad, without jumps; empty if the file does not contain it
-    Values printedAngle;        ///< the rounded `angle` of a table if `angle` is evenly spaced before rounding
-    double timeOrigin = 0.0;    ///< time of the file at which `time` is zero, s
-    double timeHalfStep = 0.0;  ///< half of the rounding step of the time stamps, s; 0 if the file's are evenly spaced
-    double timeMargin = 0.0;    ///< how far the evenly spaced time stamps can be moved within their rounding, s
-    double angleHalfStep = 0.0; ///< half of the rounding step of `angle`, rad; 0 in a table with evenly spaced angles
-    Indices rows;               ///< index in the file of each row
+    Values time;               ///< s, zero in the middle of the file; empty in a table over the crank angle
+    Values printedTime;        ///< the rounded time stamps if `time` is evenly spaced before rounding; otherwise empty
+    Values angle;              ///< θ2 as in the file, rad, without jumps; empty if the file does not contain it
+    Values printedAngle;       ///< the rounded `angle` of a table if `angle` is evenly spaced before rounding
+    double timeOrigin = 0.0;   ///< time of the file at which `time` is zero, s
+    double timeHalfStep = 0.0; ///< half of the rounding step of the time stamps, s; 0 if the file's are evenly spaced
+    double startMargin = 0.0;  ///< how far the start of the evenly spaced time stamps is uncertain by rounding, s
+    double durationMargin = 0.0; ///< the same for the time from the first to the last one, s
+    double angleHalfStep = 0.0;  ///< half of the rounding step of `angle`, rad; 0 in a table with evenly spaced angles
+    Indices rows;                ///< index in the file of each row
     std::vector<ObservedColumn>
         columns;          ///< without those that tell nothing; θ2 only if withDriveOfFile() has made it one
     std::stop_token stop; ///< requests the end of every computation with these observations

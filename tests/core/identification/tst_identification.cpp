@@ -279,6 +279,27 @@ private slots:
         QVERIFY(found.leftOut[0].percentOfPeak > 0.1 && found.conventions.empty());
     }
 
+    /// A person chose θ2 every 15° and computed the times from it. Taken for angles that were rounded to whole degrees,
+    /// they would allow a mechanism without another origin of x: b = 161 mm.
+    void takesChosenAnglesAsExact()
+    {
+        const Parameters p{.a = 45.0, .b = 153.6, .c = -13.5, .omega2 = 12.0};
+        std::string text = "t [s],theta2 [deg],R4_x [mm],R4_x_diff [mm/s]\n";
+        for (int degrees = 30; degrees <= 390; degrees += 15) {
+            const double angle = degrees / kDegreesPerRadian;
+            const auto value = [&](Order order) { return static_cast<double>(textbookValue(p, {R4x, order}, angle)); };
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%.6g,%d,%.1f,%.0f\n",
+                          (angle - 30.0 / kDegreesPerRadian) / p.omega2, degrees, value(Order::Position) + 7.5,
+                          value(Order::Velocity));
+            text += line.data();
+        }
+        const Identification found = identified(std::get<ReferenceData>(readReferenceData(text)));
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(std::abs(found.parameters.b - p.b) < 0.5 && std::abs(found.parameters.c - p.c) < 0.1);
+        QCOMPARE(found.rounded.omega2, p.omega2);
+    }
+
     void usesTheAngleOfAnUnevenCrank()
     {
         struct Row {
