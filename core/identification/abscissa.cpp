@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/abscissa.h"
 
+#include "core/identification/speed_and_size.h"
+
 #include "core/import/crank_angles.h"
 
 #include <utility>
@@ -23,12 +25,12 @@ void appendAngle(Observations &observations)
 
 /// Changes a model that follows the angle in the file to one that turns with the constant speed of a drive, and reads
 /// that angle as a column, which is appended to those of the fit.
-void followTime(Fit &fit, const Drive &drive)
+void followTime(const Observations &observations, Fit &fit, const Drive &drive)
 {
+    fit.model = atSpeed(observations, fit, drive.omega2);
     Model &model = fit.model;
     model.readings.push_back({1.0 / model.angleFactor, -model.mechanism.theta20 / model.angleFactor});
     model.followsAngle = false;
-    model.mechanism.omega2 = drive.omega2;
     model.mechanism.theta20 = drive.theta20;
     const Index column = std::ssize(model.readings) - 1;
     fit.columns.push_back(column);
@@ -47,7 +49,7 @@ ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
     appendAngle(current.wholeFile);
     current.searched = selectRows(withoutSpikes(current.wholeFile), kSearchedRows); // with the new column
     Fit &fit = current.fit;
-    followTime(fit, drive);
+    followTime(current.searched, fit, drive);
     fit = fitModel(current.searched, fit.model, fit.columns, fit.unknowns);
     return current;
 }
@@ -97,7 +99,7 @@ ObservedFit withDriveOfFile(ObservedFit current, const Drive &drive)
         return withAngleAsColumn(std::move(current), drive);
     }
     if (drive.kind == Drive::Kind::RunUp) {
-        current.fit.model.mechanism.omega2 = drive.omega2;
+        current.fit.model = atSpeed(current.searched, current.fit, drive.omega2);
         current.fit.model.alpha2 = drive.alpha2;
     }
     return current;

@@ -153,6 +153,7 @@ struct Identification {
         FewValues,      ///< too few values or rows for the number of unknowns
         NothingMoves,   ///< neither R4_x nor θ3 nor the centre of a link changes
         FewRowsPerTurn, ///< a file over the time with positions only: other speeds give the same values in all rows
+        UnevenSpeed,    ///< derivatives only, and the crank speed varies: nothing predicts them
         OpenParameters, ///< the file does not determine openParameters
         Nothing         ///< the outcome is not Insufficient
     };

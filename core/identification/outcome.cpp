@@ -27,7 +27,7 @@ using UnknownKind = Unknown::Kind;
 constexpr double kMaxError = 0.2;
 
 /// The same for a. Standard errors are computed as if the motion were a linear function of the unknowns. If a is less
-/// certain than this, the motion is not, and the standard errors of all parameters are too small.
+/// certain than this, the motion is not, the standard errors of all parameters are too small, and all lengths are open.
 constexpr double kMaxErrorOfCrank = 0.03;
 
 /// A parameter is left open if systematic residuals can change it by a larger fraction of its size (see
@@ -100,11 +100,16 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
                       errors[i] > maxRelativeError(unknown, areResidualsSystematic) * sizes[i];
         }
     }
+    if (open[indexOf(Parameter::A)]) {
+        open[indexOf(Parameter::B)] = true;
+        open[indexOf(Parameter::C)] = true;
+    }
     return open;
 }
 
-/// Whether the file has too few values (FewValues) or rows (FewRowsPerTurn) for the fit; otherwise Nothing.
-Lack findLackOfValues(const LastFit &lastFit)
+/// Whether the file lacks values (FewValues), rows (FewRowsPerTurn) or positions (UnevenSpeed) for the fit; otherwise
+/// Nothing.
+Lack findLackOfValues(const LastFit &lastFit, const Drive &drive)
 {
     constexpr double kSpareValues = 3.0;    // with fewer, small residuals prove nothing
     constexpr double kMinRowsPerTurn = 4.0; // with fewer, a faster crank may give the same positions
@@ -112,6 +117,9 @@ Lack findLackOfValues(const LastFit &lastFit)
     const Observations &observations = lastFit.observations;
     if (fit.valueCount() < static_cast<double>(fit.unknowns.size()) + kSpareValues) {
         return Lack::FewValues;
+    }
+    if (drive.kind == Drive::Kind::Uneven && observations.containDerivatives(fit.columns)) {
+        return Lack::UnevenSpeed;
     }
     if (fit.model.followsAngle || observations.containDerivatives(fit.columns)) {
         return Lack::Nothing;
@@ -297,7 +305,7 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
     result.iterations = fit.iterations;
     result.conditionNumber = conditionNumber(fit);
     result.hasSystematicResiduals = isSystematic(observations, fit);
-    result.lack = findLackOfValues(lastFit);
+    result.lack = findLackOfValues(lastFit, findings.drive);
     if (result.lack != Lack::Nothing) {
         result.outcome = Outcome::Insufficient;
         return result;

@@ -33,21 +33,13 @@ void scaleLengths(Parameters &mechanism, double factor)
     }
 }
 
-/// The model of a fit that contains velocities or accelerations of lengths over the angle of the crank, at another
-/// speed: the lengths and the signs of the readings change so that these columns remain the same. `order`: that of the
-/// columns. Other columns of the fit are angles, which do not depend on the speed.
-Model atOtherSpeed(const Observations &observations, const Fit &fit, Order order, double ratioOfSpeeds)
+/// The order of the lengths in a fit over the angle of the crank, which is the same for all; Position if there are
+/// none.
+Order orderOfLengths(const Observations &observations, const Fit &fit)
 {
-    const double factorOfColumns = std::pow(ratioOfSpeeds, static_cast<double>(order));
-    Model model = fit.model;
-    model.mechanism.omega2 *= ratioOfSpeeds;
-    scaleLengths(model.mechanism, 1.0 / std::abs(factorOfColumns));
-    for (const Index k : fit.columns) {
-        if (observations.columns[k].channel.order == order) {
-            model.readings[k].factor *= std::copysign(1.0, factorOfColumns);
-        }
-    }
-    return model;
+    const auto isLength = [&](Index k) { return !observations.columns[k].containsAngles(); };
+    const auto found = std::ranges::find_if(fit.columns, isLength);
+    return found == fit.columns.end() ? Order::Position : observations.columns[*found].channel.order;
 }
 
 /// By which factor the speed of a fit over the angle of the crank has to change so that the prediction of a column
@@ -67,8 +59,7 @@ double ratioOfSpeeds(double factorOfColumn, Order order, Order fittedOrder)
 /// of the other one.
 std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool isGeometryExact)
 {
-    const auto isLength = [&](Index k) { return !observations.columns[k].containsAngles(); };
-    const Order fittedOrder = observations.columns[*std::ranges::find_if(fit.columns, isLength)].channel.order;
+    const Order fittedOrder = orderOfLengths(observations, fit);
     Fit start = fit;
     start.unknowns.push_back({Unknown::Kind::Omega2});
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
@@ -77,8 +68,8 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
             continue;
         }
         const double factor = bestScale(observations, fit, fit.model, k);
-        start.model =
-            atOtherSpeed(observations, fit, fittedOrder, ratioOfSpeeds(factor, column.channel.order, fittedOrder));
+        const double ratio = ratioOfSpeeds(factor, column.channel.order, fittedOrder);
+        start.model = atSpeed(observations, fit, ratio * fit.model.mechanism.omega2);
         if (std::optional<Fit> together = addInSimplestReading(observations, start, k, isGeometryExact)) {
             return together;
         }
@@ -125,6 +116,21 @@ void addSpeedOfTable(SpeedAndSize &result, const Observations &observations, dou
 }
 
 } // namespace
+
+Model atSpeed(const Observations &observations, const Fit &fit, double omega2)
+{
+    Model model = fit.model;
+    const Order order = orderOfLengths(observations, fit);
+    const double factorOfLengths = std::pow(omega2 / model.mechanism.omega2, static_cast<double>(order));
+    model.mechanism.omega2 = omega2;
+    scaleLengths(model.mechanism, 1.0 / std::abs(factorOfLengths));
+    for (const Index k : fit.columns) {
+        if (observations.columns[k].channel.order == order) {
+            model.readings[k].factor *= std::copysign(1.0, factorOfLengths);
+        }
+    }
+    return model;
+}
 
 SpeedAndSize withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
                               double givenSpeed)

@@ -12,6 +12,11 @@
 namespace slidercrank
 {
 
+/// The model of a fit over the angle of the crank at another speed. If the fit contains velocities or accelerations of
+/// lengths, the lengths and the signs of the readings change so that it predicts the same values. (Angles in the fit do
+/// not depend on the speed.)
+Model atSpeed(const Observations &observations, const Fit &fit, double omega2);
+
 struct SpeedAndSize {
     Fit fit; ///< of the geometry, with the columns that had to be added and the speed that they show
 

@@ -2097,6 +2097,10 @@ difiere: lo demás</translation>
         <translation>Tiene menos de cuatro filas por revolución, de modo que varias velocidades de la manivela dan los mismos valores: ayudarían más filas por revolución, las derivadas o θ₂.</translation>
     </message>
     <message>
+        <source>The crank speed varies, so that derivatives alone do not show the mechanism: positions of the slider or angles of the coupler would help.</source>
+        <translation>La velocidad de la manivela varía, de modo que las derivadas por sí solas no muestran el mecanismo: ayudarían las posiciones de la corredera o los ángulos de la biela.</translation>
+    </message>
+    <message>
         <source>Open: %1. A longer part of a revolution, derivatives, θ₂ or more digits would help.</source>
         <translation>Sin determinar: %1. Ayudarían una parte mayor de la revolución, las derivadas, θ₂ o más cifras.</translation>
     </message>

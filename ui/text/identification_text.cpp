@@ -60,6 +60,8 @@ public:
         {Lack::FewRowsPerTurn,
          QT_TR_NOOP("It has fewer than four rows per revolution, so that several crank speeds give the same "
                     "values: more rows per revolution, derivatives or θ₂ would help.")},
+        {Lack::UnevenSpeed, QT_TR_NOOP("The crank speed varies, so that derivatives alone do not show the mechanism: "
+                                       "positions of the slider or angles of the coupler would help.")},
         {Lack::OpenParameters,
          QT_TR_NOOP("Open: %1. A longer part of a revolution, derivatives, θ₂ or more digits would help.")},
         {Lack::Nothing, ""}};

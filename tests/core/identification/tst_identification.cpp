@@ -300,6 +300,48 @@ private slots:
         QCOMPARE(found.rounded.omega2, p.omega2);
     }
 
+    /// Velocities over the angle show only a ω2. The time beside them shows ω2, and so the size and the sign.
+    void findsTheSizeFromVelocitiesAndTheDrive()
+    {
+        for (const double omega2 : {12.0, -1.0}) {
+            Parameters p = kOrdinary;
+            p.omega2 = omega2;
+            p.theta20 = 0.0;
+            std::string text = "t [s],theta2 [deg],R4_x_diff [mm/s]\n";
+            for (int row = 0; row <= 24; ++row) {
+                const double degrees = std::copysign(15.0 * row, omega2);
+                const double velocity =
+                    static_cast<double>(textbookValue(p, {R4x, Order::Velocity}, degrees / kDegreesPerRadian));
+                std::array<char, 80> line{};
+                std::snprintf(line.data(), line.size(), "%.7g,%g,%.5f\n", degrees / kDegreesPerRadian / omega2, degrees,
+                              velocity);
+                text += line.data();
+            }
+            const Identification found = identified(std::get<ReferenceData>(readReferenceData(text)));
+            QCOMPARE(found.outcome, Outcome::Identified);
+            QVERIFY(distance(found.parameters, p) < 1e-3 && found.conventions.empty());
+        }
+    }
+
+    /// Nothing predicts the velocities of a crank with a ripple: of a false size, nothing is said.
+    void doesNotFindLengthsFromVelocitiesOfAnUnevenCrank()
+    {
+        std::string text = "t [s],theta2 [deg],R4_x_diff [mm/s]\n";
+        for (int row = 0; row <= 60; ++row) {
+            const double t = 0.01 * row;
+            const double angle = 12.0 * t + 0.05 * std::sin(12.0 * t);
+            Parameters p = kOrdinary;
+            p.omega2 = 12.0 + 0.6 * std::cos(12.0 * t);
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%.2f,%.4f,%.4f\n", t, angle * kDegreesPerRadian,
+                          static_cast<double>(textbookValue(p, {R4x, Order::Velocity}, angle)));
+            text += line.data();
+        }
+        const Identification found = identified(std::get<ReferenceData>(readReferenceData(text)));
+        QCOMPARE(found.outcome, Outcome::Insufficient);
+        QCOMPARE(found.lack, Identification::Lack::UnevenSpeed);
+    }
+
     void usesTheAngleOfAnUnevenCrank()
     {
         struct Row {

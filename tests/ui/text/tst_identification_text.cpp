@@ -213,7 +213,8 @@ private slots:
         Identification found;
         QStringList sentences;
         found.outcome = Outcome::Insufficient;
-        for (const auto lack : {Lack::FewValues, Lack::NothingMoves, Lack::FewRowsPerTurn, Lack::OpenParameters}) {
+        for (const auto lack :
+             {Lack::FewValues, Lack::NothingMoves, Lack::FewRowsPerTurn, Lack::UnevenSpeed, Lack::OpenParameters}) {
             found.lack = lack;
             sentences << summaryText(found);
         }
