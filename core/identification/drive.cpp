@@ -34,14 +34,14 @@ LinearFit fitPowers(const Observations &observations, const Values &angles, Inde
     return fitLinearly(basis, angles);
 }
 
-/// Whether the residuals of a polynomial with `terms` coefficients are errors of a sensor: small, with signs that
-/// change as those of noise do, and not, in large part, a curve that a polynomial with two more terms describes.
+/// Whether the residuals of a polynomial with `terms` coefficients are errors of a sensor: small, different from row to
+/// row, and not, in large part, a curve that a polynomial with two more terms describes.
 bool areNoise(const Values &residuals, const Observations &observations, const Values &angles, Index terms)
 {
     constexpr double kMaxNoise = 0.1;         // rad (6°): larger deviations are not those of a sensor
     constexpr double kMinFraction = 0.5;      // of the sum of squares remains: less of it is a curve than noise
     constexpr double kMinProbability = 0.001; // of noise that resembles a curve in few rows
-    if (residuals.abs().maxCoeff() > kMaxNoise || !changeSignLikeNoise(residuals)) {
+    if (residuals.abs().maxCoeff() > kMaxNoise || !changeSignLikeNoise(residuals) || !differLikeNoise(residuals)) {
         return false;
     }
     const LinearFit curved = fitPowers(observations, angles, terms + 2);

@@ -250,6 +250,12 @@ double Fit::valueCount() const
     return std::accumulate(counts.begin(), counts.end(), 0.0);
 }
 
+double columnMisfit(const Observations &observations, const Fit &fit, Index place)
+{
+    const double meanSquare = fit.rms[place] * fit.rms[place];
+    return columnMisfit(observations.columns[fit.columns[place]], meanSquare, fit.counts[place]);
+}
+
 Fit evaluateModel(const Observations &observations, Model model, Indices columns)
 {
     Fit fit{.model = std::move(model), .columns = std::move(columns)};

@@ -111,6 +111,9 @@ struct Fit {
 /// Computes the residuals and the misfit of a model, without unknowns.
 Fit evaluateModel(const Observations &observations, Model model, Indices columns);
 
+/// The part of the misfit that fit.columns[place] contributes.
+double columnMisfit(const Observations &observations, const Fit &fit, Index place);
+
 /// Changes the unknowns of a model so that the misfit in `columns` is least, and returns this fit. The search starts at
 /// the values that they have in `start`. The fit is not finite if the mechanism of the start cannot be assembled, or if
 /// the observations request a stop.

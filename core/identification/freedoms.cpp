@@ -59,7 +59,7 @@ bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown u
     return true;
 }
 
-/// Whether the residuals of every column are as small as those that a filter or an interpolation leaves.
+/// Whether the residuals of every column are rounding, or as small as those that a filter or an interpolation leaves.
 bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 {
     constexpr double kMaxFraction = 0.01; // of the size of a column (rms): a moving average of R4_x leaves that much
@@ -67,7 +67,8 @@ bool hasSmallResiduals(const Observations &observations, const Fit &fit)
         return false;
     }
     for (Index place = 0; place < fit.residuals.cols(); ++place) {
-        if (!(fit.rms[place] < kMaxFraction * columnSize(observations, fit, place))) {
+        const bool isSmall = fit.rms[place] < kMaxFraction * columnSize(observations, fit, place);
+        if (!isSmall && !isWithinRounding(observations, fit, place)) { // a constant column has the size 0
             return false;
         }
     }

@@ -42,4 +42,15 @@ inline bool changeSignLikeNoise(const Values &residuals)
     return changes > expectedChanges - 3.0 * standardDeviation;
 }
 
+/// Whether residuals without gaps differ from row to row as much as independent errors of one size do: the mean square
+/// of the differences is twice that of the residuals (von Neumann's ratio), or less by no more than three standard
+/// deviations. In few rows, this finds curves that changeSignLikeNoise() does not.
+inline bool differLikeNoise(const Values &residuals)
+{
+    const Index pairs = residuals.size() - 1;
+    const double squareOfDifferences = (residuals.tail(pairs) - residuals.head(pairs)).square().mean();
+    const double standardDeviation = 2.0 / std::sqrt(static_cast<double>(pairs));
+    return squareOfDifferences > (2.0 - 3.0 * standardDeviation) * residuals.square().mean();
+}
+
 } // namespace slidercrank

@@ -248,15 +248,16 @@ void observeTableAngle(Observations &observations, const CrankAngles &crank)
     observations.angleHalfStep = 0.5 * clock.step() / kDegreesPerRadian;
 }
 
-/// Whether the angles are multiples of the distance of two rows, as 30°, 45°, 60°: somebody chose them, and computed
-/// the other columns from them.
+/// Whether the angles are evenly spaced multiples of a simple part of their distance, as 30°, 45°, 60° or 105°, 115°,
+/// 125°: somebody chose them, and computed the other columns from them.
 bool areChosen(const Values &angle)
 {
+    constexpr double kParts = 6.0;       // of the distance: halves and thirds
     constexpr double kArithmetic = 1e-9; // relative to the distance
-    const Values multiples = angle / (angle[1] - angle[0]);
-    const Values steps = multiples.tail(angle.size() - 1) - multiples.head(angle.size() - 1);
-    return (multiples - multiples.round()).abs().maxCoeff() < kArithmetic &&
-           (steps - 1.0).abs().maxCoeff() < kArithmetic;
+    const double distance = angle[1] - angle[0];
+    const Values parts = angle * (kParts / distance);
+    const Values advances = (angle.tail(angle.size() - 1) - angle.head(angle.size() - 1)) / distance;
+    return (parts - parts.round()).abs().maxCoeff() < kArithmetic && (advances - 1.0).abs().maxCoeff() < kArithmetic;
 }
 
 /// Reads θ2 of a file over the time. It is not used if a row lacks it, or if the rows do not show how many turns the

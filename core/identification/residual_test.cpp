@@ -79,13 +79,27 @@ bool isExact(const Observations &observations, const Fit &fit)
 
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best)
 {
-    return isExact(observations, fit) || fit.misfit - best.misfit < kSameMisfit * dependence(best);
+    if (!fit.isFinite() || isExact(observations, fit)) {
+        return fit.isFinite();
+    }
+    double growth = 0.0;
+    for (Index place = 0; place < best.residuals.cols(); ++place) {
+        growth += (columnMisfit(observations, fit, place) - columnMisfit(observations, best, place)) /
+                  dependence(best.residuals.col(place));
+    }
+    return growth < kSameMisfit;
 }
 
 bool isSystematic(const Observations &observations, const Fit &fit)
 {
-    const auto isInterpolated = [&](Index k) { return observations.columns[k].isInterpolated; };
-    return !isExact(observations, fit) && (!isNoise(fit) || std::ranges::any_of(fit.columns, isInterpolated));
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        const bool isLikeNoise =
+            changeSignLikeNoise(fit.residuals.col(place)) && !observations.columns[fit.columns[place]].isInterpolated;
+        if (!isLikeNoise && !isWithinRounding(observations, fit, place)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 } // namespace slidercrank

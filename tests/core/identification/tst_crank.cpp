@@ -122,6 +122,10 @@ private slots:
         // Half a period of a ripple in a few rows resembles a parabola, but its residuals are a curve.
         const auto halfPeriod = [](double t) { return 0.25 * kTurn * t + 0.05 * std::sin(0.25 * kTurn * t); };
         QCOMPARE(findDrive(observationsOf(halfPeriod, 1e-5, 19), model).kind, Drive::Kind::Uneven);
+
+        // A ripple over two turns with a row every 30° changes its sign four times in 25 rows, as noise may.
+        const auto twoPeriods = [](double t) { return kTurn * t + 0.05 * std::sin(kTurn * t); };
+        QCOMPARE(findDrive(observationsOf(twoPeriods, 1e-5, 25), model).kind, Drive::Kind::Uneven);
     }
 
     void takesNoiseOfTheAngleForAConstantSpeed()

@@ -300,6 +300,28 @@ private slots:
         QCOMPARE(found.rounded.omega2, p.omega2);
     }
 
+    /// The rounding errors of θ2 have the same sign in many rows. They must not excuse the errors of a noisy x: without
+    /// its origin, no mechanism explains it.
+    void findsTheOriginOfANoisyColumnBesideARoundedAngle()
+    {
+        RandomMechanisms random(5);
+        Parameters p{.a = 20.0, .b = 60.0, .c = 0.0, .omega2 = 0.5 * kTurn};
+        std::string text = "t [s],theta2 [deg],R4_x [mm]\n";
+        for (int degrees = 107; degrees <= 467; degrees += 10) {
+            const double angle = degrees / kDegreesPerRadian;
+            const double x = static_cast<double>(textbookValue(p, {R4x, Order::Position}, angle));
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%.6g,%d,%.3f\n", (degrees - 107) / 180.0, degrees,
+                          x + 100.0 + random.uniform(-0.1, 0.1));
+            text += line.data();
+        }
+        const Identification found = identified(std::get<ReferenceData>(readReferenceData(text)));
+        QVERIFY(found.hasMechanism());
+        QVERIFY(std::abs(found.parameters.a - p.a) < 0.1 && std::abs(found.parameters.b - p.b) < 3.0);
+        QCOMPARE(found.conventions.size(), std::size_t{1});
+        QVERIFY(std::abs(found.conventions[0].convention.amount + 100.0) < 2.0);
+    }
+
     /// Velocities over the angle show only a ω2. The time beside them shows ω2, and so the size and the sign.
     void findsTheSizeFromVelocitiesAndTheDrive()
     {
