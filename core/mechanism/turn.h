@@ -16,14 +16,16 @@ inline constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 inline double wrapToPi(double angle)
 {
     const double wrapped = angle - kTurn * std::floor((angle + std::numbers::pi) / kTurn);
-    return wrapped >= std::numbers::pi ? wrapped - kTurn : wrapped;
+    const bool isBeyond = wrapped < -std::numbers::pi || wrapped >= std::numbers::pi; // by a rounding error
+    return isBeyond ? -std::numbers::pi : wrapped;
 }
 
 /// Wraps an angle to [0, 2π).
 inline double wrapToTwoPi(double angle)
 {
     const double wrapped = angle - kTurn * std::floor(angle / kTurn);
-    return wrapped >= kTurn ? 0.0 : wrapped;
+    const bool isBeyond = wrapped < 0.0 || wrapped >= kTurn; // by a rounding error
+    return isBeyond ? 0.0 : wrapped;
 }
 
 } // namespace slidercrank

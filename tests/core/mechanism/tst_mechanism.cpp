@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
+#include "core/mechanism/turn.h"
 #include "core/study/cases.h"
 #include "tests/support/all_cases.h"
 #include "tests/support/suite.h"
 
 #include <QTest>
 
+#include <cmath>
 #include <set>
 
 using namespace slidercrank;
@@ -121,6 +123,23 @@ private slots:
         QCOMPARE(naturalSize(parameters, {R1y, Order::Acceleration}), 990.0);
         QCOMPARE(naturalSize(parameters, {Theta3, Order::Position}), 1.0);
         QCOMPARE(naturalSize(parameters, {Theta4, Order::Acceleration}), 9.0);
+    }
+
+    void wrapsAnglesIntoOneTurn()
+    {
+        for (int halfTurns = -2000; halfTurns <= 2000; ++halfTurns) {
+            for (const double towards : {-kInfinity, 0.0, kInfinity}) { // and the neighbours of the double
+                const double angle = std::nextafter(halfTurns * std::numbers::pi, towards);
+                const double wrapped = wrapToPi(angle);
+                const double positive = wrapToTwoPi(angle);
+                QVERIFY2(wrapped >= -std::numbers::pi && wrapped < std::numbers::pi,
+                         qPrintable(QString::number(angle)));
+                QVERIFY2(positive >= 0.0 && positive < kTurn, qPrintable(QString::number(angle)));
+                QVERIFY(std::abs(std::remainder(wrapped - angle, kTurn)) < 1e-12 * (1.0 + std::abs(angle)));
+                QVERIFY(std::abs(std::remainder(positive - angle, kTurn)) < 1e-12 * (1.0 + std::abs(angle)));
+            }
+        }
+        QVERIFY(std::isnan(wrapToPi(kNone)) && std::isnan(wrapToTwoPi(kInfinity)));
     }
 };
 
