@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mechanism/channel.h"
 
-#include <algorithm>
+#include "core/mechanism/enum_table.h"
+
 #include <cmath>
 
 namespace slidercrank
@@ -10,13 +11,20 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::array<std::string_view, kChannelCount> kNames{
-    "R1_x",       "R1_y",       "theta1",       "R2_x",       "R2_y",       "theta2",
-    "R3_x",       "R3_y",       "theta3",       "R4_x",       "R4_y",       "theta4",
-    "R1_x_diff",  "R1_y_diff",  "theta1_diff",  "R2_x_diff",  "R2_y_diff",  "theta2_diff",
-    "R3_x_diff",  "R3_y_diff",  "theta3_diff",  "R4_x_diff",  "R4_y_diff",  "theta4_diff",
-    "R1_x_diff2", "R1_y_diff2", "theta1_diff2", "R2_x_diff2", "R2_y_diff2", "theta2_diff2",
-    "R3_x_diff2", "R3_y_diff2", "theta3_diff2", "R4_x_diff2", "R4_y_diff2", "theta4_diff2"};
+struct CoordinateNames {
+    Coordinate key;
+    std::string_view position;
+    std::string_view velocity;
+    std::string_view acceleration;
+};
+constexpr CoordinateNames kNames[] = {
+    {R1x, "R1_x", "R1_x_diff", "R1_x_diff2"},          {R1y, "R1_y", "R1_y_diff", "R1_y_diff2"},
+    {Theta1, "theta1", "theta1_diff", "theta1_diff2"}, {R2x, "R2_x", "R2_x_diff", "R2_x_diff2"},
+    {R2y, "R2_y", "R2_y_diff", "R2_y_diff2"},          {Theta2, "theta2", "theta2_diff", "theta2_diff2"},
+    {R3x, "R3_x", "R3_x_diff", "R3_x_diff2"},          {R3y, "R3_y", "R3_y_diff", "R3_y_diff2"},
+    {Theta3, "theta3", "theta3_diff", "theta3_diff2"}, {R4x, "R4_x", "R4_x_diff", "R4_x_diff2"},
+    {R4y, "R4_y", "R4_y_diff", "R4_y_diff2"},          {Theta4, "theta4", "theta4_diff", "theta4_diff2"}};
+static_assert(isCompleteTable(kNames, Theta4));
 
 } // namespace
 
@@ -36,21 +44,34 @@ ChannelSet plottedChannels()
 
 std::string_view nameOf(Channel channel)
 {
-    return kNames[indexOf(channel)];
+    const CoordinateNames &names = rowOf(kNames, channel.coordinate);
+    switch (channel.order) {
+    case Order::Position: break;
+    case Order::Velocity: return names.velocity;
+    case Order::Acceleration: return names.acceleration;
+    }
+    return names.position;
 }
 
 std::optional<Channel> channelNamed(std::string_view name)
 {
-    const auto index = static_cast<std::size_t>(std::ranges::find(kNames, name) - kNames.begin());
-    return index < kChannelCount ? std::optional(channelAt(index)) : std::nullopt;
+    for (std::size_t index = 0; index < kChannelCount; ++index) {
+        if (nameOf(channelAt(index)) == name) {
+            return channelAt(index);
+        }
+    }
+    return std::nullopt;
 }
 
 std::string_view fileUnit(Channel channel)
 {
-    constexpr std::array<std::string_view, 3> kAngleUnits{"°", "°/s", "°/s²"};
-    constexpr std::array<std::string_view, 3> kLengthUnits{"mm", "mm/s", "mm/s²"};
-    const auto order = static_cast<std::size_t>(channel.order);
-    return isAngle(channel.coordinate) ? kAngleUnits[order] : kLengthUnits[order];
+    const bool isAngular = isAngle(channel.coordinate);
+    switch (channel.order) {
+    case Order::Position: break;
+    case Order::Velocity: return isAngular ? "°/s" : "mm/s";
+    case Order::Acceleration: return isAngular ? "°/s²" : "mm/s²";
+    }
+    return isAngular ? "°" : "mm";
 }
 
 double naturalSize(const Parameters &parameters, Channel channel)

@@ -6,6 +6,7 @@
 
 #include "core/mechanism/mechanism.h"
 
+#include <algorithm>
 #include <array>
 #include <bitset>
 #include <cstddef>
@@ -24,7 +25,8 @@ struct Channel {
     friend bool operator==(const Channel &, const Channel &) = default;
 };
 
-inline constexpr std::size_t kChannelCount = 36;
+inline constexpr std::size_t kOrderCount = static_cast<std::size_t>(Order::Acceleration) + 1;
+inline constexpr std::size_t kChannelCount = kOrderCount * kCoordinateCount; // 36
 
 /// Returns the index of a channel, 0 … 35, in the order in which `solve` prints them: all of q, then q̇, then q̈.
 constexpr std::size_t indexOf(Channel channel)
@@ -32,6 +34,7 @@ constexpr std::size_t indexOf(Channel channel)
     return static_cast<std::size_t>(channel.order) * kCoordinateCount + static_cast<std::size_t>(channel.coordinate);
 }
 
+/// Returns the channel with that index.
 constexpr Channel channelAt(std::size_t index)
 {
     return {static_cast<Coordinate>(index % kCoordinateCount), static_cast<Order>(index / kCoordinateCount)};
@@ -42,7 +45,7 @@ using ChannelSet = std::bitset<kChannelCount>;
 
 ChannelSet allChannels();
 
-/// The six channels that are plotted: θ3, R4x and their derivatives.
+/// The six channels that are plotted: θ3, R4x and their derivatives. Arrays of six values have this order.
 inline constexpr std::array<Channel, 6> kPlottedChannels{{{Theta3, Order::Position},
                                                           {R4x, Order::Position},
                                                           {Theta3, Order::Velocity},
@@ -51,6 +54,13 @@ inline constexpr std::array<Channel, 6> kPlottedChannels{{{Theta3, Order::Positi
                                                           {R4x, Order::Acceleration}}};
 ChannelSet plottedChannels();
 
+/// Returns the index of one of kPlottedChannels.
+constexpr std::size_t plottedIndexOf(Channel channel)
+{
+    return static_cast<std::size_t>(std::ranges::find(kPlottedChannels, channel) - kPlottedChannels.begin());
+}
+
+/// Returns the name of the channel in files: "R4_x_diff".
 std::string_view nameOf(Channel channel);
 
 /// Returns the channel with exactly this name, or nullopt.

@@ -5,13 +5,14 @@
 // and whose other members describe the enumerator: its name in files, its unit, its sentence.
 
 #include <cstddef>
+#include <string_view>
 
 namespace slidercrank
 {
 
 /// Returns whether the table has one row for each enumerator from 0 to `last`, in their order. Meant for static_assert.
 template <typename Row, std::size_t count, typename Enum>
-consteval bool isCompleteTable(const Row (&rows)[count], Enum last)
+consteval bool isTableUpTo(const Row (&rows)[count], Enum last)
 {
     for (std::size_t i = 0; i < count; ++i) {
         if (rows[i].key != static_cast<Enum>(i)) {
@@ -19,6 +20,25 @@ consteval bool isCompleteTable(const Row (&rows)[count], Enum last)
         }
     }
     return count == static_cast<std::size_t>(last) + 1;
+}
+
+/// Returns whether the value is one of the enumerators. In the name of the function, GCC and Clang write an enumerator
+/// as "Order::Position", and any other value as a cast: "(Order)3".
+template <auto value>
+consteval bool isEnumerator()
+{
+    const std::string_view function = __PRETTY_FUNCTION__; // "… isEnumerator() [with auto value = Order::Position]"
+    const std::size_t endOfCast = function.rfind(')');
+    const char afterCast = function[endOfCast + 1];
+    return afterCast < '0' || afterCast > '9';
+}
+
+/// Returns whether the table has one row for each enumerator, in their order, so that a new enumerator does not compile
+/// without a row. `last`: the last enumerator. Meant for static_assert.
+template <typename Row, std::size_t count, typename Enum>
+consteval bool isCompleteTable(const Row (&rows)[count], Enum last)
+{
+    return isTableUpTo(rows, last) && !isEnumerator<static_cast<Enum>(count)>();
 }
 
 /// Returns the row of an enumerator in a complete table.

@@ -23,7 +23,7 @@
 namespace slidercrank
 {
 
-/// NaN represents a value that does not exist.
+/// Represents a value that does not exist.
 inline constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
@@ -60,7 +60,7 @@ inline double characteristicLength(const Parameters &parameters)
 }
 
 enum class Parameter { A, B, C, Omega2, Theta20 };
-inline constexpr std::size_t kParameterCount = 5;
+inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(Parameter::Theta20) + 1;
 inline constexpr std::array<Parameter, kParameterCount> kAllParameters{Parameter::A, Parameter::B, Parameter::C,
                                                                        Parameter::Omega2, Parameter::Theta20};
 
@@ -69,6 +69,7 @@ constexpr std::size_t indexOf(Parameter parameter)
     return static_cast<std::size_t>(parameter);
 }
 
+/// Returns the member of `parameters` that `parameter` denotes, in its unit.
 double &valueOf(Parameters &parameters, Parameter parameter);
 double valueOf(const Parameters &parameters, Parameter parameter);
 
@@ -125,7 +126,7 @@ inline Mechanism withCrankAt(const Mechanism &mechanism, double theta2)
 /// The 12 absolute coordinates in the order of q: centre of mass (mm) and angle (rad) of each body.
 /// Theta3 is the direction from A to B, θ³ of the reference report; Norton's θ_3 is Theta3 + 180°.
 enum Coordinate : std::ptrdiff_t { R1x, R1y, Theta1, R2x, R2y, Theta2, R3x, R3y, Theta3, R4x, R4y, Theta4 };
-inline constexpr std::ptrdiff_t kCoordinateCount = 12;
+inline constexpr std::ptrdiff_t kCoordinateCount = Theta4 + 1;
 
 /// The 12 constraints in the order of the rows of C. Length rows are in mm, angle rows in rad.
 enum Constraint : std::ptrdiff_t {
@@ -153,7 +154,7 @@ enum class Status {
               ///< large to be resolved (kLargestDrive)
 };
 
-inline constexpr std::size_t kStatusCount = 5;
+inline constexpr std::size_t kStatusCount = static_cast<std::size_t>(Status::NotFinite) + 1;
 
 /// Returns the name of a status in files and on the command line: "solved", "singular", "iteration-limit",
 /// "not-assemblable", "not-finite".

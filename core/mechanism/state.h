@@ -4,6 +4,7 @@
 // All 12 coordinates at one time, as vectors. This header is separate from mechanism.h because most modules that
 // include mechanism.h do not need Eigen.
 
+#include "core/mechanism/channel.h"
 #include "core/mechanism/mechanism.h"
 
 #include <Eigen/Core>
@@ -21,6 +22,17 @@ struct State {
     Vector12 qDot;
     Vector12 qDDot;
     Status status = Status::Solved;
+
+    /// Returns the value of a channel (mm, rad, s).
+    double valueOf(Channel channel) const
+    {
+        switch (channel.order) {
+        case Order::Position: break;
+        case Order::Velocity: return qDot[channel.coordinate];
+        case Order::Acceleration: return qDDot[channel.coordinate];
+        }
+        return q[channel.coordinate];
+    }
 
     /// Sets the status, and the vectors that do not exist with it to NaN.
     void setStatus(Status newStatus)

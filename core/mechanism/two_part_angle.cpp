@@ -10,6 +10,8 @@ namespace slidercrank
 namespace
 {
 
+// The following functions compute with about 106 bits.
+
 TwoPart sum(TwoPart x, double y)
 {
     const TwoPart total = twoSum(x.hi, y);

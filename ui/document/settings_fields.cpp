@@ -40,7 +40,7 @@ constexpr int kMaxColumns = 1'000'000;
 /// The roles of columns that contain no channel.
 constexpr EnumWord<ColumnRole> kRoles[] = {
     {ColumnRole::Ignored, "ignored"}, {ColumnRole::Time, "time"}, {ColumnRole::CrankAngle, "crank-angle"}};
-static_assert(isCompleteTable(kRoles, ColumnRole::CrankAngle));
+static_assert(isTableUpTo(kRoles, ColumnRole::CrankAngle));
 
 } // namespace
 
@@ -107,7 +107,9 @@ void readOrWrite(Convention &convention, JsonNode &node)
     node("kind", kind);
     convention.kind = conventionNamed(kind).value_or(convention.kind);
     node("channels", convention.channels);
-    convention.channels.resize(convention.kind == Kind::SwappedColumns ? 2 : convention.channels.size());
+    if (convention.kind == Kind::SwappedColumns) {
+        convention.channels.resize(2); // the two that are swapped
+    }
     const bool changesUnit =
         convention.kind == Kind::AngleUnit || convention.kind == Kind::LengthUnit || convention.kind == Kind::TimeUnit;
     node("amount", convention.amount, changesUnit ? kMinPositive : -kLargestParameter);

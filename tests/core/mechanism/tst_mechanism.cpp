@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mechanism/channel.h"
+#include "core/mechanism/enum_table.h"
 #include "core/mechanism/mechanism.h"
 #include "core/mechanism/turn.h"
 #include "core/study/cases.h"
@@ -140,6 +141,22 @@ private slots:
             }
         }
         QVERIFY(std::isnan(wrapToPi(kNone)) && std::isnan(wrapToTwoPi(kInfinity)));
+    }
+
+    void tablesHaveARowForEachEnumerator()
+    {
+        struct OrderRow {
+            Order key;
+        };
+        static constexpr OrderRow kComplete[] = {{Order::Position}, {Order::Velocity}, {Order::Acceleration}};
+        static constexpr OrderRow kShort[] = {{Order::Position}, {Order::Velocity}};
+        static constexpr OrderRow kExchanged[] = {{Order::Velocity}, {Order::Position}, {Order::Acceleration}};
+        static_assert(isCompleteTable(kComplete, Order::Acceleration));
+        static_assert(!isCompleteTable(kShort, Order::Velocity), "an enumerator follows the last row");
+        static_assert(!isCompleteTable(kShort, Order::Acceleration), "the last row is missing");
+        static_assert(!isCompleteTable(kExchanged, Order::Acceleration));
+        static_assert(isTableUpTo(kShort, Order::Velocity));
+        QVERIFY(rowOf(kComplete, Order::Velocity).key == Order::Velocity);
     }
 };
 
