@@ -23,6 +23,7 @@ namespace
 struct Elevation {
     AngleExtreme maximum; ///< its magnitude is the largest one, too: |C - a| <= C + a
     AngleExtreme minimum;
+    bool reachesBothEnds = false; ///< a rocker with two arcs, each of which leads from φ = -90° to φ = 90°
 };
 
 /// Returns the extremes of φ, with the crank angles at which they occur. `s` and `t`: the roots defined above.
@@ -38,22 +39,26 @@ Elevation elevationExtremes(const MotionConstants &k, double s, double t, const 
     for (const CrankEnd &end : ends) {
         (end.isBeyondPin ? elevation.maximum : elevation.minimum).places.push_back(end.theta2);
     }
-    if (elevation.minimum.places.empty()) {
+    elevation.reachesBothEnds = !elevation.minimum.places.empty();
+    if (!elevation.reachesBothEnds) {
         elevation.minimum = smallest;
     }
     return elevation;
 }
 
+/// Returns the minimum of 90° - |φ|, which is where φ is largest. It is where φ is smallest, too, if that φ has the
+/// same magnitude. `s`: the root defined above.
 AngleExtreme minimumTransmissionAngle(const MotionConstants &k, double s, bool isFullTurn, const Elevation &elevation)
 {
     AngleExtreme minimum{isFullTurn ? std::atan2(s, k.C + k.a) : 0.0, elevation.maximum.places};
-    const bool isAlsoBelow = isFullTurn ? k.C == 0.0 : elevation.minimum.angle == -kQuarterTurn;
-    if (isAlsoBelow) {
+    const bool isSymmetric = isFullTurn ? k.C == 0.0 : elevation.reachesBothEnds;
+    if (isSymmetric) {
         minimum.places.insert(minimum.places.end(), elevation.minimum.places.begin(), elevation.minimum.places.end());
     }
     return minimum;
 }
 
+/// Returns the maximum of 90° - |φ|. `t`: the root defined above.
 AngleExtreme maximumTransmissionAngle(const MotionConstants &k, double t, const Elevation &elevation)
 {
     if (k.C >= k.a) {
@@ -64,13 +69,19 @@ AngleExtreme maximumTransmissionAngle(const MotionConstants &k, double t, const 
     return {kQuarterTurn, {theta2, wrapToPi(std::numbers::pi - theta2)}};
 }
 
-/// Returns the difference of the extremes of φ without a difference of nearly equal numbers: for full turns
+/// Returns the difference of the extremes of φ without a difference of nearly equal numbers. `s` and `t`: the roots
+/// defined above. For full turns
 ///
 ///     b² sin(swing) = (C + a) t - (C - a) s = 4a C²/(s + t) + a (s + t)        b² cos(swing) = s t + C² - a²
+///
+/// A rocker with one arc swings from φ = atan2(C - a, t) to 90°, one with two arcs from -90° to 90°.
 double swing(const MotionConstants &k, double s, double t, bool isFullTurn, const Elevation &elevation)
 {
+    if (elevation.reachesBothEnds) {
+        return std::numbers::pi;
+    }
     if (!isFullTurn) {
-        return elevation.minimum.angle == -kQuarterTurn ? std::numbers::pi : std::atan2(t, k.C - k.a);
+        return std::atan2(t, k.C - k.a);
     }
     const double sum = s + t; // 0 only for a = b and c = 0
     const double sine = (k.C > 0.0 ? 4.0 * k.a * k.C * k.C / sum : 0.0) + k.a * sum;

@@ -112,18 +112,19 @@ public:
         }
     }
 
+    /// Returns the solutions in [-π, π), ascending. `points`: the critical points of the channel. A solution is a
+    /// critical point itself, or lies between two successive ones.
     std::vector<double> solve(const CriticalPoints &points) const
     {
         std::vector<double> solutions;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const CriticalPoint &point = points[i];
-            CriticalPoint previous = points[(i + points.size() - 1) % points.size()];
-            CriticalPoint next = points[(i + 1) % points.size()];
-            previous.theta2 -= i > 0 ? 0.0 : kTurn;
-            next.theta2 += i + 1 < points.size() ? 0.0 : kTurn;
+            const CriticalPoint previous = i > 0 ? points[i - 1] : turned(points.back(), -kTurn);
+            const CriticalPoint next = i + 1 < points.size() ? points[i + 1] : turned(points.front(), kTurn);
             const double difference = differenceAt(point.value);
             if (difference == 0.0) {
-                if (!isKeptBetween(previous, point) || !isKeptBetween(point, next)) {
+                const bool isWithinArc = isKeptBetween(previous, point) && isKeptBetween(point, next);
+                if (!isWithinArc) {
                     solutions.push_back(point.theta2);
                 }
             } else if (point.kind != CriticalPoint::Kind::End && difference * differenceAt(next.value) < 0.0) {
@@ -135,6 +136,13 @@ public:
     }
 
 private:
+    /// Returns the same point one revolution later or earlier.
+    static CriticalPoint turned(CriticalPoint point, double angle)
+    {
+        point.theta2 += angle;
+        return point;
+    }
+
     double valueAt(double theta2) const
     {
         return outputStateAt(withDrive(m_mechanism, 1.0, theta2), 0.0, m_alpha2).valueOf(m_channel);

@@ -14,7 +14,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kBesideToggle = 1e-15; // rad
+constexpr double kBesideToggle = 1e-15; // rad: the motion just beside a toggle is examined at this distance from it
 
 /// A function and its first three derivatives by the crank angle.
 using Derivatives = std::array<double, 4>;
@@ -141,12 +141,13 @@ public:
     }
 
 private:
-    /// Adds the extrema between two values of u. Bisects each interval in which a slope changes its sign.
+    /// Adds the extrema between two values of u, by bisecting each cell in which a slope changes its sign. A cell is so
+    /// short that it contains at most one extremum of a curve: every feature of the motion is about one unit of u wide.
     void addExtrema(const SteepPlace &place, double from, double to)
     {
-        constexpr double kCell = 0.1;
+        constexpr double kCellLength = 0.1; // units of u
         constexpr int kMinCells = 16;
-        const int cells = std::max(kMinCells, static_cast<int>(std::ceil((to - from) / kCell)));
+        const int cells = std::max(kMinCells, static_cast<int>(std::ceil((to - from) / kCellLength)));
         double left = from;
         Rates atLeft = place.at(left);
         for (int i = 1; i <= cells; ++i) {

@@ -39,7 +39,7 @@ enum class CrankFunction {
     PinX,           ///< a cos θ2
     PinY            ///< a sin θ2
 };
-inline constexpr std::size_t kCrankFunctionCount = 5;
+inline constexpr std::size_t kCrankFunctionCount = static_cast<std::size_t>(CrankFunction::PinY) + 1;
 
 /// A function f of the crank angle, or its first or second derivative by the crank angle, f' or f''.
 struct CrankCurve {

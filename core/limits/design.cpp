@@ -40,7 +40,7 @@ namespace slidercrank
 namespace
 {
 
-/// Returns p = α/2 for a time ratio or its reciprocal.
+/// Returns p = α/2. A time ratio and its reciprocal have the same.
 double halfDeadCentreAngle(double timeRatio)
 {
     return 0.5 * std::numbers::pi * std::abs(timeRatio - 1.0) / (timeRatio + 1.0);
@@ -110,16 +110,17 @@ std::variant<Lengths, DesignFault> designOffset(double a, double b, double timeR
 {
     using Reason = DesignFault::Reason;
     if (!findDesignRange(timeRatio)) {
-        return DesignFault{Reason::TimeRatioOutOfRange, kTimeRatioBound};
+        return DesignFault{.reason = Reason::TimeRatioOutOfRange};
     }
     if (!(b > a)) {
-        return DesignFault{Reason::CouplerTooShort};
+        return DesignFault{.reason = Reason::CouplerTooShort};
     }
     const double p = halfDeadCentreAngle(timeRatio);
     const double tangent = std::tan(p);
     if (!(tangent * tangent * b < a)) {
         const double alpha = 2.0 * std::atan(std::sqrt(a / b));
-        return DesignFault{Reason::TimeRatioTooLarge, (std::numbers::pi + alpha) / (std::numbers::pi - alpha)};
+        return DesignFault{.reason = Reason::TimeRatioTooLarge,
+                           .bound = (std::numbers::pi + alpha) / (std::numbers::pi - alpha)};
     }
     const double stroke = 2.0 * std::hypot(a * std::cos(p), b * std::sin(p));
     const double c = (b - a) * std::sin(2.0 * p) * ((b + a) / stroke);
@@ -129,19 +130,20 @@ std::variant<Lengths, DesignFault> designOffset(double a, double b, double timeR
 std::variant<Lengths, DesignFault> design(const DesignRequest &request)
 {
     if (!(request.stroke > 0.0)) {
-        return DesignFault{DesignFault::Reason::StrokeNotPositive};
+        return DesignFault{.reason = DesignFault::Reason::StrokeNotPositive};
     }
     const std::optional<DesignRange> range = findDesignRange(request.timeRatio);
     if (!range) {
-        return DesignFault{DesignFault::Reason::TimeRatioOutOfRange, kTimeRatioBound};
+        return DesignFault{.reason = DesignFault::Reason::TimeRatioOutOfRange};
     }
     double ratio = range->bestRatio;
     if (request.transmissionAngle && *request.transmissionAngle > range->bestTransmissionAngle) {
         const double wanted = *request.transmissionAngle;
         const double p = halfDeadCentreAngle(request.timeRatio);
         if (!(wanted < transmissionAngleBound(p))) {
-            return DesignFault{DesignFault::Reason::TransmissionAngleTooLarge, transmissionAngleBound(p),
-                               largestTimeRatio(wanted)};
+            return DesignFault{.reason = DesignFault::Reason::TransmissionAngleTooLarge,
+                               .bound = transmissionAngleBound(p),
+                               .timeRatioBound = largestTimeRatio(wanted)};
         }
         // Only a coupler longer than kLongestCoupler is sufficient. For p = 0, cos μ = 1/r.
         ratio = p > 0.0 ? findBestRatio(p) : std::nextafter(1.0 / std::cos(wanted), kInfinity);

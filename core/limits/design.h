@@ -60,8 +60,9 @@ struct DesignFault {
         TimeRatioTooLarge          ///< with given a and b: `bound` is the upper bound of the time ratio
     };
     Reason reason = Reason::StrokeNotPositive;
-    double bound = 0.0;
-    /// TransmissionAngleTooLarge: the largest time ratio with the requested transmission angle.
+    double bound = 0.0; ///< of the reason; 0 if it has none
+
+    /// The largest time ratio that allows the requested transmission angle, if that is the reason.
     double timeRatioBound = kTimeRatioBound;
 };
 

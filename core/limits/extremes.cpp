@@ -37,21 +37,19 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
     std::vector<Peak> peaks;
     std::array<CriticalPoints, kPlottedChannels.size()> points = findCriticalPoints(mechanism);
     const bool turnsUniformly = mechanism.a() == mechanism.b() && mechanism.c() == 0.0; // θ3 is ±θ2 or differs by π/2
-    for (const Channel channel : {Channel{R4x, Order::Velocity}, Channel{R4x, Order::Acceleration},
-                                  Channel{Theta3, Order::Velocity}, Channel{Theta3, Order::Acceleration}}) {
-        CriticalPoints &channelPoints =
-            points[static_cast<std::size_t>(std::ranges::find(kPlottedChannels, channel) - kPlottedChannels.begin())];
+    for (const Channel channel : kPeakChannels) {
+        CriticalPoints &channelPoints = points[plottedIndexOf(channel)];
         if (channelPoints.empty()) {
             return {};
         }
         Peak peak{.channel = channel};
-        for (CriticalPoint &point : channelPoints) { // an acceleration is unbounded where the velocity jumps
-            const bool isJump =
-                point.kind != CriticalPoint::Kind::Extremum && peak.channel.order == Order::Acceleration;
-            point.value = isJump || std::isinf(point.value) ? kInfinity : point.value;
+        for (CriticalPoint &point : channelPoints) {
+            const bool isLimitOfMotion = point.kind != CriticalPoint::Kind::Extremum; // there the velocity jumps
+            const bool isUnbounded = isLimitOfMotion && channel.order == Order::Acceleration;
+            point.value = isUnbounded || std::isinf(point.value) ? kInfinity : point.value;
             peak.magnitude = std::max(peak.magnitude, std::abs(point.value));
         }
-        const bool isConstant = turnsUniformly && peak.channel == Channel{Theta3, Order::Velocity};
+        const bool isConstant = turnsUniformly && channel == Channel{Theta3, Order::Velocity};
         if (isConstant || mechanism.omega2() == 0.0) {
             peak.magnitude = std::abs(mechanism.omega2());
         } else {

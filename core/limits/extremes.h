@@ -6,10 +6,15 @@
 
 #include "core/mechanism/channel.h"
 
+#include <array>
 #include <vector>
 
 namespace slidercrank
 {
+
+/// The channels whose peaks are computed.
+inline constexpr std::array<Channel, 4> kPeakChannels{
+    {{R4x, Order::Velocity}, {R4x, Order::Acceleration}, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}}};
 
 /// A crank angle at which a peak occurs.
 struct PeakPlace {
@@ -30,8 +35,7 @@ struct Peak {
     std::vector<PeakPlace> places = {};
 };
 
-/// Returns the peaks of the slider's velocity and acceleration, then those of the coupler; empty if the mechanism
-/// cannot move (locked, impossible).
+/// Returns the peaks, in the order of kPeakChannels; empty if the mechanism cannot move (locked, impossible).
 std::vector<Peak> motionPeaks(const Mechanism &mechanism);
 
 } // namespace slidercrank

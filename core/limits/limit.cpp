@@ -60,33 +60,22 @@ private:
     std::vector<Limit> m_limits;
 };
 
+static_assert(std::ranges::equal(kPeakKinds, kPeakChannels, {}, &PeakKind::channel));
+
 void addPeaks(LimitList &limits, const Mechanism &mechanism)
 {
     for (const Peak &peak : motionPeaks(mechanism)) {
-        const auto *description = findElement(kLimitDescriptions, [&peak](const LimitDescription &each) {
-            return peakChannel(each.kind) == peak.channel;
-        });
+        const LimitKind kind = std::ranges::find(kPeakKinds, peak.channel, &PeakKind::channel)->kind;
         if (peak.places.empty()) {
-            limits.add(description->kind, peak.magnitude);
+            limits.add(kind, peak.magnitude);
         }
         for (const PeakPlace &place : peak.places) {
-            limits.add(description->kind, place.value, place.theta2);
+            limits.add(kind, place.value, place.theta2);
         }
     }
 }
 
 } // namespace
-
-std::optional<Channel> peakChannel(LimitKind kind)
-{
-    switch (kind) {
-    case LimitKind::PeakSliderSpeed: return Channel{R4x, Order::Velocity};
-    case LimitKind::PeakSliderAcceleration: return Channel{R4x, Order::Acceleration};
-    case LimitKind::PeakCouplerSpeed: return Channel{Theta3, Order::Velocity};
-    case LimitKind::PeakCouplerAcceleration: return Channel{Theta3, Order::Acceleration};
-    default: return std::nullopt;
-    }
-}
 
 std::vector<Limit> findLimits(const Mechanism &mechanism, const MotionLimits &motion)
 {

@@ -8,6 +8,7 @@
 #include "core/limits/mobility.h"
 #include "core/mechanism/measure.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -16,7 +17,7 @@
 namespace slidercrank
 {
 
-/// In the order of the tables.
+/// The kinds of limits, in the order in which tables list them.
 enum class LimitKind {
     OuterDeadCentre, ///< R4x
     InnerDeadCentre, ///< R4x
@@ -87,8 +88,22 @@ constexpr bool limitsAreDescribedInOrder()
 }
 static_assert(limitsAreDescribedInOrder());
 
+/// A limit that is a peak, and the channel whose peak it is.
+struct PeakKind {
+    LimitKind kind;
+    Channel channel;
+};
+inline constexpr std::array kPeakKinds{PeakKind{LimitKind::PeakSliderSpeed, {R4x, Order::Velocity}},
+                                       PeakKind{LimitKind::PeakSliderAcceleration, {R4x, Order::Acceleration}},
+                                       PeakKind{LimitKind::PeakCouplerSpeed, {Theta3, Order::Velocity}},
+                                       PeakKind{LimitKind::PeakCouplerAcceleration, {Theta3, Order::Acceleration}}};
+
 /// Returns the channel of a peak, or nullopt for the other kinds.
-std::optional<Channel> peakChannel(LimitKind kind);
+constexpr std::optional<Channel> peakChannel(LimitKind kind)
+{
+    const auto *const peak = std::ranges::find(kPeakKinds, kind, &PeakKind::kind);
+    return peak == kPeakKinds.end() ? std::nullopt : std::optional(peak->channel);
+}
 
 /// A limit that the motion has, at one of the places where it occurs.
 struct Limit {

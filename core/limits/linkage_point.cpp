@@ -3,17 +3,30 @@
 
 #include "core/closed_form/state_at.h"
 
+#include <algorithm>
+
 namespace slidercrank
 {
 
 LinkageMotion linkageMotion(const Mechanism &mechanism, double t)
 {
     const State state = ClosedForm(mechanism).stateAt(t);
-    const auto motionOf = [&state](Coordinate x, double factor) {
-        const auto vectorOf = [&](const Vector12 &q) { return PlaneVector{factor * q[x], factor * q[x + 1]}; };
-        return PointMotion{vectorOf(state.q), vectorOf(state.qDot), vectorOf(state.qDDot)};
+    const auto motionOf = [&state](Coordinate x, Coordinate y, double factor) {
+        const auto vectorOf = [&](const Vector12 &q) { return PlaneVector{factor * q[x], factor * q[y]}; };
+        return PointMotion{
+            .position = vectorOf(state.q), .velocity = vectorOf(state.qDot), .acceleration = vectorOf(state.qDDot)};
     };
-    return {motionOf(R2x, 2.0), motionOf(R4x, 1.0), motionOf(R3x, 1.0)}; // R2 is the midpoint of O2-A
+    const auto motionOfPoint = [&motionOf](LinkagePoint point) {
+        switch (point) {
+        case LinkagePoint::A: return motionOf(R2x, R2y, 2.0); // R2 is the midpoint of O2-A
+        case LinkagePoint::B: return motionOf(R4x, R4y, 1.0);
+        case LinkagePoint::G3: break;
+        }
+        return motionOf(R3x, R3y, 1.0);
+    };
+    LinkageMotion motion;
+    std::ranges::transform(kLinkagePoints, motion.begin(), motionOfPoint);
+    return motion;
 }
 
 } // namespace slidercrank

@@ -29,7 +29,7 @@ struct PointMotion {
     PlaneVector acceleration;
 };
 
-/// In the order of kLinkagePoints.
+/// The motion of each point, in the order of kLinkagePoints.
 using LinkageMotion = std::array<PointMotion, kLinkagePoints.size()>;
 
 /// Returns the exact motion of the points at time t (s).

@@ -31,6 +31,7 @@ Mobility classify(const MotionConstants &k)
     return k.gamma == 0.0 ? Mobility::Locked : Mobility::Rocker;
 }
 
+/// Returns the range with `from` wrapped to [-π, π).
 CrankRange normalized(double from, double to)
 {
     const double start = wrapToPi(from);
@@ -76,8 +77,8 @@ SliderPosition positionAt(DeadCentre deadCentre, const Mechanism &mechanism, dou
 }
 
 /// Returns the ends of the ranges, once each. With x = sin θ2 (-sin θ2 for c < 0), the ends are at x = (C - b)/a, where
-/// CrankEnd::isBeyondPin is true, and if there are two arcs also at x = (C + b)/a. The direction in which x rises tells
-/// the two apart, because with a very short coupler the two angles are equal except for rounding.
+/// CrankEnd::isBeyondPin is true, and if there are two arcs also at x = (C + b)/a. Which of the two an end of an arc is
+/// follows from whether x rises along the arc: with a very short coupler the two angles are equal except for rounding.
 std::vector<CrankEnd> findCrankEnds(const MotionConstants &k, Mobility mobility, const std::vector<CrankRange> &ranges)
 {
     std::vector<CrankEnd> ends;
@@ -93,8 +94,9 @@ std::vector<CrankEnd> findCrankEnds(const MotionConstants &k, Mobility mobility,
     return ends;
 }
 
-/// Returns the slider's position at the ends, where R4x = a cos θ2: a |cos θ2| = √(-ε γ) where B is beyond A, else
-/// √(-β L).
+/// Returns the positions at the ends of the ranges. There the coupler is perpendicular to the slider's line, so that
+/// R4x = a cos θ2. With the sums of lengths of motion_constants.h, a |cos θ2| is √(-ε γ) where CrankEnd::isBeyondPin is
+/// true, and √(-β L) at the other ends.
 std::vector<SliderPosition> findCrankLimits(const MotionConstants &k, const std::vector<CrankEnd> &ends)
 {
     std::vector<SliderPosition> limits;

@@ -5,8 +5,7 @@
 // can be assembled, its dead centres and its stroke; and the crank angle from the position of the slider. Lengths in
 // mm, angles in rad.
 //
-// Source: Grashof's condition for the slider-crank and the dead centres, Norton, "Design of
-// Machinery", 2.13, 3.8, 4.10.
+// Source: R. L. Norton, "Design of Machinery", sections 2.13 (Grashof's condition), 3.8 and 4.10 (dead centres).
 
 #include "core/limits/coupler_angles.h"
 #include "core/mechanism/mechanism.h"
@@ -43,8 +42,8 @@ struct MotionLimits {
     /// The crank angles at which the mechanism can be assembled; disjoint, ascending.
     std::vector<CrankRange> ranges;
 
-    /// The ends of the ranges, where the coupler is perpendicular to the slider's line; empty if the crank makes full
-    /// turns. A locked mechanism has one.
+    /// The positions at the ends of the ranges, where the coupler is perpendicular to the slider's line. Empty if the
+    /// crank makes full turns; a locked mechanism has one.
     std::vector<SliderPosition> crankLimits;
 
     /// The dead centres of this branch, where crank and coupler are collinear and the velocity of the slider is zero: B
@@ -83,25 +82,28 @@ struct SliderStroke {
     SliderPosition to;
 };
 
-/// Returns the stroke that contains the crank angle; at the end of a stroke, the one that follows in the direction
-/// `sense` (+1 or -1). Returns nullopt if the mechanism cannot be assembled there.
+/// Returns the stroke that contains the crank angle. At the end of a stroke, returns the one that a crank enters which
+/// turns in the direction `sense`: 1 counter-clockwise, -1 clockwise. Returns nullopt if the mechanism cannot be
+/// assembled at the angle.
 std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double theta2, int sense);
 
 /// Returns the crank angle within the stroke at which the slider is at R4x; for R4x beyond the stroke, that of the
 /// nearer end.
 double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, double R4x);
 
-/// Returns whether the velocities jump at a crank angle (rad), because the crank only just makes full turns, b = a +
-/// |c|, and the coupler is perpendicular to the slider's line there: the motion on either side has a limit of its own.
-/// An angle counts if it is so within rounding.
+/// Returns whether the velocities jump at a crank angle (rad): whether the crank only just makes full turns (b = a +
+/// |c|) and the coupler is perpendicular to the slider's line at that angle, except for rounding. The velocity just
+/// before that position then differs from the velocity just after it.
 bool velocitiesJumpAt(const Mechanism &mechanism, double theta2);
 
-/// Returns the shortest coupler with which the mechanism can be assembled, |c| - a (any length suffices if this is
-/// negative), and with which the crank makes full turns, a + |c| (mm).
+/// Returns the length (mm) of the shortest coupler with which the mechanism can be assembled, |c| - a. If it is
+/// negative, any length suffices.
 inline double shortestCouplerForAnyPose(const Mechanism &mechanism)
 {
     return std::abs(mechanism.c()) - mechanism.a();
 }
+
+/// Returns the length (mm) of the shortest coupler with which the crank makes full turns, a + |c|.
 inline double shortestCouplerForFullTurn(const Mechanism &mechanism)
 {
     return mechanism.a() + std::abs(mechanism.c());

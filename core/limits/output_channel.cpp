@@ -4,6 +4,7 @@
 #include "core/closed_form/crank_acceleration.h"
 #include "core/closed_form/state_at.h"
 #include "core/limits/mobility.h"
+#include "core/mechanism/enum_table.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -70,12 +71,19 @@ std::string inPlainLetters(std::string_view symbol)
     return plain;
 }
 
-/// The names in files, by quantity and order.
-constexpr std::array<std::array<std::string_view, 3>, kDerivedQuantities.size()> kDerivedNames{
-    {{"transmission_angle", "transmission_angle_diff", "transmission_angle_diff2"},
-     {"displacement", "displacement_diff", "displacement_diff2"},
-     {"A_x", "A_x_diff", "A_x_diff2"},
-     {"A_y", "A_y_diff", "A_y_diff2"}}};
+/// The names of a quantity and of its derivatives in files.
+struct DerivedNames {
+    DerivedQuantity key;
+    std::string_view position;
+    std::string_view velocity;
+    std::string_view acceleration;
+};
+constexpr DerivedNames kDerivedNames[] = {
+    {DerivedQuantity::TransmissionAngle, "transmission_angle", "transmission_angle_diff", "transmission_angle_diff2"},
+    {DerivedQuantity::Displacement, "displacement", "displacement_diff", "displacement_diff2"},
+    {DerivedQuantity::PinX, "A_x", "A_x_diff", "A_x_diff2"},
+    {DerivedQuantity::PinY, "A_y", "A_y_diff", "A_y_diff2"}};
+static_assert(isCompleteTable(kDerivedNames, kDerivedQuantities.back()));
 
 /// Returns a multiple of a coordinate's motion.
 QuantityMotion multiple(const State &state, Coordinate coordinate, double factor)
@@ -85,13 +93,14 @@ QuantityMotion multiple(const State &state, Coordinate coordinate, double factor
             .acceleration = factor * state.qDDot[coordinate]};
 }
 
+/// Returns the transmission angle. `adjacent`: b cos θ3 (mm), as in derivedState().
 QuantityMotion transmissionAngle(const Mechanism &mechanism, const State &state, double adjacent)
 {
     const bool isOpen = mechanism.branch() == Branch::Open;
     const double elevation = isOpen ? state.q[Theta3] : std::numbers::pi - state.q[Theta3]; // asin(h/b)
     const double opposite = mechanism.b() * std::abs(std::sin(elevation));
-    // μ = 90° - |elevation|: its derivatives are those of θ3, with the sign that the elevation and the branch decide.
-    // Where the elevation is 0, μ has a kink.
+    // μ = 90° - |elevation|, so that the slope dμ/d(elevation) is -1 or 1. It does not exist where the elevation is 0:
+    // there μ has a kink. The elevation rises with θ3 on the open branch and falls with it on the crossed one.
     double slope = kNone;
     if (elevation > 0.0) {
         slope = -1.0;
@@ -138,7 +147,13 @@ std::string_view nameOf(const OutputChannel &channel)
         return nameOf(*coordinate);
     }
     const auto &[quantity, order] = std::get<DerivedChannel>(channel);
-    return kDerivedNames[static_cast<std::size_t>(quantity)][static_cast<std::size_t>(order)];
+    const DerivedNames &names = rowOf(kDerivedNames, quantity);
+    switch (order) {
+    case Order::Position: break;
+    case Order::Velocity: return names.velocity;
+    case Order::Acceleration: return names.acceleration;
+    }
+    return names.position;
 }
 
 std::optional<OutputChannel> outputChannelNamed(std::string_view name)
@@ -206,11 +221,7 @@ DerivedState derivedState(const Mechanism &mechanism, const State &state, double
 double OutputState::valueOf(const OutputChannel &channel) const
 {
     if (const Channel *coordinate = std::get_if<Channel>(&channel)) {
-        switch (coordinate->order) {
-        case Order::Position: return state.q[coordinate->coordinate];
-        case Order::Velocity: return state.qDot[coordinate->coordinate];
-        case Order::Acceleration: return state.qDDot[coordinate->coordinate];
-        }
+        return state.valueOf(*coordinate);
     }
     const auto &[quantity, order] = std::get<DerivedChannel>(channel);
     return derived.of(quantity).at(order);
@@ -218,7 +229,7 @@ double OutputState::valueOf(const OutputChannel &channel) const
 
 double withoutNoise(double value, const OutputChannel &channel, const Mechanism &mechanism, double alpha2)
 {
-    constexpr double kRounding = 1e-12;
+    constexpr double kRounding = 1e-12; // relative to the natural size of the channel
     const double length = isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters());
     const double rate = std::hypot(mechanism.omega2(), std::sqrt(std::abs(alpha2)));
     const double size = length * std::pow(rate, static_cast<int>(orderOf(channel)));

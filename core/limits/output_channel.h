@@ -27,6 +27,7 @@ enum class DerivedQuantity { TransmissionAngle, Displacement, PinX, PinY };
 inline constexpr std::array<DerivedQuantity, 4> kDerivedQuantities{
     DerivedQuantity::TransmissionAngle, DerivedQuantity::Displacement, DerivedQuantity::PinX, DerivedQuantity::PinY};
 
+/// A derived quantity, or its first or second time derivative.
 struct DerivedChannel {
     DerivedQuantity quantity = DerivedQuantity::TransmissionAngle;
     Order order = Order::Position;
@@ -34,7 +35,7 @@ struct DerivedChannel {
     friend bool operator==(const DerivedChannel &, const DerivedChannel &) = default;
 };
 
-inline constexpr std::size_t kDerivedChannelCount = 3 * kDerivedQuantities.size();
+inline constexpr std::size_t kDerivedChannelCount = kOrderCount * kDerivedQuantities.size();
 
 constexpr std::size_t indexOf(DerivedChannel channel)
 {
@@ -101,8 +102,9 @@ double withoutNoise(double value, const OutputChannel &channel, const Mechanism 
 /// Returns the exact motion at time t (s), at which the crank has the speed ω2 and the acceleration alpha2 (rad/s²).
 OutputState outputStateAt(const Mechanism &mechanism, double t, double alpha2 = 0.0);
 
-/// Returns the same without velocities and accelerations where these jump (mobility.h): outputStateAt() has those of
-/// one side there. The status is Singular then, as it is for Newton-Raphson.
+/// Returns the same as outputStateAt(), except where the velocities jump (velocitiesJumpAt()): there outputStateAt()
+/// has the velocities and accelerations of one side, and this function has none and the status Singular, as
+/// Newton-Raphson does.
 OutputState unambiguousStateAt(const Mechanism &mechanism, double t, double alpha2 = 0.0);
 
 } // namespace slidercrank

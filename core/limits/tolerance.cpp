@@ -36,7 +36,8 @@ KindValues valuesAt(const Parameters &parameters, const Point &lengths)
     return values;
 }
 
-/// Returns the values that are tried for one length: the ends of its range, the nominal value, and c = 0.
+/// Returns the values that are tried for one length, ascending: the ends of its range, the nominal value and, for the
+/// offset c, 0 if it is within the range.
 std::vector<double> valuesOfLength(double nominal, double tolerance, Length length)
 {
     if (tolerance == 0.0) {
