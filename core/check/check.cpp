@@ -15,17 +15,20 @@ namespace
 {
 
 constexpr double kArithmetic = 1e-12; ///< allowance for rounding errors of the computation, relative to the value
-constexpr Channel kCouplerAngle{Theta3, Order::Position};
+
+const OutputChannel kTheta3 = Channel{Theta3, Order::Position};
+const OutputChannel kTheta2 = Channel{Theta2, Order::Position};
 
 /// Returns the period of the channel: values that differ by it are the same angle. Returns 0 if there is none.
 double periodOf(const OutputChannel &channel)
 {
-    if (channel == OutputChannel(kCouplerAngle)) {
+    if (channel == kTheta3) {
         return 0.5 * kTurn;
     }
-    return channel == OutputChannel(Channel{Theta2, Order::Position}) ? kTurn : 0.0;
+    return channel == kTheta2 ? kTurn : 0.0;
 }
 
+/// Returns x - y; for an angle, reduced to within half a period.
 double difference(const OutputChannel &channel, double x, double y)
 {
     const double period = periodOf(channel);
@@ -65,8 +68,9 @@ CheckedValue checkValue(const CrankPosition &position, const GivenValue &typed, 
     CheckedValue checked;
     checked.deviation = difference(given.channel, given.value, exact);
     checked.isRight = roundsTo(given, exact);
-    const double halfTurns = std::round((given.value - exact - checked.deviation) / (0.5 * kTurn));
-    checked.isMeasuredAtB = checked.isRight && periodOf(given.channel) > 0.0 && std::remainder(halfTurns, 2.0) != 0.0;
+    const double omittedHalfTurns = std::round((given.value - exact - checked.deviation) / (0.5 * kTurn));
+    const bool isOddNumber = std::remainder(omittedHalfTurns, 2.0) != 0.0;
+    checked.isMeasuredAtB = checked.isRight && given.channel == kTheta3 && isOddNumber;
     return checked;
 }
 
@@ -104,17 +108,19 @@ bool isConsidered(Slip slip, const ChannelsByVerdict &channels)
     const bool isSliderWrong = std::ranges::any_of(wrong, isOfSlider);
     const bool isVelocityWrong = std::ranges::any_of(wrong, isOfOrder(Order::Velocity));
     const bool isAccelerationWrong = std::ranges::any_of(wrong, isOfOrder(Order::Acceleration));
-    switch (slip) {
-    case Slip::HarmonicMotion:
-    case Slip::FromOuterDeadCentre: return isSliderWrong; // θ3 alone is only measured clockwise (CouplerAngleSign)
-    case Slip::TwoHarmonics:
-        return isSliderWrong || isVelocityWrong ||
-               isAccelerationWrong;                          // its ω3 and α3 are approximations, its θ3 is not
-    case Slip::SecondHarmonicDouble: return isVelocityWrong; // all other values are those of TwoHarmonics
-    case Slip::CouplerAngleEnd:
-        return std::ranges::count(right, OutputChannel(kCouplerAngle)) > 0; // otherwise it may be OtherAssembly
-    default: return true;
+    if (slip == Slip::HarmonicMotion || slip == Slip::FromOuterDeadCentre) {
+        return isSliderWrong; // in θ3 alone it is the same as CouplerAngleSign
     }
+    if (slip == Slip::TwoHarmonics) {
+        return isSliderWrong || isVelocityWrong || isAccelerationWrong; // its θ3 is exact
+    }
+    if (slip == Slip::SecondHarmonicDouble) {
+        return isVelocityWrong; // all other values are those of TwoHarmonics
+    }
+    if (slip == Slip::CouplerAngleEnd) {
+        return std::ranges::count(right, kTheta3) > 0; // otherwise it may be OtherAssembly
+    }
+    return true;
 }
 
 /// Returns whether the slip cannot be the reason, because it would change a position that is right. The crank angle is
@@ -122,13 +128,12 @@ bool isConsidered(Slip slip, const ChannelsByVerdict &channels)
 bool contradictsPositions(const SlipOutcome &outcome, std::span<const GivenValue> given,
                           std::span<const CheckedValue> checked)
 {
-    if (!outcome.changesPositionsFirst) {
+    if (!outcome.affectsPositions) {
         return false;
     }
     for (std::size_t i = 0; i < given.size(); ++i) {
         const OutputChannel &channel = given[i].channel;
-        const bool isComputedPosition =
-            orderOf(channel) == Order::Position && channel != OutputChannel(Channel{Theta2, Order::Position});
+        const bool isComputedPosition = orderOf(channel) == Order::Position && channel != kTheta2;
         if (checked[i].isRight && isComputedPosition && !gives(outcome, given[i])) {
             return true;
         }
@@ -145,6 +150,7 @@ struct Comparison {
     double change = 1.0;          ///< product of the changes of the wrong values
 };
 
+/// Compares every slip that is considered with the given values.
 std::vector<Comparison> compareSlips(const CrankPosition &position, const OutputState &exact,
                                      std::span<const GivenValue> given, std::span<const CheckedValue> checked)
 {
@@ -157,14 +163,14 @@ std::vector<Comparison> compareSlips(const CrankPosition &position, const Output
         Comparison comparison{outcome.slip};
         bool changesAll = true;
         for (std::size_t i = 0; i < given.size(); ++i) {
-            const double predicted = outcome.values.valueOf(given[i].channel);
-            const bool isGiven = gives(outcome, given[i]);
+            const bool givesValue = gives(outcome, given[i]);
             if (checked[i].isRight) {
-                comparison.keepsRightValues &= isGiven;
+                comparison.keepsRightValues &= givesValue;
                 continue;
             }
+            const double predicted = outcome.values.valueOf(given[i].channel);
             const double change = std::abs(difference(given[i].channel, predicted, exact.valueOf(given[i].channel)));
-            comparison.fits &= isGiven;
+            comparison.fits &= givesValue;
             comparison.change *= change;
             changesAll &= change > given[i].halfStep;
         }
@@ -203,7 +209,8 @@ std::ptrdiff_t countPossibleSlips(const std::vector<Comparison> &comparisons)
     return std::distance(changes.begin(), std::unique(changes.begin(), changes.end(), areEqual));
 }
 
-/// Explains the wrong values by the slips. `coincidence`: the product of h/d over the wrong values (check.h).
+/// Sets the explanation of `result`, and its slips, if some slip fits. `coincidence`: the product of h/d over the wrong
+/// values (check.h).
 void explainBySlips(CheckResult &result, std::vector<Comparison> comparisons, double coincidence)
 {
     const auto keepsRightValues = [](const Comparison &each) { return each.keepsRightValues; };

@@ -33,7 +33,7 @@
 namespace slidercrank
 {
 
-/// The largest probability of a coincidence with which a slip is named.
+/// A slip is named only if the probability that it fits by chance is below this.
 inline constexpr double kLargestChance = 0.04;
 
 /// A number of the calculation by hand.
@@ -44,8 +44,9 @@ struct GivenValue {
 };
 
 struct CheckedValue {
-    double deviation =
-        kNone; ///< given minus exact; of an angle within half a turn. NaN if the exact value does not exist
+    /// The given value minus the exact one; for an angle, reduced to within half a turn. NaN if the exact value does
+    /// not exist.
+    double deviation = kNone;
     bool isRight = false;
     bool isMeasuredAtB = false; ///< θ3 is given as the direction from B to A
 };
@@ -68,7 +69,7 @@ struct CheckResult {
     std::vector<Slip> slips = {}; ///< one if Named, several if Ambiguous, otherwise none
 };
 
-/// Checks the values at this position.
+/// Checks the values at this position. Values that do not exist there are wrong, and are not explained.
 CheckResult check(const CrankPosition &position, std::span<const GivenValue> given);
 
 } // namespace slidercrank

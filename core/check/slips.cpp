@@ -49,8 +49,11 @@ struct Calculation {
     {
     }
 
+    /// Returns 1 if the slider is to the right of A, otherwise -1: the direction from A to B along the slider's line.
+    double side() const { return parameters.branch == Branch::Open ? 1.0 : -1.0; }
+
     /// Returns b, or -b if the slider is to the left of A.
-    double directedCoupler() const { return parameters.branch == Branch::Open ? parameters.b : -parameters.b; }
+    double directedCoupler() const { return side() * parameters.b; }
 };
 
 /// Computes ω3 and α3 by the formulas above.
@@ -94,7 +97,7 @@ void setSlider(Calculation &hand, double x, double firstDerivative, double secon
     const double omega2 = hand.parameters.omega2;
     const double velocity = firstDerivative * omega2;
     const double acceleration = secondDerivative * omega2 * omega2 + firstDerivative * hand.alpha2;
-    const double side = hand.directedCoupler() / hand.parameters.b;
+    const double side = hand.side();
     setSlider(hand, {.position = x, .velocity = velocity, .acceleration = acceleration});
     hand.values.derived.displacement = {.position = hand.parameters.a + hand.parameters.b - side * x,
                                         .velocity = -side * velocity,
@@ -129,22 +132,21 @@ void doubleSecondHarmonicOfVelocity(Calculation &hand)
     approximateByTwoHarmonics(hand);
     const double change =
         -a * a / (2.0 * hand.directedCoupler()) * sinCos({2.0 * hand.parameters.theta20}).sin * hand.parameters.omega2;
-    const double side = hand.directedCoupler() / hand.parameters.b;
     hand.values.state.qDot[R4x] += change;
-    hand.values.derived.displacement.velocity -= side * change;
+    hand.values.derived.displacement.velocity -= hand.side() * change;
 }
 
 void measureFromInnerDeadCentre(Calculation &hand)
 {
     const auto &[a, b, c, omega2, theta2, branch] = hand.parameters;
-    const double side = hand.directedCoupler() / b;
+    const double side = hand.side();
     const State &state = hand.values.state;
     hand.values.derived.displacement = {side * state.q[R4x] - std::sqrt((b - a) * (b - a) - c * c),
                                         side * state.qDot[R4x], side * state.qDDot[R4x]};
     setSlider(hand, hand.values.derived.displacement);
 }
 
-/// Replaces ω2² by ω2 in all accelerations q'' ω2² + q' α2.
+/// Replaces ω2² by ω2 in all accelerations q'' ω2² + q' α2, where ' is d/dθ2.
 void omitSquareOfSpeed(Calculation &hand)
 {
     State &state = hand.values.state;
@@ -189,11 +191,17 @@ void scaleAngles(Calculation &hand, double factor)
     scale(hand.values.derived.transmissionAngle, factor);
 }
 
+/// Measures all angles clockwise.
+void measureAnglesClockwise(Calculation &hand)
+{
+    scaleAngles<0>(hand, -1.0);
+}
+
 /// Measures as many textbooks do: the slider from the outer dead centre towards the crank, and the coupler clockwise.
 void measureTowardsCrank(Calculation &hand)
 {
     setSlider(hand, hand.values.derived.displacement);
-    scaleAngles<0>(hand, -1.0);
+    measureAnglesClockwise(hand);
 }
 
 template <int halfTurns>
@@ -222,7 +230,8 @@ void roundTheta3(Calculation &hand, double shift)
     hand.coupler = sinCos({std::round(degrees / unit) * unit / kDegreesPerRadian - shift});
 }
 
-constexpr double kInch = 25.4; // mm
+constexpr double kMillimetresPerInch = 25.4;
+constexpr double kCentimetresPerInch = 2.54;
 constexpr double kRadiansPerSecondPerRpm = std::numbers::pi / 30.0;
 
 /// Where a slip is made.
@@ -263,7 +272,7 @@ std::span<const SlipRow> allSlips()
         {DiameterForRadius, Input, [](Hand &hand) { hand.parameters.a *= 2.0; }},
         {DiameterForRadius, Input, [](Hand &hand) { hand.parameters.a /= 2.0; }},
         {CouplerAngleSign, Measurement, [](Hand &hand) { hand.values.state.q[Theta3] *= -1.0; }},
-        {CouplerAngleSign, Measurement, [](Hand &hand) { scaleAngles<0>(hand, -1.0); }},
+        {CouplerAngleSign, Measurement, measureAnglesClockwise},
         {CrankSineForCosine, Input,
          [](Hand &hand) { hand.parameters.theta20 = kQuarterTurn - hand.parameters.theta20; }},
         {CrankSineForCosine, Formula, [](Hand &hand) { std::swap(hand.crank.sin, hand.crank.cos); }},
@@ -304,14 +313,15 @@ std::span<const SlipRow> allSlips()
         {FromOuterDeadCentre, Measurement, [](Hand &hand) { setSlider(hand, hand.values.derived.displacement); }},
         {FromOuterDeadCentre, Measurement, measureTowardsCrank},
         {FromInnerDeadCentre, Measurement, measureFromInnerDeadCentre},
-        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, kInch); }},
-        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kInch); }},
-        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 0.1 * kInch); }},
-        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 10.0 / kInch); }},
+        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, kMillimetresPerInch); }},
+        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kMillimetresPerInch); }},
+        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, kCentimetresPerInch); }},
+        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kCentimetresPerInch); }},
         {MetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 1000.0); }},
         {MetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 0.001); }},
         {CentimetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 10.0); }},
         {CentimetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 0.1); }},
+        // θ3 may be measured at A or B and in either direction, so that up to two half turns are added to it.
         {ValueInRadians, Result, takeRadiansAsDegrees<-2>},
         {ValueInRadians, Result, takeRadiansAsDegrees<-1>},
         {ValueInRadians, Result, takeRadiansAsDegrees<0>},
@@ -402,14 +412,14 @@ std::vector<SlipOutcome> slipOutcomes(const CrankPosition &position, const Outpu
         if (stage == Stage::Input && !solveMechanism(hand)) {
             continue;
         }
-        if (stage == Stage::Formula) {
+        if (stage == Stage::Formula) { // in the formulas of the slider only, or in those of the coupler, too
             solveSlider(hand);
-            outcomes.push_back({.slip = slip, .values = hand.values, .changesPositionsFirst = false});
+            outcomes.push_back({.slip = slip, .values = hand.values, .affectsPositions = false});
             solveCoupler(hand);
             solveSlider(hand);
         }
-        const bool changesPositions = stage == Stage::Input || stage == Stage::Measurement;
-        outcomes.push_back({.slip = slip, .values = hand.values, .changesPositionsFirst = changesPositions});
+        const bool affectsPositions = stage == Stage::Input || stage == Stage::Measurement;
+        outcomes.push_back({.slip = slip, .values = hand.values, .affectsPositions = affectsPositions});
     }
     return outcomes;
 }
@@ -419,7 +429,8 @@ OutputState roundingErrors(const CrankPosition &position, const OutputState &exa
     Calculation theta3Rounded(position, exact);
     Calculation omega3Rounded(position, exact);
     Calculation alpha3Rounded(position, exact);
-    const double elevation = std::asin(theta3Rounded.coupler.sin) * kDegreesPerRadian; // acute, the same at A and at B
+    // θ3 is rounded in degrees. Its acute angle with the slider's line is the same at A and at B.
+    const double elevation = std::asin(theta3Rounded.coupler.sin) * kDegreesPerRadian;
     const double theta3Error = halfUnitOfThirdDigit(elevation) / kDegreesPerRadian;
     theta3Rounded.coupler = sinCos({exact.state.q[Theta3] + theta3Error});
     omega3Rounded.omega3Error = halfUnitOfThirdDigit(exact.state.qDot[Theta3]);

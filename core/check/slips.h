@@ -67,9 +67,9 @@ struct SlipOutcome {
     Slip slip;
     OutputState values;
 
-    /// The slip is a wrong input or a different way to measure: nobody makes it in the velocities or accelerations
-    /// alone. So it cannot be the reason if a position that it changes is right.
-    bool changesPositionsFirst;
+    /// Whether the slip is made before the positions are computed or measured: it is a wrong input or a different way
+    /// to measure. Such a slip cannot be the reason if a position that it changes is right.
+    bool affectsPositions;
 };
 
 /// Returns the outcome of every slip. A slip that can be made in several ways, such as in one formula or in all of

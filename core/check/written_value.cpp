@@ -54,10 +54,13 @@ WrittenValue readWrittenValue(std::string_view text, const Unit &expected)
     }
     const Mantissa mantissa = findMantissa(text);
     std::string neighbour(text); // becomes a number that differs by one unit of the last digit
-    char &digit = neighbour[mantissa.last];
-    digit = static_cast<char>(digit == '9' ? '8' : digit + 1);
+    char &lastDigit = neighbour[mantissa.last];
+    lastDigit = static_cast<char>(lastDigit == '9' ? '8' : lastDigit + 1);
     const double step = std::abs(readQuantity(neighbour, expected).value - quantity.value);
-    return {quantity.value, 0.5 * step, static_cast<int>(mantissa.digits.size()), {}};
+    return {.value = quantity.value,
+            .halfStep = 0.5 * step,
+            .digits = static_cast<int>(mantissa.digits.size()),
+            .fault = std::nullopt};
 }
 
 } // namespace slidercrank
