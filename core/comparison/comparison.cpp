@@ -66,12 +66,16 @@ Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std:
 struct RoundedTimeEffect {
     Trajectory early;
     Trajectory late;
-    double largestDrift = kInfinity; ///< in units of half the range
+    double largestDrift = kInfinity; ///< limit of drift(), as a multiple of half the range of the motion
 
+    /// Returns whether the mechanism can be assembled within the rounding of the row's time stamp.
     bool isMotionPossible(Channel channel, std::size_t row) const
     {
         return std::isfinite(early[channel][row]) || std::isfinite(late[channel][row]);
     }
+
+    /// Returns by how much the rounding of the row's time stamp may change the value `model`. `halfRange`: half the
+    /// range of the motion.
     double drift(Channel channel, std::size_t row, double model, double halfRange) const
     {
         const double change = std::max(std::abs(early[channel][row] - model), std::abs(late[channel][row] - model));
@@ -83,12 +87,12 @@ struct RoundedTimeEffect {
 
 Verdict verdictOf(const ChannelComparison &channel)
 {
-    if (channel.count == 0 || channel.missingModel > 0 || channel.worstOver > kBoundsOfCloseness ||
+    if (channel.count == 0 || channel.missingModel > 0 || channel.largestErrorInBounds > kBoundsOfCloseness ||
         channel.excess > kExcessOfCloseness) {
         return Verdict::Differs;
     }
     const bool areMostWithinBound = 100 * channel.withinBound >= kPercentWithinBound * channel.count;
-    const bool areAllClose = channel.worstOver <= kBoundsOfAgreement && channel.excess <= kExcessOfAgreement;
+    const bool areAllClose = channel.largestErrorInBounds <= kBoundsOfAgreement && channel.excess <= kExcessOfAgreement;
     return areMostWithinBound && areAllClose ? Verdict::Agrees : Verdict::Close;
 }
 
@@ -111,17 +115,18 @@ void updateLargestErrors(ChannelComparison &result, double time, double error, d
 /// Updates the measures of the verdict with the error of one value and its bound.
 void updateVerdictMeasures(ChannelComparison &result, double error, double bound, double halfRange)
 {
-    result.withinBound += error <= bound ? 1 : 0;
-    if (error > bound) {
+    if (error <= bound) {
+        ++result.withinBound;
+    } else {
         result.excess = std::max(result.excess, (error - bound) / halfRange);
     }
-    if (error > result.worstOver * bound) {
-        result.worstOver = error / bound;
+    if (error > result.largestErrorInBounds * bound) {
+        result.largestErrorInBounds = error / bound;
     }
 }
 
-/// Returns the magnitude of the difference of two values in the unit of the file, of crank angles modulo a turn:
-/// files may count crank angles from zero again after each turn.
+/// Returns the magnitude of the difference of two values, in the unit of the file. Crank angles are compared modulo a
+/// turn, because files may count them from zero again after each turn.
 double errorOf(Channel channel, double model, double value)
 {
     constexpr double kDegreesPerTurn = 360.0;
@@ -129,17 +134,21 @@ double errorOf(Channel channel, double model, double value)
     return std::abs(isCrankAngle ? std::remainder(model - value, kDegreesPerTurn) : model - value);
 }
 
-/// Returns the root-mean-square error of a column over the rows in which both values exist.
-double rmsError(const ReferenceSeries &series, std::span<const double> models)
+/// Returns the root-mean-square error of a column over the rows in which both values exist; nullopt if there are none.
+/// `size`: that of the values, relative to which no square overflows or underflows.
+std::optional<double> rmsError(const ReferenceSeries &series, std::span<const double> models, double size)
 {
+    const double unit = size > 0.0 ? size : 1.0;
     double squares = 0.0;
-    double count = 0.0;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < models.size(); ++i) {
         const double error = errorOf(series.channel, models[i], series.values[i]);
-        squares += std::isfinite(error) ? error * error : 0.0;
-        count += std::isfinite(error) ? 1.0 : 0.0;
+        if (std::isfinite(error)) {
+            squares += (error / unit) * (error / unit);
+            ++count;
+        }
     }
-    return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+    return count > 0 ? std::optional(unit * std::sqrt(squares / static_cast<double>(count))) : std::nullopt;
 }
 
 /// Compares the column `series` of the reference. `effect`: null if the time stamps are exact.
@@ -154,10 +163,9 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
     ChannelComparison result;
     result.channel = channel;
     result.peak = scale.peak;
-    const double unit = scale.size > 0.0 ? scale.size : 1.0; // in this unit no square overflows or underflows
+    result.rms = rmsError(series, models, scale.size);
     const double largestHalfStep = 0.5 * std::max(series.rounding.stepAt(scale.peak), scale.smallestStep);
-    const double errorOfFit = fitted.unknowns > 0 ? fitted.errorOf(rmsError(series, models)) : 0.0;
-    double squares = 0.0;
+    const double errorOfFit = fitted.unknowns > 0 ? fitted.errorOf(result.rms.value_or(0.0)) : 0.0;
     double largestStep = 0.0;
     for (std::size_t i = 0; i < models.size(); ++i) {
         const double value = series.values[i];
@@ -168,14 +176,14 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
         const double step = series.rounding.stepAt(value);
         largestStep = std::max(largestStep, step);
         if (!std::isfinite(model)) {
-            result.missingModel += effect != nullptr && effect->isMotionPossible(channel, i) ? 0 : 1;
+            const bool isExplained = effect != nullptr && effect->isMotionPossible(channel, i);
+            result.missingModel += isExplained ? 0 : 1;
             continue;
         }
         ++result.count;
         const double magnitude = std::abs(value);
         const double error = errorOf(channel, model, value);
         const double halfStep = 0.5 * std::max(step, scale.smallestStep);
-        squares += (error / unit) * (error / unit);
         updateLargestErrors(result, reference.time[i], error, magnitude, magnitude <= halfStep);
         double bound = halfStep + kUlpSlack * magnitude;
         if (effect != nullptr && error > bound) {
@@ -188,11 +196,8 @@ ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &tr
     if (series.rounding.rule != Rounding::Rule::Unknown && largestStep > 0.0) {
         result.roundingStep = largestStep;
     }
-    if (result.count > 0) {
-        result.rms = unit * std::sqrt(squares / static_cast<double>(result.count));
-        if (scale.peak > 0.0) {
-            result.percentOfPeak = *result.maxAbs / scale.peak * 100.0;
-        }
+    if (result.count > 0 && scale.peak > 0.0) {
+        result.percentOfPeak = *result.maxAbs / scale.peak * 100.0;
     }
     return result;
 }
@@ -309,8 +314,8 @@ MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other
             {.channel = channel, .values = std::move(motion.values[indexOf(channel)]), .rounding = Rounding()});
     }
     MotionDifference difference{compareExactly(mechanism, otherMotion).channels};
-    difference.hasGaps = std::ranges::any_of(difference.channels, [](const ChannelComparison &channel) {
-        return channel.channel.order == Order::Position && channel.count <= kSteps;
+    difference.hasGaps = std::ranges::any_of(difference.channels, [&](const ChannelComparison &channel) {
+        return channel.channel.order == Order::Position && channel.count < otherMotion.time.size();
     });
     return difference;
 }

@@ -68,11 +68,11 @@ struct ChannelComparison {
     // The measures of the verdict: the number of errors within their bound, the largest ratio of an error to its bound,
     // and the largest excess over a bound relative to half the motion's range (infinite if that is not finite).
     std::size_t withinBound = 0;
-    double worstOver = 0.0;
+    double largestErrorInBounds = 0.0;
     double excess = 0.0;
 
-    /// The time stamps are evenly spaced, and the file is close only if they were rounded. The measures assume rounded
-    /// time stamps.
+    /// The time stamps are evenly spaced, and the file is close only if they were rounded, which the measures of the
+    /// verdict assume.
     bool clockIsRounded = false;
 
     Verdict verdict = Verdict::Differs;

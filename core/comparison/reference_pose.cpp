@@ -19,15 +19,19 @@ double interpolated(const ReferenceData &data, const ReferenceSeries &series, do
 {
     constexpr double kDegreesPerTurn = 360.0;
     const std::vector<double> &values = series.values;
-    const auto isUsed = [&](std::size_t row) {
-        return row == i || row == i + 1 || (row < values.size() && std::isfinite(values[row]));
-    };
-    double change = 0.0;                                 // from row i
-    for (std::size_t row = i - 1; row != i + 3; ++row) { // Lagrange's form
-        double term = isUsed(row) ? values[row] - values[i] : 0.0;
-        term = isAngle(series.channel.coordinate) ? std::remainder(term, kDegreesPerTurn) : term;
-        for (std::size_t other = i - 1; other != i + 3 && isUsed(row); ++other) {
-            if (other != row && isUsed(other)) {
+    std::vector<std::size_t> rows{i, i + 1};
+    if (i > 0 && std::isfinite(values[i - 1])) {
+        rows.push_back(i - 1);
+    }
+    if (i + 2 < values.size() && std::isfinite(values[i + 2])) {
+        rows.push_back(i + 2);
+    }
+    double change = 0.0; // from row i, by Lagrange's form of the polynomial
+    for (const std::size_t row : rows) {
+        const double difference = values[row] - values[i];
+        double term = isAngle(series.channel.coordinate) ? std::remainder(difference, kDegreesPerTurn) : difference;
+        for (const std::size_t other : rows) {
+            if (other != row) {
                 term *= (time - data.time[other]) / (data.time[row] - data.time[other]);
             }
         }

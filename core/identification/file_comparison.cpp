@@ -259,7 +259,8 @@ bool isRowContradicted(const Identification &result, const ReferenceData &data, 
     const FittedMechanism fitted = findings.lastFit.fit.fittedMechanism();
     const std::vector<ChannelComparison> channels =
         compareCorrectedFile(result.parameters, corrected, findings, fitted);
-    return std::ranges::any_of(channels, [](const ChannelComparison &channel) { return channel.worstOver > kFar; });
+    return std::ranges::any_of(channels,
+                               [](const ChannelComparison &channel) { return channel.largestErrorInBounds > kFar; });
 }
 
 bool allAgree(const std::vector<ChannelComparison> &channels)

@@ -9,6 +9,8 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace slidercrank
 {
@@ -36,7 +38,7 @@ QString verdictText(const ChannelComparison &channel)
     if (channel.verdict == Verdict::Close) {
         return channel.clockIsRounded ? ComparisonText::tr("close, if the time stamps of the file are rounded")
                                       : ComparisonText::tr("close: at most %1 times the rounding of the file")
-                                            .arg(errorText(channel.worstOver));
+                                            .arg(errorText(channel.largestErrorInBounds));
     }
     if (channel.count == 0) {
         return ComparisonText::tr("differs: nothing to compare with");
@@ -60,6 +62,7 @@ QString placeText(const ChannelComparison &channel, const ReferenceData &file)
 
 std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> channels, const ReferenceData &file)
 {
+    constexpr int kStepDigits = 3; // significant digits of a rounding step
     std::vector<QStringList> rows{
         {ComparisonText::tr("channel"), ComparisonText::tr("largest error"),
          file.crank ? ComparisonText::tr("at θ₂ [%1]").arg(shownUnit(Measure::Angle)) : ComparisonText::tr("at t [s]"),
@@ -72,7 +75,7 @@ std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> chan
         rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), shownUnit(channel.channel)),
                         errorText(inShownUnit(channel.maxAbs)), placeText(channel, file),
                         errorText(inShownUnit(channel.rms)), errorText(channel.percentOfPeak),
-                        errorText(channel.maxPercent), numberText(inShownUnit(channel.roundingStep), 3),
+                        errorText(channel.maxPercent), numberText(inShownUnit(channel.roundingStep), kStepDigits),
                         verdictText(channel)});
     }
     return rows;
@@ -84,37 +87,39 @@ QString summaryText(std::span<const ChannelComparison> channels)
         return ComparisonText::tr("The file has no column that this program knows.");
     }
     const auto count = [&](Verdict verdict) {
-        return QString::number(std::ranges::count(channels, verdict, &ChannelComparison::verdict));
+        return std::ranges::count(channels, verdict, &ChannelComparison::verdict);
     };
     const QString all = QString::number(channels.size());
-    if (count(Verdict::Agrees) == all) {
+    const QString agreeing = QString::number(count(Verdict::Agrees));
+    const QString differing = QString::number(count(Verdict::Differs));
+    if (count(Verdict::Agrees) == std::ssize(channels)) {
         return ComparisonText::tr("Match. Quantities that agree within the rounding of the file: %1 of %2.")
             .arg(all, all);
     }
-    const auto worst = std::ranges::max_element(channels, {}, [](const ChannelComparison &channel) {
-        return channel.verdict == Verdict::Differs ? channel.percentOfPeak.value_or(0.0) : -1.0;
-    });
-    if (worst->verdict != Verdict::Differs) {
+    if (count(Verdict::Differs) == 0) {
         return ComparisonText::tr(
                    "Close match. Quantities that agree within the rounding of the file: %1 of %2, the others nearly.")
-            .arg(count(Verdict::Agrees), all);
+            .arg(agreeing, all);
     }
+    const auto worst = std::ranges::max_element(channels, {}, [](const ChannelComparison &channel) {
+        const double percent = channel.percentOfPeak.value_or(0.0);
+        return std::pair(channel.verdict == Verdict::Differs, percent);
+    });
     if (!worst->percentOfPeak) {
         return worst->count == 0 && worst->missingModel > 0
                    ? ComparisonText::tr("No match: the mechanism cannot be assembled at any time step of the file.")
-                   : ComparisonText::tr("No match. Quantities that differ: %1 of %2.")
-                         .arg(count(Verdict::Differs), all);
+                   : ComparisonText::tr("No match. Quantities that differ: %1 of %2.").arg(differing, all);
     }
-    const QString differing =
+    const QString sentence =
         ComparisonText::tr("No match. Quantities that differ: %1 of %2, most of all the %3, by %4 % of its peak.")
-            .arg(count(Verdict::Differs), all, quantityName(worst->channel), errorText(worst->percentOfPeak));
+            .arg(differing, all, quantityName(worst->channel), errorText(worst->percentOfPeak));
     const bool isTimeTheReason = std::ranges::all_of(channels, [](const ChannelComparison &channel) {
         return channel.verdict != Verdict::Differs || channel.isWithinRoundedTime;
     });
-    return isTimeTheReason ? differing + ' ' +
+    return isTimeTheReason ? sentence + ' ' +
                                  ComparisonText::tr("The rounding of the time stamps is sufficient to explain this: "
                                                     "write the file with more digits of the time.")
-                           : differing;
+                           : sentence;
 }
 
 } // namespace slidercrank

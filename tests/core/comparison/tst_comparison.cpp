@@ -107,7 +107,7 @@ private slots:
             }
             const ChannelComparison result = compareValues(model, values);
             QCOMPARE(result.verdict, verdict);
-            QVERIFY(std::abs(result.worstOver - (count > 0 ? halfSteps : 0.0)) < 1e-9 * (1.0 + halfSteps));
+            QVERIFY(std::abs(result.largestErrorInBounds - (count > 0 ? halfSteps : 0.0)) < 1e-9 * (1.0 + halfSteps));
             QCOMPARE(result.withinBound, halfSteps <= 1.0 ? kRows : kRows - count);
         }
     }

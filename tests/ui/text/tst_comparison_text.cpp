@@ -14,12 +14,12 @@ using namespace slidercrank;
 namespace tst_comparison_text
 {
 
-ChannelComparison compared(Verdict verdict, double worstOver)
+ChannelComparison compared(Verdict verdict, double largestErrorInBounds)
 {
     ChannelComparison channel;
     channel.channel = kTheta3;
     channel.count = 201;
-    channel.worstOver = worstOver;
+    channel.largestErrorInBounds = largestErrorInBounds;
     channel.percentOfPeak = 9.83;
     channel.verdict = verdict;
     return channel;
