@@ -49,8 +49,8 @@ MotionConstants::MotionConstants(const Mechanism &mechanism)
     aOmega = a * omega;
     aOmegaSquared = aOmega * omega;
 
-    constexpr double kLargestAngle = 1.6e6; // rad: the vectors' reduction is exact up to it
-    constexpr double kLatest = 1e290;       // s: a larger number cannot be split
+    constexpr double kLargestAngle = 1.6e6; // rad: up to it, sineAndCosine() subtracts quarter turns exactly
+    constexpr double kLatest = 1e290;       // s: split() would overflow beyond it
     const double angleLeft = kLargestAngle - std::abs(mechanism.theta20());
     sideOmega = side * omega;
     sideTheta20 = side * mechanism.theta20();

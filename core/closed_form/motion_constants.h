@@ -49,7 +49,7 @@ struct MotionConstants {
     // The crank angle is computed as g θ2, whose sine is x.
     double sideOmega;   ///< g ω
     double sideTheta20; ///< g θ20
-    double latest;      ///< s: below this |t| the crank angle is small enough to be reduced in vectors
+    double latest;      ///< s: for |t| below it, turnCrank() computes the crank angle and its sine exactly enough
 };
 
 } // namespace slidercrank

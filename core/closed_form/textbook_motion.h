@@ -20,26 +20,29 @@ struct TextbookMotion {
     T theta2, omega2, c, pi;
     T height{}, reach{}; ///< b sin θ3 and b cos θ3
     double side;
-    std::array<T, 3> pinX, pinY, sliderX; ///< indexed by Order; the pin is the crank pin A
+    std::array<T, kOrderCount> pinX, pinY, sliderX; ///< indexed by Order; the pin is the crank pin A
     T omega3, alpha3;
 
-    /// Computes the motion at the crank angle `crankAngle` (rad). `parameters`: a, b, c (mm), ω2 (rad/s), and θ20,
-    /// which is not used; `branchSide`: 1 for the open branch, -1 for the crossed one. Returns false if the mechanism
-    /// cannot be assembled, or if it is singular; the positions are valid in the second case.
-    bool compute(const std::array<T, 5> &parameters, const T &crankAngle, double branchSide,
+    /// The parameters that the formulas use, by Parameter: a, b, c (mm) and ω2 (rad/s); θ20 is not used.
+    using Numbers = std::array<T, kParameterCount>;
+
+    /// Computes the motion at the crank angle `crankAngle` (rad). `branchSide`: 1 for the open branch, -1 for the
+    /// crossed one; `valueOfPi`: π with the digits of T. Returns false if the mechanism cannot be assembled, or if it
+    /// is singular; the positions are valid in the second case.
+    bool compute(const Numbers &parameters, const T &crankAngle, double branchSide,
                  const T &valueOfPi = T(std::numbers::pi))
     {
         using std::cos, std::sin, std::sqrt;
-        const T &a = parameters[0];
-        const T &b = parameters[1];
-        c = parameters[2];
-        omega2 = parameters[3];
+        const T &a = parameters[indexOf(Parameter::A)];
+        const T &b = parameters[indexOf(Parameter::B)];
+        c = parameters[indexOf(Parameter::C)];
+        omega2 = parameters[indexOf(Parameter::Omega2)];
         theta2 = crankAngle;
         pi = valueOfPi;
         side = branchSide;
         pinX[0] = a * cos(theta2);
         pinY[0] = a * sin(theta2);
-        for (std::size_t k = 1; k < 3; ++k) {
+        for (std::size_t k = 1; k < kOrderCount; ++k) { // the derivatives of a rotation
             pinX[k] = -(omega2 * pinY[k - 1]);
             pinY[k] = omega2 * pinX[k - 1];
         }
@@ -69,6 +72,7 @@ struct TextbookMotion {
         return side < 0.0 ? T(angle + pi) : angle;
     }
 
+    /// Returns the value of a channel after compute(); its derivatives do not exist if compute() returned false.
     T valueAt(Channel channel) const
     {
         const auto k = static_cast<std::size_t>(channel.order);

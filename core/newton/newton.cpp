@@ -210,6 +210,7 @@ private:
         return q;
     }
 
+    /// Adds the current iterate to the history, if one is requested.
     void record()
     {
         if (m_history) {
@@ -225,7 +226,7 @@ private:
     Ending iterate(int maxIterations)
     {
         const Thresholds &limit = m_thresholds;
-        const bool toTheEnd = limit.tolerance == 0.0;
+        const bool toTheEnd = limit.tolerance == 0.0; // until the residual no longer decreases
         const bool testsFirst = m_options.warmStart == WarmStart::Taylor && !toTheEnd;
         double &residual = m_timeStep.residual;
         m_system.moveTo(m_q);
@@ -265,9 +266,10 @@ private:
                 return Ending::Converged;
             }
         }
-        // If the iteration limit was reached near a toggle, θ3 is still known to 2 √(r/b).
-        const double located = std::max(4.0 * kResolvedFraction * limit.coupler, limit.rounding);
-        return residual <= std::min(limit.tolerance, located) ? Ending::Converged : Ending::IterationLimit;
+        // The iteration limit may have been reached near a toggle, where θ3 is known to 2 √(r/b): with this r, to 0.2
+        // %.
+        const double sufficient = std::max(4.0 * kResolvedFraction * limit.coupler, limit.rounding);
+        return residual <= std::min(limit.tolerance, sufficient) ? Ending::Converged : Ending::IterationLimit;
     }
 
     bool isResolved() const { return m_thresholds.isResolved(m_timeStep.residual, m_system.cosTheta3()); }

@@ -21,12 +21,12 @@
 namespace slidercrank
 {
 
-/// The largest |ω2 t| + |θ20| (rad): q holds θ2 in one double, which resolves 0.001 rad up to it. The status of a time
-/// step with a larger value is NotFinite.
+/// The largest |ω2 t| + |θ20| (rad). q holds θ2 in one double, and neighbouring doubles of this size differ by 0.001
+/// rad. The status of a time step with a larger value is NotFinite.
 inline constexpr double kLargestDrive = 8e12;
 
-/// A cold start needs up to 13 iterations, 29 at an exact toggle, so it has its own iteration limit. The
-/// limit of the options applies if it is larger.
+/// The iteration limit of a cold start, which needs up to 13 iterations, 29 at an exact toggle. The limit of the
+/// options applies if it is larger.
 inline constexpr int kColdStartIterations = 60;
 
 /// The result of one time step.
@@ -34,8 +34,8 @@ struct NewtonTimeStep {
     double t = 0.0;
     State state; ///< values that do not exist are NaN
 
-    Vector12 q;            ///< the last iterate, converged or not; NaN if the mechanism cannot be assembled
-    int iterations = 0;    ///< linear systems solved for the position, including those of an abandoned warm start
+    Vector12 q;         ///< the last iterate, converged or not; NaN if no iteration began (NotAssemblable, NotFinite)
+    int iterations = 0; ///< linear systems solved for the position, including those of an abandoned warm start
     double residual = 0.0; ///< of q, as the tolerance kind of the options measures it
 
     /// Solved: residual <= tolerance or, for a tolerance of 0, no longer decreasing. IterationLimit without any
@@ -55,7 +55,8 @@ struct Iteration {
 using IterationHistory = std::vector<Iteration>;
 inline constexpr std::size_t kLongestHistory = 64;
 
-/// Returns the coordinates of a cold start: θ2 as driven, the coupler parallel to x (open: θ3 = 0, crossed: θ3 = π).
+/// Returns the coordinates of a cold start at time t (s): θ2 as driven, and the coupler parallel to the slider's line,
+/// with θ3 = 0 on the open branch and θ3 = π on the crossed one.
 Vector12 coldStart(const Mechanism &mechanism, double t);
 
 /// Replaces `timeStep`, the result of the previous time step, by the result at time t (s). The iteration starts from

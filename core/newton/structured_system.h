@@ -58,12 +58,13 @@ public:
         fillRows(q);
     }
 
-    // A rotation by a small angle δ:
+    // moveNear() rotates sine and cosine of θ3 by a small angle δ:
     //
     //     sin (θ + δ) = sin θ + (cos θ sin δ - sin θ (1 - cos δ)),
     //     cos (θ + δ) = cos θ - (sin θ sin δ + cos θ (1 - cos δ)),
     //
     // where the terms in brackets are so small that only the sums round.
+
     /// Evaluates C at a q that is probably the last iterate. If θ3 is close to that of the last moveTo(), |cos θ3| is
     /// at least 0.125 there, and moveNear() has not been called since, the sine and cosine of θ3 are obtained by a
     /// rotation, which is faster than computing them and adds one rounding. Otherwise equals moveTo().
@@ -122,6 +123,7 @@ public:
     //
     //     6:   R3x = R2x - Ay θ2 - By θ3 - r6
     //     8:   R4x = R3x - By θ3 + r8
+
     /// Returns q + Δq with C_q Δq = -C, for the q of the last moveTo() or moveNear(). Not finite where cos θ3 = 0.
     Coordinates next(const Coordinates &q)
     {
@@ -163,6 +165,7 @@ public:
     //
     // On the crossed branch θ3 is near π, where neighbouring doubles are four times as far apart as near 0.5: (Bx, By)
     // is rotated by the part of θ3 that was rounded off, as far as C shows it.
+
     /// Solves C_q q̇ = -C_t and C_q q̈ = Q_d at the current q, and stores q̇ and q̈ in `state`. Returns whether they are
     /// finite.
     bool differentiate(State &state) const

@@ -14,7 +14,7 @@ struct TimeStepEquations {
     State state; ///< values that do not exist are NaN
 
     /// The coordinates at which C and C_q are evaluated: state.q, or the last iterate if Newton-Raphson did not
-    /// converge. If the mechanism cannot be assembled, all members are NaN.
+    /// converge. If the status is NotAssemblable or NotFinite, there are none, and all numbers are NaN.
     Vector12 q;
     Vector12 C = Vector12::Constant(kNone);
     Matrix12 Cq = Matrix12::Constant(kNone);

@@ -18,7 +18,7 @@ namespace slidercrank
 namespace
 {
 
-/// Time stamps between two checks of the stop token.
+/// The number of time stamps between two checks of the stop token.
 constexpr std::size_t kStopInterval = 256;
 
 /// Writes one time step at a time into a trajectory.
@@ -41,13 +41,12 @@ public:
         }
     }
 
+    /// Writes the coordinates. Derived quantities are not written.
     void write(std::size_t row, const State &state)
     {
         m_trajectory.status[row] = state.status;
-        const std::array<const Vector12 *, 3> derivatives{&state.q, &state.qDot, &state.qDDot};
         for (const Channel channel : m_coordinates) {
-            const double value = (*derivatives[static_cast<std::size_t>(channel.order)])[channel.coordinate];
-            m_trajectory.values[indexOf(channel)][row] = toFileUnit(channel, value);
+            m_trajectory.values[indexOf(channel)][row] = toFileUnit(channel, state.valueOf(channel));
         }
     }
 
@@ -171,22 +170,18 @@ const std::vector<double> &Trajectory::operator[](const OutputChannel &channel) 
     return coordinate ? values[indexOf(*coordinate)] : derived[indexOf(std::get<DerivedChannel>(channel))];
 }
 
-/// Adds the elements of `next` at the end.
-template <typename Value>
-static void append(std::vector<Value> &values, const std::vector<Value> &next)
-{
-    values.insert(values.end(), next.begin(), next.end());
-}
-
 void Trajectory::append(const Trajectory &next)
 {
-    slidercrank::append(time, next.time);
-    slidercrank::append(status, next.status);
+    const auto appendAll = [](auto &elements, const auto &nextElements) {
+        elements.insert(elements.end(), nextElements.begin(), nextElements.end());
+    };
+    appendAll(time, next.time);
+    appendAll(status, next.status);
     for (std::size_t index = 0; index < kChannelCount; ++index) {
-        slidercrank::append(values[index], next.values[index]);
+        appendAll(values[index], next.values[index]);
     }
     for (std::size_t index = 0; index < kDerivedChannelCount; ++index) {
-        slidercrank::append(derived[index], next.derived[index]);
+        appendAll(derived[index], next.derived[index]);
     }
     summary.add(next.summary);
     complete = complete && next.complete;

@@ -28,7 +28,7 @@ struct Sampling {
 
     double timeStamp(int i) const { return start + duration * static_cast<double>(i) / static_cast<double>(steps); }
     std::vector<double> timeStamps() const { return timeStamps(0, steps + 1); }
-    std::vector<double> timeStamps(int first, int count) const; ///< a part of them
+    std::vector<double> timeStamps(int first, int count) const; ///< those from timeStamp(first) on
 
     friend bool operator==(const Sampling &, const Sampling &) = default;
 };
@@ -100,7 +100,7 @@ struct Trajectory {
 
     std::vector<Status> status; ///< one for each time stamp
     SamplingSummary summary;
-    bool complete = true; ///< false if stopped before the end: then no other member is valid
+    bool complete = true; ///< false if sampling was stopped: then no other member is valid
 
     /// Adds the time steps of `next`. Requires both to hold the same channels.
     void append(const Trajectory &next);
