@@ -30,8 +30,9 @@ struct Row {
     Branch branch = Open;
 };
 
-/// Returns a coupler length that exceeds the shortest for full turns by the relative `gap`.
-constexpr double toggle(double gap, double c = kOffset)
+/// Returns a coupler length that exceeds the shortest one for full turns by the fraction `gap` of it. With a small gap,
+/// the mechanism passes a toggle closely.
+constexpr double couplerNearToggle(double gap, double c = kOffset)
 {
     return (kCrank + (c < 0.0 ? -c : c)) * (1.0 + gap);
 }
@@ -48,11 +49,11 @@ const std::vector<Row> kNominal = {
 };
 
 const std::vector<Row> kHard{
-    {"toggle gap 1e-4, crossed", toggle(1e-4), kOffset, Crossed},
-    {"toggle gap 1e-8, crossed", toggle(1e-8), kOffset, Crossed},
-    {"exact toggle, c > 0", toggle(0.0)},
-    {"exact toggle, c < 0", toggle(0.0), -kOffset},
-    {"exact toggle, crossed", toggle(0.0), kOffset, Crossed},
+    {"toggle gap 1e-4, crossed", couplerNearToggle(1e-4), kOffset, Crossed},
+    {"toggle gap 1e-8, crossed", couplerNearToggle(1e-8), kOffset, Crossed},
+    {"exact toggle, c > 0", couplerNearToggle(0.0)},
+    {"exact toggle, c < 0", couplerNearToggle(0.0), -kOffset},
+    {"exact toggle, crossed", couplerNearToggle(0.0), kOffset, Crossed},
     {"change point, a = b and c = 0", kCrank, 0.0},
     {"change point, crossed", kCrank, 0.0, Crossed},
     {"rocker, one arc", 40.0},
@@ -61,7 +62,7 @@ const std::vector<Row> kHard{
     {"rocker, two arcs", 10.0, 5.0},
     {"rocker, two arcs, crossed", 10.0, 5.0, Crossed},
     {"rocker, two arcs, c = 0", 10.0, 0.0},
-    {"barely a rocker, gap -1e-8", toggle(-1e-8)},
+    {"barely a rocker, gap -1e-8", couplerNearToggle(-1e-8)},
     {"locked, b = |c| - a", 5.0},
     {"never assemblable", 4.0},
     {"b/a = 1e3", 2e4},
@@ -75,7 +76,7 @@ void addToggles(const char *suffix, double c, std::initializer_list<int> exponen
     for (const int exponent : exponents) {
         const std::string gap = "1e-" + std::to_string(exponent);
         cases.push_back({.name = "toggle gap " + gap + suffix,
-                         .parameters = {.a = kCrank, .b = toggle(std::stod(gap), c), .c = c}});
+                         .parameters = {.a = kCrank, .b = couplerNearToggle(std::stod(gap), c), .c = c}});
     }
 }
 
@@ -95,11 +96,11 @@ Parameters scaled(double factor)
     return {.a = kCrank * factor, .b = kCoupler * factor, .c = kOffset * factor};
 }
 
-/// Returns the case of one second in a few steps, with the relative `gap` to a toggle.
+/// Returns a case with few time steps per revolution. `gap`: the relative gap to a toggle, such as "1e-4".
 Case fewSteps(int steps, const std::string &gap)
 {
     return {.name = std::to_string(steps) + " steps a turn, gap " + gap,
-            .parameters = {.a = kCrank, .b = toggle(std::stod(gap)), .c = kOffset},
+            .parameters = {.a = kCrank, .b = couplerNearToggle(std::stod(gap)), .c = kOffset},
             .sampling = {.steps = steps}};
 }
 
@@ -149,7 +150,7 @@ std::vector<double> perpendicularTimes(const Case &namedCase)
     for (const double height : {mechanism.b(), -mechanism.b()}) {
         const double angle = std::asin((mechanism.c() + height) / mechanism.a());
         if (!std::isnan(angle)) {
-            angles.insert(angles.end(), {angle, 2.0 * kQuarterTurn - angle});
+            angles.insert(angles.end(), {angle, std::numbers::pi - angle});
         }
     }
 

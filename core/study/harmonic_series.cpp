@@ -29,8 +29,8 @@ HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     std::vector<double> theta3;
     std::vector<double> R4x;
     for (std::size_t i = 0; i < kAngles; ++i) {
-        const double part = static_cast<double>(i) / kAngles;
-        const TwoPart theta2 = crankAngle(kTurn, part, kTurnLo * part);
+        const double turn = static_cast<double>(i) / kAngles; // fraction of a revolution
+        const TwoPart theta2 = crankAngle(kTurn, turn, kTurnLo * turn);
         const Motion motion = closedForm.motionAt(theta2.hi); // ω2 = 1: the time is θ2
         const SinCos wave = sinCos(theta2);
         waves.emplace_back(wave.cos, -wave.sin);

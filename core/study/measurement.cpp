@@ -31,10 +31,10 @@ void measureSizes(const Parameters &parameters, ExactMotion &motion)
     }
 }
 
-/// Returns |got - exact|, or infinity if `got` is not finite.
-double deviation(double got, TwoPart exact)
+/// Returns |value - exact|, or infinity if the value is not finite.
+double deviation(double value, TwoPart exact)
 {
-    return std::isfinite(got) ? std::abs((got - exact.hi) - exact.lo) : kInfinity;
+    return std::isfinite(value) ? std::abs((value - exact.hi) - exact.lo) : kInfinity;
 }
 
 /// Compares the values of a method with the exact ones, at the time stamps whose exact motion is known, and sets the
@@ -166,11 +166,11 @@ bool Measurement::advance(const StudyRequest &request)
 
 double Measurement::progress(const StudyRequest &request) const
 {
-    const auto part = [](std::size_t done, std::size_t all) {
+    const auto fraction = [](std::size_t done, std::size_t all) {
         return all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all);
     };
-    return kExactMotionShare * part(m_exactCount, m_timeStamps.size()) +
-           (1.0 - kExactMotionShare) * part(m_timedRounds, roundCount(request));
+    return kExactMotionShare * fraction(m_exactCount, m_timeStamps.size()) +
+           (1.0 - kExactMotionShare) * fraction(m_timedRounds, roundCount(request));
 }
 
 std::vector<MethodResult> Measurement::results()

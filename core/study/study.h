@@ -122,7 +122,7 @@ public:
     ~Study();
 
     bool advance();             ///< does the next piece; returns false if everything is done
-    double progress() const;    ///< the part that is done, 0 … 1, in ascending order
+    double progress() const;    ///< the fraction that is done, 0 … 1; it never decreases
     StudyResult result() const; ///< the results of the completed cases
 
 private:

@@ -17,10 +17,11 @@ namespace slidercrank
 namespace
 {
 
-/// One value for each of kPlottedChannels.
+/// One value for each of kPlottedChannels, in that order.
 using Values = std::array<double, kPlottedChannels.size()>;
 
-void put(StudyOutput &output, std::size_t i, const Values &values, Status status)
+/// Writes the values and the status of the time stamp with the index i.
+void writeTo(StudyOutput &output, std::size_t i, const Values &values, Status status)
 {
     for (std::size_t k = 0; k < values.size(); ++k) {
         output.values[k][i] = values[k];
@@ -28,11 +29,11 @@ void put(StudyOutput &output, std::size_t i, const Values &values, Status status
     output.status[i] = status;
 }
 
-void put(StudyOutput &output, std::size_t i, const State &state)
+void writeTo(StudyOutput &output, std::size_t i, const State &state)
 {
-    put(output, i,
-        {state.q[Theta3], state.q[R4x], state.qDot[Theta3], state.qDot[R4x], state.qDDot[Theta3], state.qDDot[R4x]},
-        state.status);
+    writeTo(output, i,
+            {state.q[Theta3], state.q[R4x], state.qDot[Theta3], state.qDot[R4x], state.qDDot[Theta3], state.qDDot[R4x]},
+            state.status);
 }
 
 StudyRun newton(const NewtonOptions &options, const Mechanism &mechanism, std::span<const double> timeStamps)
@@ -43,7 +44,7 @@ StudyRun newton(const NewtonOptions &options, const Mechanism &mechanism, std::s
         for (std::size_t i = 0; i < timeStamps.size(); ++i) {
             advance(mechanism, timeStamps[i], last, options);
             output.iterations += last.iterations;
-            put(output, i, last.state);
+            writeTo(output, i, last.state);
         }
     };
 }
@@ -52,7 +53,7 @@ StudyRun closedForm(const Mechanism &mechanism, std::span<const double> timeStam
 {
     return [closedForm = ClosedForm(mechanism), timeStamps](StudyOutput &output) {
         for (std::size_t i = 0; i < timeStamps.size(); ++i) {
-            put(output, i, closedForm.stateAt(timeStamps[i]));
+            writeTo(output, i, closedForm.stateAt(timeStamps[i]));
         }
     };
 }
@@ -100,7 +101,7 @@ StudyRun finiteDifference(const Mechanism &mechanism, std::span<const double> ti
             } else if (std::isnan(R4xDDot)) {
                 status = Status::Singular;
             }
-            put(output, i, {here.theta3, here.R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot}, status);
+            writeTo(output, i, {here.theta3, here.R4x, theta3Dot, R4xDot, theta3DDot, R4xDDot}, status);
         }
     };
 }
@@ -113,7 +114,8 @@ StudyRun harmonics(int count, const Mechanism &mechanism, std::span<const double
     return [series = HarmonicSeries(mechanism, count), timeStamps](StudyOutput &output) {
         for (std::size_t i = 0; i < timeStamps.size(); ++i) {
             const auto [theta3, R4x] = series.at(timeStamps[i]);
-            put(output, i,
+            writeTo(
+                output, i,
                 {theta3.position, R4x.position, theta3.velocity, R4x.velocity, theta3.acceleration, R4x.acceleration},
                 Status::Solved);
         }
@@ -132,10 +134,15 @@ std::vector<StudyMethod> makeMethods()
     constexpr ToleranceKind kRelative = ToleranceKind::Relative;
     constexpr std::pair<MethodName::Kind, NewtonOptions> kVariants[]{
         {MethodName::Kind::NewtonDense, {}},
-        {MethodName::Kind::NewtonDenseTaylor, {kLimit, 0.0, kRelative, WarmStart::Taylor}},
-        {MethodName::Kind::NewtonStructured, {kLimit, 0.0, kRelative, WarmStart::Previous, Elimination::Structured}},
+        {MethodName::Kind::NewtonDenseTaylor,
+         {.maxIterations = kLimit, .toleranceKind = kRelative, .warmStart = WarmStart::Taylor}},
+        {MethodName::Kind::NewtonStructured,
+         {.maxIterations = kLimit, .toleranceKind = kRelative, .elimination = Elimination::Structured}},
         {MethodName::Kind::NewtonStructuredTaylor,
-         {kLimit, 0.0, kRelative, WarmStart::Taylor, Elimination::Structured}}};
+         {.maxIterations = kLimit,
+          .toleranceKind = kRelative,
+          .warmStart = WarmStart::Taylor,
+          .elimination = Elimination::Structured}}};
     std::vector<StudyMethod> methods;
     for (auto [kind, options] : kVariants) {
         for (const double tolerance : kTolerances) {

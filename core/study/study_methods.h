@@ -30,8 +30,8 @@ struct StudyMethod {
     MethodName name{};
     std::optional<double> tolerance{}; ///< of Newton-Raphson
     int channels = 6;
-    bool dependsOnStep = true;    ///< whether its error or cost for the same outputs depends on the step
-    bool needsEqualSteps = false; ///< then it is run at the steps of the sampling only
+    bool dependsOnStep = true;    ///< whether its error, or its cost for the same outputs, depends on the step size
+    bool needsEqualSteps = false; ///< whether it can be run only at equal time steps
 
     /// Does the work that is needed once per mechanism, and returns the function that is timed, which refers to the
     /// ascending time stamps. Returns null if the method does not apply.
