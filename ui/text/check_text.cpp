@@ -64,7 +64,7 @@ public:
 
 } // namespace
 
-/// `digits`: number of significant digits; 0 for zero.
+/// Returns the verdict on a right value. `digits`: number of its significant digits; 0 for zero.
 static QString rightText(int digits)
 {
     if (digits == 0) {
@@ -79,7 +79,8 @@ QString checkedValueText(const CheckedValue &checked, int digits, double deviati
         return CheckText::tr("does not exist here");
     }
     if (!checked.isRight) {
-        return CheckText::tr("off by %1").arg(shortNumber(deviation, 3) + unit);
+        constexpr int kDigits = 3;
+        return CheckText::tr("off by %1").arg(shortNumber(deviation, kDigits) + unit);
     }
     const QString right = rightText(digits);
     const bool isOfTextbook = notation().symbols == Symbols::Textbook; // whose θ₃ is the one at B

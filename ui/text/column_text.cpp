@@ -95,7 +95,7 @@ QStringList hintsOfLengths(const ReferenceData &data)
         }
         const bool isKnownUnit = !areMetres && channelNamed(column.heading);
         if (isLength && !column.heading.empty() && !isKnownUnit) {
-            const std::string perTime = std::string(fileUnit(column.channel)).substr(2); // "mm/s" without "mm"
+            const std::string perTime(fileUnit(column.channel).substr(std::string_view("mm").size())); // "/s" of "mm/s"
             choices.push_back({.role = column.role,
                                .channel = column.channel,
                                .unit = (areMetres ? "m" : "in") + perTime,

@@ -20,6 +20,9 @@ struct DesignText {
 
 QString designFaultText(const DesignFault &fault, const DesignRequest &request)
 {
+    constexpr int kDigits = 4;
+    constexpr double kNearOne = 1.001; // a smaller time ratio needs more digits to differ from 1
+    constexpr int kDigitsNearOne = 9;
     const QString ratio = numberText(request.timeRatio < 1.0 ? 1.0 / request.timeRatio : request.timeRatio);
     switch (fault.reason) {
     case DesignFault::Reason::StrokeNotPositive: return DesignText::tr("The stroke must be greater than 0.");
@@ -34,15 +37,15 @@ QString designFaultText(const DesignFault &fault, const DesignRequest &request)
         return DesignText::tr(
                    "There is no such mechanism: with a time ratio of %1 the minimum transmission angle is at most %2°; "
                    "an angle of %3° needs a time ratio below %4.")
-            .arg(ratio, numberText(fault.bound * kDegreesPerRadian, 4),
-                 numberText(*request.transmissionAngle * kDegreesPerRadian, 4),
-                 numberText(fault.timeRatioBound, fault.timeRatioBound < 1.001 ? 9 : 4));
+            .arg(ratio, numberText(fault.bound * kDegreesPerRadian, kDigits),
+                 numberText(*request.transmissionAngle * kDegreesPerRadian, kDigits),
+                 numberText(fault.timeRatioBound, fault.timeRatioBound < kNearOne ? kDigitsNearOne : kDigits));
     case DesignFault::Reason::CouplerTooShort:
         return DesignText::tr("There is no such mechanism: the coupler b must be longer than the crank a.");
     case DesignFault::Reason::TimeRatioTooLarge:
         return DesignText::tr(
                    "There is no such mechanism: with these lengths a and b the time ratio is below %1, not %2.")
-            .arg(numberText(fault.bound, 4), ratio);
+            .arg(numberText(fault.bound, kDigits), ratio);
     }
     return {};
 }

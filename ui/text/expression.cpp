@@ -108,7 +108,7 @@ Quantity readExpression(const QString &text, const std::optional<Unit> &wanted, 
     if (!quantity.fault) {
         return quantity;
     }
-    QString spelled = text.trimmed().replace("pi", "pi", Qt::CaseInsensitive);
+    QString spelled = text.trimmed().replace("pi", "pi", Qt::CaseInsensitive); // "PI" and "Pi" become "pi"
     spelled.replace(locale.negativeSign(), "-").replace(locale.decimalPoint(), ".");
     spelled.replace(QChar(0x2212), "-").replace(u'×', "*").replace(u'·', "*").replace(u'÷', "/").replace(u'π', "pi");
     static const QRegularExpression expression(R"(^((?:[-+*/().\d\s]|pi|[eE][-+]?\d)*)(.*)$)");

@@ -202,7 +202,7 @@ QString possibleSpeedText(const Identification &found)
                                   .arg(anyOf(speeds));
 }
 
-/// Lists lines of a file, the first ten of them.
+/// Returns a list of line numbers, of which at most kMaxListed are shown.
 QString linesText(const std::vector<std::size_t> &lines)
 {
     constexpr std::size_t kMaxListed = 10;

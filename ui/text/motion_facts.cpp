@@ -2,6 +2,7 @@
 #include "ui/text/motion_facts.h"
 
 #include "core/closed_form/closed_form.h"
+#include "core/mechanism/enum_table.h"
 #include "core/sampling/crank_time.h"
 #include "ui/text/channel_text.h"
 #include "ui/text/parameter_text.h"
@@ -21,7 +22,7 @@ namespace
 
 /// The texts of a limit, untranslated. Those of a peak follow from its channel.
 struct LimitText {
-    LimitKind kind;
+    LimitKind key;
     const char *name;
     const char *explanation;
 };
@@ -30,7 +31,6 @@ struct MotionFacts {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MotionFacts)
 
 public:
-    /// By LimitKind.
     static constexpr LimitText kTexts[] = {
         {LimitKind::OuterDeadCentre, QT_TR_NOOP("outer dead centre"),
          QT_TR_NOOP("Slider position at which the slider reverses, crank and coupler extended in one line")},
@@ -70,18 +70,8 @@ public:
         {LimitKind::PeakSliderAcceleration, "", ""},
         {LimitKind::PeakCouplerSpeed, "", ""},
         {LimitKind::PeakCouplerAcceleration, "", ""}};
-
-    static constexpr bool isInOrder()
-    {
-        for (std::size_t i = 0; i < std::size(kTexts); ++i) {
-            if (kTexts[i].kind != kLimitDescriptions[i].kind) {
-                return false;
-            }
-        }
-        return std::size(kTexts) == kLimitKindCount;
-    }
+    static_assert(isCompleteTable(kTexts, kLimitDescriptions.back().kind));
 };
-static_assert(MotionFacts::isInOrder());
 
 /// The coupler length and its bound, with enough digits to distinguish them.
 struct LengthAndBound {
@@ -114,22 +104,21 @@ std::optional<double> firstTimeAt(double theta2, const Mechanism &mechanism, con
     return first;
 }
 
-/// Returns the value as it is shown; the textbook measures the angles of the coupler at B.
+/// Returns the value as it is shown. In the notation of textbooks, the angles of the coupler are those at B.
 double shownLimit(const Limit &limit, Branch branch, const Notation &notation)
 {
-    const bool isCouplerAngle =
-        limit.kind == LimitKind::MinimumCouplerAngle || limit.kind == LimitKind::MaximumCouplerAngle;
-    const ShownScale scale =
-        isCouplerAngle ? shownScale(Channel{Theta3, Order::Position}, branch, notation) : ShownScale();
     const Measure measure = describe(limit.kind).measure;
-    return isCouplerAngle ? scale.shown(toFileUnit(measure, limit.value))
-                          : shownValue(measure, limit.value, notation.units);
+    if (limit.kind == LimitKind::MinimumCouplerAngle || limit.kind == LimitKind::MaximumCouplerAngle) {
+        const ShownScale scale = shownScale(Channel{Theta3, Order::Position}, branch, notation);
+        return scale.shown(toFileUnit(measure, limit.value));
+    }
+    return shownValue(measure, limit.value, notation.units);
 }
 
 QString limitExplanation(const Limit &limit)
 {
     if (!peakChannel(limit.kind)) {
-        return MotionFacts::tr(MotionFacts::kTexts[static_cast<std::size_t>(limit.kind)].explanation);
+        return MotionFacts::tr(rowOf(MotionFacts::kTexts, limit.kind).explanation);
     }
     return std::isinf(limit.value)
                ? MotionFacts::tr("Unbounded where the coupler is perpendicular to the slider's line")
@@ -151,8 +140,10 @@ QString atLeastText(double limit)
 {
     constexpr double kSlack = 1e-6; // fraction of the last digit: 0.1 + 0.2 equals 0.3 except for rounding
     const double shownLimit = shownValue(Measure::Length, limit, notation().units);
-    const double unit = shownLimit == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(shownLimit))));
-    return withUnit(numberText(std::ceil(shownLimit * unit - kSlack) / unit), shownUnit(Measure::Length));
+    const double exponent = shownLimit == 0.0 ? 0.0 : std::floor(std::log10(std::abs(shownLimit)));
+    const double perLastDigit = std::pow(10.0, kUsualDigits - 1 - exponent); // units of the last digit in 1
+    return withUnit(numberText(std::ceil(shownLimit * perLastDigit - kSlack) / perLastDigit),
+                    shownUnit(Measure::Length));
 }
 
 QString jumpSentence()
@@ -214,16 +205,17 @@ QString valueText(const MotionFact &fact, int digits)
 
 double degreesFromZero(double theta2)
 {
-    constexpr double kRounding = 1e-9; // 0 may have been computed as slightly less
+    constexpr double kDegreesPerTurn = 360.0;
+    constexpr double kRounding = 1e-9; // °: 0 may have been computed as slightly less
     const double angle = kDegreesPerRadian * theta2;
-    return std::max(0.0, angle - 360.0 * std::floor((angle + kRounding) / 360.0));
+    return std::max(0.0, angle - kDegreesPerTurn * std::floor((angle + kRounding) / kDegreesPerTurn));
 }
 
 QString limitName(LimitKind kind)
 {
     const std::optional<Channel> channel = peakChannel(kind);
     return channel ? MotionFacts::tr("peak %1", "of a velocity or an acceleration").arg(quantityName(*channel))
-                   : MotionFacts::tr(MotionFacts::kTexts[static_cast<std::size_t>(kind)].name);
+                   : MotionFacts::tr(rowOf(MotionFacts::kTexts, kind).name);
 }
 
 std::optional<double> timeOf(const Limit &limit, const Mechanism &mechanism, const Sampling &sampling)
@@ -261,12 +253,13 @@ std::vector<QStringList> limitTable(const std::vector<MotionFact> &facts)
 
 QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
 {
-    constexpr double kRounding = 1e-9;
+    constexpr double kRounding = 1e-9; // relative rounding error of the number of samples
+    constexpr int kDigits = 2;
     const double perTurn = timeStepsPerTurn(mechanism, sampling);
     return perTurn >= kMinSamplesPerTurn * (1.0 - kRounding)
                ? QString()
                : MotionFacts::tr("%1 samples per revolution are too few for a curve: at least %2 are needed.")
-                     .arg(numberText(perTurn, 2), numberText(kMinSamplesPerTurn));
+                     .arg(numberText(perTurn, kDigits), numberText(kMinSamplesPerTurn));
 }
 
 QString iterationsText(const SamplingSummary &summary)
@@ -284,8 +277,11 @@ double shownCrankAngle(double theta2)
 
 QString crankAngleText(double theta2)
 {
+    constexpr int kDecimalsOfRadians = 4;
+    constexpr int kDecimalsOfDegrees = 2;
     const bool isRadian = notation().units.angle == AngleUnit::Radian;
-    return isRadian ? fixedText(shownCrankAngle(theta2), 4) : fixedText(degreesFromZero(theta2), 2);
+    return isRadian ? fixedText(shownCrankAngle(theta2), kDecimalsOfRadians)
+                    : fixedText(degreesFromZero(theta2), kDecimalsOfDegrees);
 }
 
 QString crankAngleWithUnit(double theta2)

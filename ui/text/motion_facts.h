@@ -53,13 +53,15 @@ std::optional<double> timeOf(const Limit &limit, const Mechanism &mechanism, con
 std::vector<QStringList> limitTable(const std::vector<MotionFact> &facts);
 
 /// Formats the value with its unit.
-QString valueText(const MotionFact &fact, int digits = 6);
+QString valueText(const MotionFact &fact, int digits = kUsualDigits);
 
-/// Returns the crank angle in degrees, from 0 to 360.
+/// Returns the crank angle in degrees, from 0 to 360. `theta2`: rad.
 double degreesFromZero(double theta2);
 
-/// Return the crank angle, from 0 to a whole turn, in the chosen unit; its text without the unit, and with it.
+/// Returns the crank angle in the chosen unit, from 0 to a whole turn. `theta2`: rad.
 double shownCrankAngle(double theta2);
+
+/// Return shownCrankAngle() as a text: "30.00", and with its unit: "30.00°".
 QString crankAngleText(double theta2);
 QString crankAngleWithUnit(double theta2);
 

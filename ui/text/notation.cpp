@@ -25,8 +25,8 @@ Notation &chosenNotation()
     return chosen;
 }
 
-/// The names of a quantity and of its time derivatives.
-struct DerivedNames {
+/// The names or the symbols of a quantity and of its time derivatives.
+struct NamesByOrder {
     QString position;
     QString velocity;
     QString acceleration;
@@ -43,13 +43,13 @@ struct DerivedNames {
 };
 
 /// Returns the names of a quantity whose derivatives are not called velocity and acceleration.
-DerivedNames withDerivatives(const QString &name)
+NamesByOrder withDerivatives(const QString &name)
 {
     return {name, NotationText::tr("%1, first derivative").arg(name),
             NotationText::tr("%1, second derivative").arg(name)};
 }
 
-DerivedNames namesOf(DerivedQuantity quantity)
+NamesByOrder namesOf(DerivedQuantity quantity)
 {
     switch (quantity) {
     case DerivedQuantity::TransmissionAngle: return withDerivatives(NotationText::tr("transmission angle"));
@@ -64,12 +64,23 @@ DerivedNames namesOf(DerivedQuantity quantity)
             NotationText::tr("acceleration of the crank pin A in x")};
 }
 
+NamesByOrder symbolsOf(DerivedQuantity quantity)
+{
+    switch (quantity) {
+    case DerivedQuantity::TransmissionAngle: return {"μ", "dμ/dt", "d²μ/dt²"};
+    case DerivedQuantity::Displacement: return {"s", "ds/dt", "d²s/dt²"};
+    case DerivedQuantity::PinX: break;
+    case DerivedQuantity::PinY: return {"A_y", "v_Ay", "a_Ay"};
+    }
+    return {"A_x", "v_Ax", "a_Ax"};
+}
+
 /// Returns the textbook's symbol of a coordinate of the coupler's centre of mass G₃.
 QString centreSymbol(Channel channel)
 {
-    const auto index = static_cast<std::size_t>(channel.order);
-    return channel.coordinate == R3x ? std::array{"G_x", "v_Gx", "a_Gx"}[index]
-                                     : std::array{"G_y", "v_Gy", "a_Gy"}[index];
+    const NamesByOrder symbols =
+        channel.coordinate == R3x ? NamesByOrder{"G_x", "v_Gx", "a_Gx"} : NamesByOrder{"G_y", "v_Gy", "a_Gy"};
+    return symbols.of(channel.order);
 }
 
 } // namespace
@@ -143,14 +154,7 @@ QString symbolOf(const OutputChannel &channel)
                                                                    : symbolText(*coordinate);
     }
     const auto &[quantity, order] = std::get<DerivedChannel>(channel);
-    const auto index = static_cast<std::size_t>(order);
-    switch (quantity) {
-    case DerivedQuantity::TransmissionAngle: return std::array{"μ", "dμ/dt", "d²μ/dt²"}[index];
-    case DerivedQuantity::Displacement: return std::array{"s", "ds/dt", "d²s/dt²"}[index];
-    case DerivedQuantity::PinX: return std::array{"A_x", "v_Ax", "a_Ax"}[index];
-    case DerivedQuantity::PinY: return std::array{"A_y", "v_Ay", "a_Ay"}[index];
-    }
-    return {};
+    return symbolsOf(quantity).of(order);
 }
 
 QString nameText(const OutputChannel &channel)

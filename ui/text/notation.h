@@ -6,6 +6,7 @@
 // their options choose a notation or units.
 
 #include "ui/text/units.h"
+#include "ui/text/written_number.h"
 
 #include <QString>
 
@@ -64,7 +65,7 @@ inline QString shownUnit(const OutputChannel &channel)
 }
 
 /// Returns a length (mm) with its unit as it is shown: "65 mm", "2.5 in".
-QString lengthText(double length, int digits = 6);
+QString lengthText(double length, int digits = kUsualDigits);
 
 /// Returns the symbol of a channel. A coordinate has that of symbolText(Channel), except that the coupler's centre of
 /// mass has "G_x", "v_Gx", "a_Gx" (and y) in the notation of textbooks. Derived quantities have "μ", "dμ/dt",

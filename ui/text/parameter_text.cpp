@@ -33,7 +33,7 @@ public:
 };
 
 /// Returns an equation for each parameter, and the assembly.
-QStringList equationTexts(const Parameters &parameters, int digits = 6)
+QStringList equationTexts(const Parameters &parameters, int digits = kUsualDigits)
 {
     QStringList parts;
     for (const Parameter parameter : kAllParameters) {

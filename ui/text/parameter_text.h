@@ -33,14 +33,14 @@ double shownFactor(Parameter parameter, const Notation &shown = notation());
 QString unitBehind(Parameter parameter, const Notation &shown = notation());
 
 /// Returns an equation such as "a = 20 mm".
-QString equationText(Parameter parameter, double value, int digits = 6, const Notation &shown = notation());
+QString equationText(Parameter parameter, double value, int digits = kUsualDigits, const Notation &shown = notation());
 
 /// Returns the value of a parameter with its displayed unit: "65 mm", "6.28319 rad/s", "-30°". `digits` is the largest
 /// number of significant digits; trailing zeros are omitted.
-QString parameterText(Parameter parameter, double value, int digits = 6, const Notation &shown = notation());
+QString parameterText(Parameter parameter, double value, int digits = kUsualDigits, const Notation &shown = notation());
 
 /// Returns all parameters: "a = 20 mm, b = 60 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = 0°, open assembly".
-QString mechanismText(const Mechanism &mechanism, int digits = 6);
+QString mechanismText(const Mechanism &mechanism, int digits = kUsualDigits);
 
 /// Returns the parameters in which a pinned mechanism differs from the current one, with six digits: "b = 65 mm,
 /// crossed assembly", or "pinned" if none do.

@@ -14,16 +14,21 @@ namespace slidercrank
 namespace
 {
 
+/// Returns the value as a cell of CSV, in quotation marks if its text needs them.
 QByteArray csvCell(const QJsonValue &value, CsvSeparators separators)
 {
     static const QRegularExpression needsQuotes("[,\"\n ]");
     QString text = value.toVariant().toString(); // the shortest number that reads back the same
     if (value.isDouble()) {
-        return (separators == CsvSeparators::Standard ? text : text.replace('.', QLocale().decimalPoint())).toUtf8();
+        if (separators == CsvSeparators::OfLanguage) {
+            text.replace('.', QLocale().decimalPoint());
+        }
+        return text.toUtf8();
     }
-    return (text.contains(needsQuotes) || text.contains(delimiter(separators)) ? '"' + text.replace("\"", "\"\"") + '"'
-                                                                               : text)
-        .toUtf8();
+    if (text.contains(needsQuotes) || text.contains(delimiter(separators))) {
+        text = '"' + text.replace("\"", "\"\"") + '"';
+    }
+    return text.toUtf8();
 }
 
 CsvSeparators &chosenSeparators()
@@ -79,8 +84,10 @@ QByteArray csvText(const std::vector<Record> &records, CsvSeparators separators)
 
 QJsonValue jsonNumber(std::optional<double> value)
 {
-    const bool exists = value && std::isfinite(*value);
-    return exists ? QJsonValue(*value == 0.0 ? 0.0 : *value) : QJsonValue(); // without the sign of a negative zero
+    if (!value || !std::isfinite(*value)) {
+        return {};
+    }
+    return *value + 0.0; // the sum turns -0 into 0
 }
 
 QByteArray jsonDocument(const QJsonObject &object)

@@ -121,10 +121,12 @@ QString closedFormSentence(const CaseResult &result)
     if (!closedForm || !newton) {
         return {};
     }
-    const double uncertainty = newton->spread / newton->nsPerState + closedForm->spread / closedForm->nsPerState;
+    constexpr int kDigits = 2;
+    const double spread = newton->spread / newton->nsPerState + closedForm->spread / closedForm->nsPerState;
+    const double percent = std::ceil(100.0 * 0.5 * spread); // ± half the distance between the quartiles
     return StudyText::tr(
                "The closed form is %1 times as fast as dense Newton-Raphson with its default tolerance (± %2 %).")
-        .arg(shortNumber(newton->nsPerState / closedForm->nsPerState, 2), numberText(std::ceil(50.0 * uncertainty)));
+        .arg(shortNumber(newton->nsPerState / closedForm->nsPerState, kDigits), numberText(percent));
 }
 
 QString caseText(const std::string &name)

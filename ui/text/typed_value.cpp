@@ -72,7 +72,7 @@ double sizeDifference(const TypedValue &typed, double exact)
 
 GivenValue TypedValue::given() const
 {
-    return {channel, toCore(parsed.value), toCore(parsed.halfStep)};
+    return {.channel = channel, .value = toCore(parsed.value), .halfStep = toCore(parsed.halfStep)};
 }
 
 double TypedValue::toCore(double value) const
@@ -96,8 +96,9 @@ TypedValue readTypedValue(const QString &text, const OutputChannel &channel, con
     TypedValue typed;
     typed.channel = channel;
     typed.text = text.simplified();
-    typed.unit = {isAngular(measure) ? Dimension::Angle : Dimension::Length, static_cast<int>(orderOf(channel)),
-                  1.0 / fromFileUnit(measure, 1.0, units)};
+    typed.unit = {.dimension = isAngular(measure) ? Dimension::Angle : Dimension::Length,
+                  .order = static_cast<int>(orderOf(channel)),
+                  .factor = 1.0 / fromFileUnit(measure, 1.0, units)};
     typed.unitName = unitText(measure, units);
     const std::string number = typed.text.toStdString();
     typed.parsed = readWrittenValue(number, typed.unit);
@@ -158,9 +159,11 @@ QString faultText(const TypedValue &typed)
 
 QString exactText(const TypedValue &typed, const CheckedValue &checked)
 {
+    constexpr int kMinDigits = 4;
+    constexpr int kMaxDigits = 17; // a double has no more
     const double exact = typed.parsed.value - typed.fromCore(checked.deviation);
-    return TypedValueText::tr("exact: %1")
-        .arg(shortNumber(exact, std::clamp(typed.parsed.digits + 1, 4, 17)) + typed.unitBehind());
+    const int digits = std::clamp(typed.parsed.digits + 1, kMinDigits, kMaxDigits); // one more than the typed value
+    return TypedValueText::tr("exact: %1").arg(shortNumber(exact, digits) + typed.unitBehind());
 }
 
 QString verdictText(const TypedValue &typed, const CheckedValue &checked)

@@ -49,8 +49,10 @@ std::vector<TypedValue> inLikelyUnits(std::vector<TypedValue> values, const Cran
 /// Returns why the typed text was not accepted, and what to write instead. Requires a fault.
 QString faultText(const TypedValue &typed);
 
-/// Returns the value and what is wrong with it: "exact: 9.792 mm" and "off by 0.00818 mm".
+/// Returns the exact value with its unit: "exact: 9.792 mm".
 QString exactText(const TypedValue &typed, const CheckedValue &checked);
+
+/// Returns the verdict: "off by 0.00818 mm", or that the value is right.
 QString verdictText(const TypedValue &typed, const CheckedValue &checked);
 
 } // namespace slidercrank

@@ -35,15 +35,21 @@ const UnitDescription &lengthUnit(const Units &units)
     return rowOf(kLengthUnits, units.length).unit;
 }
 
+/// Returns whether an angle or its derivative is in radians, per s or s².
+bool isInRadians(Measure measure, const Units &units)
+{
+    switch (units.angle) {
+    case AngleUnit::Degree: return false;
+    case AngleUnit::Radian: return true;
+    case AngleUnit::DegreeAndRadianPerSecond: break;
+    }
+    return measure != Measure::Angle;
+}
+
 /// Returns the unit of an angle; for its derivatives the unit without "/s": "rad" of "rad/s".
 const UnitDescription &angleUnit(Measure measure, const Units &units)
 {
-    switch (units.angle) {
-    case AngleUnit::Degree: return kDegreeUnit;
-    case AngleUnit::Radian: return kRadianUnit;
-    case AngleUnit::DegreeAndRadianPerSecond: break;
-    }
-    return measure == Measure::Angle ? kDegreeUnit : kRadianUnit;
+    return isInRadians(measure, units) ? kRadianUnit : kDegreeUnit;
 }
 
 /// Returns the unit of a length or of an angle; for derivatives the unit without "/s": "mm" of "mm/s".
@@ -68,7 +74,7 @@ LengthUnit lengthUnitOf(double millimetres)
 double shownValue(Measure measure, double value, const Units &units)
 {
     if (isAngular(measure)) {
-        return &angleUnit(measure, units) == &kRadianUnit ? value : value * kDegreesPerRadian;
+        return isInRadians(measure, units) ? value : value * kDegreesPerRadian;
     }
     return isLinear(measure) ? value * lengthUnit(units).perDefault : value;
 }

@@ -21,7 +21,7 @@ QString toText(double value, char format, int digits)
 template <typename Write>
 QString formatted(double value, char format, int digits, Write write)
 {
-    const QString text = toText(value + 0.0, format, digits);
+    const QString text = toText(value + 0.0, format, digits); // the sum turns -0 into 0
     const qsizetype e = text.indexOf(u'e', 0, Qt::CaseInsensitive);
     return e < 0 ? text : write(text.first(e), QLocale().toInt(text.mid(e + 1)));
 }
@@ -39,7 +39,7 @@ int exponentOfRounded(double magnitude, int digits)
     return magnitude >= next - 0.5 * std::pow(10.0, exponent + 1 - digits) ? exponent + 1 : exponent;
 }
 
-/// Returns the smallest number with so many significant digits that is not below the value.
+/// Returns the smallest number with `significantDigits` digits that is not below the value.
 double roundedUp(double value, int significantDigits)
 {
     constexpr double kSlack = 1e-9; // of the last digit, so that rounding errors do not change it
@@ -110,11 +110,14 @@ QString shortNumber(std::optional<double> value, int digits)
     if (*value == 0.0) {
         return QLocale().toString(0);
     }
-    const int exponent = exponentOfRounded(std::abs(*value), digits);
-    const bool isPlain = exponent >= -6 && exponent < 6;
-    return withMinusSign(formatted(*value, isPlain ? 'f' : 'e',
-                                   isPlain ? std::max(0, digits - 1 - exponent) : digits - 1,
-                                   withPowerOfTen)); // 9.996e9 is rounded to 1.00e10
+    constexpr int kSmallestPlain = -6; // exponents that are written without a power of ten
+    constexpr int kLargestPlain = 5;
+    const int exponent = exponentOfRounded(std::abs(*value), digits); // 10 for 9.996e9, which is rounded to 1.00e10
+    if (exponent < kSmallestPlain || exponent > kLargestPlain) {
+        return withMinusSign(formatted(*value, 'e', digits - 1, withPowerOfTen));
+    }
+    const int decimals = std::max(0, digits - 1 - exponent);
+    return withMinusSign(formatted(*value, 'f', decimals, withPowerOfTen));
 }
 
 QString fixedText(double value, int decimals)
@@ -126,8 +129,8 @@ QString fixedText(double value, int decimals)
 QString powerOfTenText(int exponent)
 {
     QString text = QString::number(exponent);
-    for (QChar &sign : text) {
-        sign = sign == u'-' ? QChar(u'⁻') : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")[sign.digitValue()];
+    for (QChar &character : text) {
+        character = character == u'-' ? QChar(u'⁻') : QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹")[character.digitValue()];
     }
     return "10" + text;
 }

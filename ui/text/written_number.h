@@ -12,19 +12,22 @@
 namespace slidercrank
 {
 
+inline constexpr int kUsualDigits = 6;   ///< largest number of significant digits of a value in a text
 inline constexpr int kReadoutDigits = 4; ///< significant digits of a readout
 
 /// Formats a value with at most `significantDigits` digits, without trailing zeros. Returns a dash for nullopt.
-QString numberText(std::optional<double> value, int significantDigits = 6);
+QString numberText(std::optional<double> value, int significantDigits = kUsualDigits);
 
 /// Formats the bounds of a range with at most `significantDigits` digits. They are rounded inwards, so that both are
 /// within the range.
 QString lowerBoundText(double value, int significantDigits);
 QString upperBoundText(double value, int significantDigits);
 
-/// Formats a value with exactly `digits` significant digits. Values below 1e-6 or from 1e6 on have a power of ten.
-/// Returns a dash for nullopt and NaN.
+/// Formats a value with exactly `digits` significant digits, except that all digits before the decimal sign are written.
+/// Values below 1e-6 or from 1e6 on have a power of ten. Returns a dash for nullopt and NaN.
 QString shortNumber(std::optional<double> value, int digits = kReadoutDigits);
+
+/// Returns the text that stands for a missing value.
 QString dash();
 
 /// Formats a value with that many decimals. A value that rounds to zero has no sign.
