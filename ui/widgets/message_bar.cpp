@@ -23,6 +23,13 @@ namespace
 {
 
 constexpr std::chrono::seconds kHintDuration{8};
+constexpr int kSpaceBetweenMessages = 2;          // px
+constexpr QMargins kMarginsOfMessage{8, 3, 4, 3}; // px: left, top, right, bottom
+constexpr int kSymbolColumn = 0;                  // columns of a message
+constexpr int kTextColumn = 1;
+constexpr int kActionColumn = 2;
+constexpr int kDismissColumn = 3;
+constexpr int kColumnsBesideSymbol = kDismissColumn - kTextColumn + 1;
 
 } // namespace
 
@@ -32,7 +39,7 @@ MessageBar::MessageBar(QWidget *parent)
 {
     setObjectName("messageBar");
     m_rows->setContentsMargins(0, 0, 0, 0);
-    m_rows->setSpacing(2);
+    m_rows->setSpacing(kSpaceBetweenMessages);
     parent->installEventFilter(this);
     hide();
 }
@@ -54,10 +61,10 @@ void MessageBar::showMessage(const Message &message)
     text->setForegroundRole(QPalette::ToolTipText);
     const bool isAbove = message.action != nullptr; // two buttons beside the text would leave it little width
     auto *grid = new QGridLayout(row);
-    grid->setContentsMargins(8, 3, 4, 3);
-    grid->setColumnStretch(1, 1);
-    grid->addWidget(symbol, 0, 0);
-    grid->addWidget(text, 0, 1, 1, isAbove ? 3 : 1);
+    grid->setContentsMargins(kMarginsOfMessage);
+    grid->setColumnStretch(kTextColumn, 1);
+    grid->addWidget(symbol, 0, kSymbolColumn);
+    grid->addWidget(text, 0, kTextColumn, 1, isAbove ? kColumnsBesideSymbol : 1);
     const auto addButton = [&](int column, const char *name, const QString &label,
                                const std::function<void()> &action) {
         // The accessible name includes the message, because there may be several such buttons.
@@ -72,9 +79,9 @@ void MessageBar::showMessage(const Message &message)
         grid->addWidget(button, isAbove ? 1 : 0, column);
     };
     if (message.action) {
-        addButton(2, "messageRemedy", message.actionText, message.action);
+        addButton(kActionColumn, "messageRemedy", message.actionText, message.action);
     }
-    addButton(3, "messageDismiss", message.dismissText.isEmpty() ? tr("Dismiss") : message.dismissText,
+    addButton(kDismissColumn, "messageDismiss", message.dismissText.isEmpty() ? tr("Dismiss") : message.dismissText,
               message.dismissed);
     m_rows->insertWidget(0, row);
     row->show(); // the layout leaves out a row that is not shown yet

@@ -25,9 +25,10 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kDecimals = 60;              // so many that QDoubleSpinBox does not round the number
+constexpr int kDecimals = 60;              // with fewer, QDoubleSpinBox would round small numbers
 constexpr double kOnlyExcludesZero = 1e-6; // a smallest value up to this one means that the number is positive
 constexpr std::chrono::seconds kNoteDuration{10};
+constexpr int kNoteMargin = 3;    // px
 constexpr int kMinimumDigits = 2; // significant digits of a number that is shortened to fit into the box
 
 bool isUndo(const QKeyEvent &key)
@@ -119,9 +120,10 @@ QSize NumberBox::sizeHint() const
     ensurePolished();
     QStyleOptionSpinBox option;
     initStyleOption(&option);
-    constexpr int kCursor = 4; // px
-    int width = 0;             // of the wider one: an ordinary number, or one with a power of ten
-    for (const QString &number : {m_widestNumber, numberText(-8.8e-8, kMinimumDigits)}) {
+    constexpr int kCursor = 4;              // px
+    int width = 0;                          // of the wider one: an ordinary number, or one with a power of ten
+    constexpr double kWideNumber = -8.8e-8; // has a power of ten, and the widest digits
+    for (const QString &number : {m_widestNumber, numberText(kWideNumber, kMinimumDigits)}) {
         width = std::max(width, fontMetrics().horizontalAdvance(number + suffix()));
     }
     const QSize content(width + kCursor, lineEdit()->sizeHint().height());
@@ -135,7 +137,8 @@ void NumberBox::stepBy(int steps)
     QSignalBlocker quiet(this);
     QDoubleSpinBox::stepBy(steps);
     const bool isFromZero = before == 0.0 && stepType() == QAbstractSpinBox::AdaptiveDecimalStepType;
-    const double next = isFromZero ? steps : QString::number(value(), 'g', 12).toDouble(); // 0.1 + 0.2 is 0.3
+    constexpr int kDigits = 12; // without the rounding error of the sum: 0.1 + 0.2 is 0.3
+    const double next = isFromZero ? steps : QString::number(value(), 'g', kDigits).toDouble();
     QDoubleSpinBox::setValue(before);
     quiet.unblock();
     if (refusalOf(next).isEmpty()) {
@@ -240,7 +243,7 @@ void NumberBox::refuse(const QString &sentence)
         m_note = named("refusalLabel", new QLabel(this, Qt::ToolTip));
         m_note->setTextFormat(Qt::PlainText);
         m_note->setFrameShape(QFrame::Box);
-        m_note->setMargin(3);
+        m_note->setMargin(kNoteMargin);
         m_note->setBackgroundRole(QPalette::ToolTipBase);
         m_note->setForegroundRole(QPalette::ToolTipText);
     }

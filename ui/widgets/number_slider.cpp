@@ -78,7 +78,8 @@ void NumberSlider::setNumber(double number)
 
 double NumberSlider::numberAt(int position) const
 {
-    return QString::number(m_first + position * m_step, 'g', 12).toDouble();
+    constexpr int kDigits = 12;
+    return QString::number(m_first + position * m_step, 'g', kDigits).toDouble();
 }
 
 int NumberSlider::positionOf(double number) const

@@ -28,6 +28,7 @@ namespace
 {
 
 constexpr int kCellMargin = 20; // px, left and right of a text together
+constexpr int kRowMargin = 4;   // px, above and below a text together
 
 QJsonValue csvValue(const TableColumn &column, const TableCell &cell)
 {
@@ -111,16 +112,7 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
 {
     named(name, this, title);
     setHorizontalHeader(new FormulaHeader(this));
-    for (int column = 0; column < m_model->columnCount(); ++column) {
-        const TableColumn &described = m_columns[static_cast<std::size_t>(column)];
-        auto *heading = new QStandardItem(described.title);
-        heading->setToolTip(described.explanation);
-        heading->setData(alignmentOf(described), Qt::TextAlignmentRole);
-        m_model->setHorizontalHeaderItem(column, heading);
-        if (described.isFormula) {
-            setItemDelegateForColumn(column, new FormulaDelegate(this));
-        }
-    }
+    makeHeadings();
     setModel(m_model);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -156,6 +148,20 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     fitColumns();
 }
 
+void NumberTable::makeHeadings()
+{
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        const TableColumn &described = m_columns[static_cast<std::size_t>(column)];
+        auto *heading = new QStandardItem(described.title);
+        heading->setToolTip(described.explanation);
+        heading->setData(alignmentOf(described), Qt::TextAlignmentRole);
+        m_model->setHorizontalHeaderItem(column, heading);
+        if (described.isFormula) {
+            setItemDelegateForColumn(column, new FormulaDelegate(this));
+        }
+    }
+}
+
 void NumberTable::setColumns(const std::vector<TableColumn> &columns)
 {
     m_columns = columns;
@@ -173,11 +179,11 @@ void NumberTable::setEditable(int row, int firstColumn)
 
 void NumberTable::setRows(std::vector<TableRow> rows)
 {
-    const bool isOtherContent = rows.size() != m_rows.size();
+    const bool hasOtherSize = rows.size() != m_rows.size();
     m_rows = std::move(rows);
     m_model->setRowCount(static_cast<int>(m_rows.size()));
     fillCells();
-    if (isOtherContent) { // otherwise no column becomes narrower
+    if (hasOtherSize) { // otherwise no column becomes narrower
         fitColumns();
     }
 }
@@ -236,7 +242,7 @@ QSize NumberTable::contentSize() const
 /// Gives every column the width of its texts.
 void NumberTable::fitColumns()
 {
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + kRowMargin);
     for (int column = 0; column < m_model->columnCount(); ++column) {
         const auto index = static_cast<std::size_t>(column);
         setColumnWidth(column, 0);
@@ -259,7 +265,6 @@ void NumberTable::widen(int column, const QString &text)
     }
 }
 
-/// Returns whether numbers follow the texts of the first column.
 bool NumberTable::hasNames() const
 {
     return m_columns.size() > 1 && !m_columns.front().isNumber && m_columns[1].isNumber;

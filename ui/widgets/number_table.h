@@ -42,7 +42,7 @@ TableCell numberCell(double value, const QString &text);
 struct TableRow {
     std::vector<TableCell> cells;             ///< one for each column
     std::optional<double> time = {};          ///< s; a click or Enter goes to this time
-    MechanismPart part = MechanismPart::None; ///< that the row describes
+    MechanismPart part = MechanismPart::None; ///< the part of the mechanism that the row describes
     QString explanation = {};                 ///< tool tip; if empty, the numbers with every digit
 };
 
@@ -87,9 +87,10 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void makeHeadings();
     void goToRow(const QModelIndex &index);
     bool isTypedInto(const QModelIndex &index) const; ///< whether a person can type into the cell
-    bool hasNames() const;
+    bool hasNames() const;                            ///< whether numbers follow the texts of the first column
     int widthOfNames() const;
     void fillCells();
     void fitColumns();
@@ -97,7 +98,7 @@ private:
 
     std::vector<TableColumn> m_columns;
     std::vector<TableRow> m_rows{};
-    int m_namesWidth = 0;   ///< px, that the texts of the first column need
+    int m_namesWidth = 0;   ///< px, the width that the texts of the first column need
     int m_editableRow = -1; ///< -1: none
     int m_firstEditableColumn = 0;
     bool m_isFilling = false;
