@@ -2,6 +2,7 @@
 #include "app/option_reader.h"
 
 #include "app/similar_words.h"
+#include "ui/document/result.h"
 #include "ui/text/expression.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/word_list.h"
@@ -107,7 +108,7 @@ OptionReader::OptionReader(const CommandDescription &command, const QStringList 
     }
     checkRepetitions();
     checkDetachedUnits(arguments);
-    m_scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
+    m_scene.solver = initialSolver();
 }
 
 void OptionReader::checkRepetitions() const

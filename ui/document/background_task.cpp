@@ -22,8 +22,8 @@ namespace
 {
 
 #if QT_CONFIG(future)
-constexpr int kProgressSteps = 1000;
-constexpr int kMaxThreads = 1000; // a thread for each task, so that short tasks do not wait for long ones
+constexpr int kProgressSteps = 1000; // Qt reports progress as a whole number
+constexpr int kMaxThreads = 1000;    // a thread for each task, so that short tasks do not wait for long ones
 #else
 constexpr std::chrono::milliseconds kPause{20};  // between two pieces, in which the window is painted
 constexpr std::chrono::milliseconds kPieces{40}; // duration of the work until the window is painted again

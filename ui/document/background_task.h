@@ -28,7 +28,7 @@ public:
     ~BackgroundTask() override;
 
     /// Receives the fraction of the work that is done, 0 … 1, in ascending order.
-    using Progress = std::function<void(double part)>;
+    using Progress = std::function<void(double fraction)>;
     using Failed = std::function<void(const QString &message)>;
 
     /// Discards what is running, and runs work(std::stop_token, const Progress &) in another thread. Then calls done()
@@ -60,7 +60,7 @@ public slots:
     void discard(); ///< asks the work to stop, without waiting for it; done() and failed() are not called
 
 signals:
-    void progressed(double part);
+    void progressed(double fraction);
     void runningChanged(bool running); ///< false after done() or failed(), and when the work is discarded
 
 private:

@@ -25,7 +25,7 @@ constexpr int kAccelerationIdentity = kBranchIdentity << 3;
 
 struct EditName {
     QString text;
-    int identity = 0; ///< Identifies the settings that change; 0 if the edit is always a step of its own.
+    int identity = 0; ///< identifies the settings that change; 0 if the edit is always a step of its own
 };
 
 bool haveSameFile(const Choices &first, const Choices &second)
@@ -34,20 +34,21 @@ bool haveSameFile(const Choices &first, const Choices &second)
                                                : first.reference == second.reference;
 }
 
-/// Names the edit by the choices that differ. An edit of the reference or of parameters may also change the time range.
+/// Names the edit by the most important of the choices that differ: an edit of the reference or of parameters may also
+/// change the time range.
 EditName nameEdit(const Choices &before, const Choices &after)
 {
     if (after.reference != before.reference) {
         if (!after.reference) {
-            return {EditStack::tr("closing of %1").arg(before.reference->name)};
+            return {.text = EditStack::tr("closing of %1").arg(before.reference->name)};
         }
         const QString text =
             haveSameFile(before, after) ? EditStack::tr("new interpretation of %1") : EditStack::tr("opening of %1");
-        return {text.arg(after.reference->name)};
+        return {.text = text.arg(after.reference->name)};
     }
     if (after.pinned != before.pinned) {
-        return {after.pinned.empty() ? EditStack::tr("removal of the pinned motions")
-                                     : EditStack::tr("pinning of the motion")};
+        return {.text = after.pinned.empty() ? EditStack::tr("removal of the pinned motions")
+                                             : EditStack::tr("pinning of the motion")};
     }
     std::vector<Parameter> changed;
     for (const Parameter parameter : kAllParameters) {
@@ -58,21 +59,22 @@ EditName nameEdit(const Choices &before, const Choices &after)
     const bool isBranchChanged = before.parameters.branch != after.parameters.branch;
     const bool isMechanismChanged = isBranchChanged || !changed.empty();
     if (!isMechanismChanged && after.alpha2 != before.alpha2) {
-        return {EditStack::tr("change of %1").arg(QStringLiteral("α₂")), kAccelerationIdentity};
+        return {.text = EditStack::tr("change of %1").arg(QStringLiteral("α₂")), .identity = kAccelerationIdentity};
+    }
+    if (!isMechanismChanged && after.sampling != before.sampling) {
+        return {.text = EditStack::tr("change of the time range"), .identity = kSamplingIdentity};
     }
     if (!isMechanismChanged) {
-        return after.sampling == before.sampling
-                   ? EditName{EditStack::tr("change of the method"), kSolverIdentity}
-                   : EditName{EditStack::tr("change of the time range"), kSamplingIdentity};
+        return {.text = EditStack::tr("change of the method"), .identity = kSolverIdentity};
     }
     int identity = isBranchChanged ? kBranchIdentity : 0;
     for (const Parameter parameter : changed) {
         identity |= 1 << indexOf(parameter);
     }
     const bool isOneParameter = changed.size() == 1 && !isBranchChanged;
-    return {isOneParameter ? EditStack::tr("change of %1").arg(symbolText(changed.front()))
-                           : EditStack::tr("change of the mechanism"),
-            identity};
+    return {.text = isOneParameter ? EditStack::tr("change of %1").arg(symbolText(changed.front()))
+                                   : EditStack::tr("change of the mechanism"),
+            .identity = identity};
 }
 
 /// Restores the choices before or after an edit. Qt merges successive commands with the same id().
@@ -126,7 +128,7 @@ EditStack::EditStack(const Apply &apply, QObject *parent)
 
 void EditStack::edit(const Choices &before, const Choices &after, const QString &text)
 {
-    const EditName name = text.isEmpty() ? nameEdit(before, after) : EditName{text};
+    const EditName name = text.isEmpty() ? nameEdit(before, after) : EditName{.text = text};
     const bool isRepeated = m_sameStep.isActive() && name.identity == m_identity;
     const bool isMergeable = name.identity != 0 && m_identity != 0;
     if (!isMergeable || !(m_isDragging || isRepeated)) {
@@ -140,12 +142,14 @@ void EditStack::edit(const Choices &before, const Choices &after, const QString 
 void EditStack::takeOver(const EditStack &other)
 {
     clear();
-    const Apply apply = std::exchange(m_apply, [](const Choices &) {}); // the choices are already the present ones
-    const auto applyLater = [this](const Choices &choices) { m_apply(choices); };
+    // push() and setIndex() apply the choices of the steps that they pass. Meanwhile that must have no effect, because
+    // the session already has the choices of other.index().
+    const Apply apply = std::exchange(m_apply, [](const Choices &) {});
+    const auto applyByMember = [this](const Choices &choices) { m_apply(choices); };
     for (int i = 0; i < other.count(); ++i) {
         const auto *step = static_cast<const EditCommand *>(other.command(i));
-        push(new EditCommand(step->before(), step->after(), nameEdit(step->before(), step->after()).text, ++m_step,
-                             applyLater));
+        const QString text = nameEdit(step->before(), step->after()).text;
+        push(new EditCommand(step->before(), step->after(), text, ++m_step, applyByMember));
     }
     if (other.cleanIndex() < 0) {
         resetClean();

@@ -29,9 +29,11 @@ public:
     /// differs, as "change of b".
     void edit(const Choices &before, const Choices &after, const QString &text = {});
 
+    /// Begins or ends a drag, whose edits are merged into one step.
     void setDragging(bool isDragging);
 
-    /// Replaces the steps by those of another session that has the same choices now, named in the current language.
+    /// Replaces the steps by those of `other`, the stack of a session that has the same choices now. The steps are
+    /// named in the current language.
     void takeOver(const EditStack &other);
 
     /// Returns whether anything but opening and closing files was done since the stack was clean.
@@ -40,7 +42,7 @@ public:
 private:
     Apply m_apply;
     int m_identity = 0; ///< identifies the settings that the last edit changed; 0 if the next edit starts a new step
-    int m_step = 0;     ///< Edits with the same number are undone together.
+    int m_step = 0;     ///< number of the current step; edits with the same number are undone together
     QTimer m_sameStep;  ///< runs for a second after each edit
     bool m_isDragging = false;
 };

@@ -14,16 +14,18 @@ constexpr double kLargestNumber = DBL_MAX;
 
 } // namespace
 
-QJsonValue JsonNode::exchange(const QJsonValue &standard)
+QJsonValue JsonNode::exchange(const QJsonValue &current)
 {
-    value = isReading ? value : standard;
-    return value.type() == standard.type() ? value : standard;
+    if (!isReading) {
+        value = current;
+    }
+    return value.type() == current.type() ? value : current;
 }
 
 void JsonNode::field(const char *name, const std::function<void(JsonNode &)> &readOrWriteValue)
 {
     QJsonObject object = value.toObject();
-    JsonNode node{isReading, object.value(QLatin1String(name))};
+    JsonNode node{.isReading = isReading, .value = object.value(QLatin1String(name))};
     readOrWriteValue(node);
     object.insert(QLatin1String(name), node.value);
     value = object;

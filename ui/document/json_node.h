@@ -32,13 +32,14 @@ struct JsonNode {
     bool isReading = false;
     QJsonValue value = {};
 
-    /// When writing, stores `standard` and returns it. When reading, returns the stored value, or `standard` if the
-    /// type does not match.
-    QJsonValue exchange(const QJsonValue &standard);
+    /// When writing, stores `current` in the node and returns it. When reading, returns the value of the node, or
+    /// `current` if that has a different type.
+    QJsonValue exchange(const QJsonValue &current);
 
     /// Reads or writes the field `name` of an object: calls readOrWriteValue() with a node for its value.
     void field(const char *name, const std::function<void(JsonNode &)> &readOrWriteValue);
 
+    /// Reads or writes the field `name` of an object, whose value is `member`.
     template <typename Value, typename... Limits>
     void operator()(const char *name, Value &member, const Limits &...limits)
     {
@@ -85,11 +86,13 @@ void readOrWrite(std::optional<Value> &value, JsonNode &node)
 template <typename Item, typename... Limits>
 void readOrWrite(std::vector<Item> &list, JsonNode &node, const Limits &...limits)
 {
-    const QJsonArray read = node.value.toArray();
-    list.resize(node.isReading ? static_cast<std::size_t>(read.size()) : list.size());
+    const QJsonArray given = node.value.toArray();
+    if (node.isReading) {
+        list.resize(static_cast<std::size_t>(given.size()));
+    }
     QJsonArray array;
     for (Item &item : list) {
-        JsonNode element{node.isReading, read.at(array.size())};
+        JsonNode element{.isReading = node.isReading, .value = given.at(array.size())};
         readOrWrite(item, element, limits...);
         array += element.value;
     }

@@ -49,7 +49,7 @@ std::string fileName(const QString &path)
 /// Returns the message about a fault that concerns the whole file.
 QString wholeFileFault(ReadFault::Kind kind, const QString &shownName)
 {
-    return readErrorText(ReadError{0, 0, {}, {kind}}, {shownName});
+    return readErrorText(ReadError{.fault = {.kind = kind}}, {shownName});
 }
 
 /// Opens a file, a pipe, or standard input without a buffer.
@@ -162,7 +162,7 @@ ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions option
         if (const std::optional<QString> sentence = readWhole(path, Content::Table, bytes.emplaceBack())) {
             return *sentence;
         }
-        files.push_back({toView(bytes.last()), fileName(path)});
+        files.push_back({.bytes = toView(bytes.last()), .name = fileName(path)});
     }
     std::variant<ReferenceData, ReadError> outcome = readFiles(files, options);
     bytes.clear();
@@ -216,7 +216,7 @@ std::optional<ReferenceSource> sourceOverCrankAngle(const Reference &reference)
     const auto setRole = [&source](std::size_t column, ColumnRole role) {
         const auto chosen = std::ranges::find(source.columns, column, &ColumnChoice::column);
         ColumnChoice choice =
-            chosen == source.columns.end() ? ColumnChoice{.column = column} : *chosen; // keeps its unit
+            chosen == source.columns.end() ? ColumnChoice{.column = column} : *chosen; // the chosen unit remains
         choice.role = role;
         source.columns.push_back(choice); // the last choice for a column applies
     };

@@ -39,6 +39,13 @@ SamplingSummary summarize(const Choices &choices, std::stop_token stop)
 
 } // namespace
 
+SolverSettings initialSolver()
+{
+    SolverSettings solver;
+    solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
+    return solver;
+}
+
 Pose poseAt(const Parameters &parameters, double seconds)
 {
     return {.time = seconds, .motion = ClosedForm(Mechanism(parameters)).motionAt(seconds)};
@@ -94,12 +101,12 @@ std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token st
     return result->trajectory.complete && result->atReference.complete ? result : nullptr;
 }
 
-/// Estimates the duration from the times per time step on a slow computer.
+// Estimates the duration from the times per time step on a slow computer.
 bool takesLong(const Choices &choices)
 {
-    constexpr double kNoticeable = 0.05; // s
-    constexpr double kNewton = 1e-6;     // s per time step
-    constexpr double kClosedForm = 40e-9;
+    constexpr double kNoticeable = 0.05;   // s
+    constexpr double kNewton = 1e-6;       // s per time step
+    constexpr double kClosedForm = 40e-9;  // s per time step
     constexpr double kComparison = 0.2e-6; // s per row of the reference
     const double step = choices.solver.method == Method::Newton ? kNewton : kClosedForm;
     const double rows = choices.reference ? static_cast<double>(choices.reference->data.time.size()) : 0.0;

@@ -18,6 +18,9 @@
 namespace slidercrank
 {
 
+/// Returns the solver settings with which the window and the commands begin.
+SolverSettings initialSolver();
+
 /// The mechanism at one time, in closed form.
 struct Pose {
     double time = 0.0; ///< s
@@ -27,9 +30,10 @@ struct Pose {
     bool exists() const { return motion.status == Status::Solved || motion.status == Status::Singular; }
 };
 
+/// Returns the pose at a time.
 Pose poseAt(const Parameters &parameters, double seconds);
 
-inline constexpr std::size_t kMaxPinned = 4; ///< Largest number of pinned motions: more curves could not be told apart.
+inline constexpr std::size_t kMaxPinned = 4; ///< largest number of pinned motions: more curves could not be told apart
 
 /// The settings that an edit may change.
 struct Choices {
@@ -83,7 +87,7 @@ struct ReferenceIdentification {
 /// constant, with its mean.
 Parameters mechanismToUse(const Identification &found);
 
-/// Computes the result. Returns null if stopped. May run in any thread.
+/// Computes the result of the choices, whose parameters must be valid. Returns null if stopped. May run in any thread.
 std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token stop);
 
 /// Returns whether computing the result takes so long that it has to run in the background.

@@ -10,8 +10,8 @@
 //       "solver":    {"method": "newton"|"closed-form", "maxIterations", "tolerance",
 //                     "toleranceKind": "absolute"|"relative", "warmStart": "previous"|"taylor",
 //                     "elimination": "dense"|"structured"},
-//       "reference": null or {"file", "columns": [{"column", "use": "time"|"crank-angle"|"ignored"|"theta3"|…,
-//       "unit"}],
+//       "reference": null or {"file",
+//                             "columns": [{"column", "use": "time"|"crank-angle"|"ignored"|"theta3"|…, "unit"}],
 //                             "conventions": [{"kind", "channels": […], "amount"}]},
 //       "kept":      [{as "mechanism"}, …],                                                             at most 4
 //       "view":      {"time", "alpha2", "error": "percent"|"absolute"|"of-peak", "logarithmicError", "roundingBand",

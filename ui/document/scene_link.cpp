@@ -65,7 +65,7 @@ QString &pageAddress()
 Scene initialScene()
 {
     Scene scene;
-    scene.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
+    scene.solver = initialSolver();
     return scene;
 }
 
@@ -74,6 +74,7 @@ QJsonObject sceneObject(const Scene &scene)
     return QJsonDocument::fromJson(sceneToJson(scene, {})).object();
 }
 
+/// Returns whether a link carries fields of this type: single values, but no lists and objects.
 bool isCarried(const QJsonValue &value)
 {
     return value.isDouble() || value.isString() || value.isBool();
@@ -82,7 +83,7 @@ bool isCarried(const QJsonValue &value)
 /// Writes a number in the unit in which it is shortest, so that the same double is read again.
 QString numberInLink(const QString &field, double value)
 {
-    constexpr int kDecimal = 15; // digits that every double keeps
+    constexpr int kSafeDigits = 15; // a decimal number with so few digits is read and written again unchanged
     const QList<NamedUnit> units = unitsOf(field);
     const auto exactly = [](double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); };
     if (units.isEmpty()) {
@@ -92,7 +93,7 @@ QString numberInLink(const QString &field, double value)
     QString shortest = exactly(value) + units.first().name;
     qsizetype digits = exactly(value).size();
     for (const NamedUnit &other : units.sliced(1)) {
-        const QString number = QString::number(value * stored.factor / other.unit.factor, 'g', kDecimal);
+        const QString number = QString::number(value * stored.factor / other.unit.factor, 'g', kSafeDigits);
         const bool isSame = readQuantity(number + other.name, stored, QLocale::c()).value == value;
         if (isSame && number.size() < digits) {
             shortest = number + other.name;
@@ -145,22 +146,23 @@ std::optional<QString> findRefusal(const QJsonObject &scene, const QString &sect
     if (sceneObject(acceptedScene(scene))[section].toObject()[field] == given) {
         return std::nullopt;
     }
-    const QString said = SceneLinkText::tr("The link says %1=%2:").arg(field, printableText(text)) + u' ';
+    const QString quotation = SceneLinkText::tr("The link says %1=%2:").arg(field, printableText(text)) + u' ';
     if (!given.isDouble()) {
-        return said + SceneLinkText::tr("that is no choice for %1.").arg(field);
+        return quotation + SceneLinkText::tr("that is no choice for %1.").arg(field);
     }
     constexpr double kLargest = std::numeric_limits<double>::max();
     constexpr double kLargestWhole = std::numeric_limits<int>::max();
     const double smallest = nearestAccepted(scene, section, field, -kLargest);
     const double largest = nearestAccepted(scene, section, field, kLargest);
-    const bool isWhole = smallest == largest; // a number that is no integer counts as the smallest one
+    // A field of whole numbers takes a number that is no int as the smallest one that it accepts (readOrWrite()).
+    const bool isWhole = smallest == largest;
     const QList<NamedUnit> units = unitsOf(field);
     const QString unit = units.isEmpty() ? QString() : unitAfterNumber(units.first().unit);
-    return said + (isWhole ? SceneLinkText::tr("%1 must be a whole number from %2 to %3.")
-                                 .arg(field, typedNumberText(smallest),
-                                      typedNumberText(nearestAccepted(scene, section, field, kLargestWhole)))
-                           : SceneLinkText::tr("%1 must be between %2 and %3.")
-                                 .arg(field, typedNumberText(smallest), typedNumberText(largest) + unit));
+    return quotation + (isWhole ? SceneLinkText::tr("%1 must be a whole number from %2 to %3.")
+                                      .arg(field, typedNumberText(smallest),
+                                           typedNumberText(nearestAccepted(scene, section, field, kLargestWhole)))
+                                : SceneLinkText::tr("%1 must be between %2 and %3.")
+                                      .arg(field, typedNumberText(smallest), typedNumberText(largest) + unit));
 }
 
 /// Puts a field of the link into the scene. Returns a message if that is not possible.
@@ -202,8 +204,8 @@ QString sceneLink(const Scene &scene)
     for (const QString &section : kSections) {
         const QJsonObject fields = object[section].toObject();
         for (const QString &field : fields.keys()) {
-            const bool isUsual = fields[field] == initial[section].toObject().value(field) && !kAlways.contains(field);
-            if (isCarried(fields[field]) && !isUsual) {
+            const bool isInitial = fields[field] == initial[section].toObject().value(field);
+            if (isCarried(fields[field]) && (!isInitial || kAlways.contains(field))) {
                 parts += field + u'=' + textInLink(field, fields[field]);
             }
         }

@@ -29,16 +29,21 @@ Sampling rangeOf(const std::vector<double> &times, const Sampling &sampling)
     const double start = times.empty() ? kNone : times.front();
     const double span = times.empty() ? kNone : times.back() - start;
     const bool isUsable = std::abs(start) <= kLargestParameter && span <= kLargestParameter;
-    return isUsable ? Sampling{start, span > 0.0 ? span : sampling.duration, sampling.steps} : sampling;
+    if (!isUsable) {
+        return sampling;
+    }
+    return {.start = start, .duration = span > 0.0 ? span : sampling.duration, .steps = sampling.steps};
 }
 
 /// Returns whether the range of `outer` contains the range of `inner`, within rounding errors.
 bool contains(const Sampling &outer, const Sampling &inner)
 {
-    const double slack = 1e-9 * outer.duration;
+    constexpr double kRounding = 1e-9; // fraction of the duration
+    const double slack = kRounding * outer.duration;
     return inner.start >= outer.start - slack && inner.start + inner.duration <= outer.start + outer.duration + slack;
 }
 
+/// Returns the sentence that says which values the parameter may have.
 QString faultText(const ParameterFault &fault)
 {
     const QString symbol = symbolText(fault.parameter);
@@ -53,7 +58,7 @@ QString faultText(const ParameterFault &fault)
 Session::Session(QObject *parent)
     : QObject(parent)
 {
-    m_choices.solver.newton.elimination = Elimination::Structured; // the same iterates as Dense, ten times faster
+    m_choices.solver = initialSolver();
     m_result = compute(m_choices, std::stop_token());
     m_settling.setSingleShot(true);
     connect(&m_settling, &QTimer::timeout, this, &Session::startIdentification);
@@ -214,7 +219,9 @@ void Session::startIdentification()
         [reference = m_choices.reference, parameters = m_choices.parameters](const std::stop_token &stop,
                                                                              const auto &) {
             return std::make_shared<const ReferenceIdentification>(
-                ReferenceIdentification{reference, parameters, identify(reference->data, Mechanism(parameters), stop)});
+                ReferenceIdentification{.reference = reference,
+                                        .parameters = parameters,
+                                        .found = identify(reference->data, Mechanism(parameters), stop)});
         },
         [this](const std::shared_ptr<const ReferenceIdentification> &identification) {
             publishIdentification(identification);
@@ -229,7 +236,8 @@ void Session::stopIdentification()
 {
     m_settling.stop();
     if (m_choices.reference && !isIdentificationCurrent()) {
-        ReferenceIdentification stopped{m_choices.reference, m_choices.parameters, {}};
+        ReferenceIdentification stopped{
+            .reference = m_choices.reference, .parameters = m_choices.parameters, .found = {}};
         stopped.found.stopped = true;
         publishIdentification(std::make_shared<ReferenceIdentification>(std::move(stopped)));
     }
@@ -327,10 +335,10 @@ void Session::useFoundMechanism()
             reference = applied(finding.convention, reference);
         }
     }
-    const auto use = [this, parameters](const std::shared_ptr<const Reference> &with) {
+    const auto use = [this, parameters](const std::shared_ptr<const Reference> &usedReference) {
         Choices choices = m_choices;
         choices.parameters = parameters;
-        choices.reference = with;
+        choices.reference = usedReference;
         edit(choices, EditStack::tr("use of the file's mechanism"), TimeRange::OfReference);
     };
     const std::optional<ReferenceSource> angleIndexed = found.drive ? sourceOverCrankAngle(*reference) : std::nullopt;

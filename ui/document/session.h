@@ -57,9 +57,9 @@ public:
     /// Returns whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
     bool isModified() const { return m_edits.isModified(); }
 
-    /// Replaces all choices and the time, which cannot be undone. If they take long to compute, the result is first
-    /// that of simpler choices. Reads the reference from `source` in the background; the time range remains that of the
-    /// choices.
+    /// Replaces all choices and the time, which cannot be undone. If their result takes long to compute, that of
+    /// simpler choices is published first. Reads the reference from `source` in the background; the time range in
+    /// `choices` is kept, even if the data exceed it.
     void open(const Choices &choices, double seconds, const std::optional<ReferenceSource> &source);
 
 public slots:
@@ -123,7 +123,7 @@ signals:
     void failed(const QString &sentence);    ///< a file could not be opened, written or copied
     void fileWritten(const QString &path);   ///< a file that the user asked for: a scene or an export
     void confirmed(const QString &sentence); ///< a file was written or copied
-    void progressed(double part);            ///< 0 … 1 of a background task
+    void progressed(double fraction);        ///< 0 … 1 of a background task
     void busyChanged(bool busy);             ///< emitted when a background task starts or ends
     void cancelled();                        ///< cancel() was called
 
@@ -132,7 +132,7 @@ private:
         Kept,
         OfReference ///< the time range becomes that of the reference, unless it already contains that range
     };
-    enum class Asker { User, Scene };
+    enum class Asker { User, Scene }; ///< who asks for a reference to be read
 
     /// Applies the choices as one step that can be undone. Without a name, the step is named by what it changes.
     void edit(const Choices &choices, const QString &name = {}, TimeRange timeRange = TimeRange::Kept);

@@ -35,7 +35,8 @@ QString meaningName(ColumnRole role, Channel channel);
 /// holds the default Channel().
 void setMeaning(ColumnChoice &choice, const QString &name);
 
-bool isValid(const ReferenceSource &source); ///< Whether it names a file.
+/// Return whether the value of an optional field is usable: a reference must name a file.
+bool isValid(const ReferenceSource &source);
 inline bool isValid(const Notation &)
 {
     return true;

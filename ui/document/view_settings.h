@@ -27,18 +27,43 @@ constexpr bool isErrorPlot(std::size_t plot)
     return plot % kPlotColumns == kErrorColumn;
 }
 
+/// Returns what the row of a plot shows: positions, velocities or accelerations.
+constexpr Order orderOfPlot(std::size_t plot)
+{
+    return static_cast<Order>(plot / kPlotColumns);
+}
+
 /// Returns the index in kPlottedChannels of the channel that a plot shows. Requires a plot that shows no errors.
 constexpr std::size_t channelOf(std::size_t plot)
 {
     return plot / kPlotColumns * kErrorColumn + plot % kPlotColumns;
 }
 
+/// Returns whether kPlottedChannels has the order of the plots: in each row θ3, then R4x.
+consteval bool areChannelsInOrderOfPlots()
+{
+    for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
+        const Coordinate coordinate = plot % kPlotColumns == 0 ? Theta3 : R4x;
+        if (!isErrorPlot(plot) && kPlottedChannels[channelOf(plot)] != Channel{coordinate, orderOfPlot(plot)}) {
+            return false;
+        }
+    }
+    return kPlotRows == kOrderCount;
+}
+static_assert(areChannelsInOrderOfPlots());
+
 /// Returns the name of a plot: "plot_theta3", "plot_error_velocity", …
 inline QString plotName(std::size_t plot)
 {
-    constexpr std::array kErrors{"plot_error_position", "plot_error_velocity", "plot_error_acceleration"};
-    return isErrorPlot(plot) ? QString::fromUtf8(kErrors[plot / kPlotColumns])
-                             : "plot_" + QString::fromUtf8(nameOf(kPlottedChannels[channelOf(plot)]));
+    if (!isErrorPlot(plot)) {
+        return "plot_" + QString::fromUtf8(nameOf(kPlottedChannels[channelOf(plot)]));
+    }
+    switch (orderOfPlot(plot)) {
+    case Order::Position: break;
+    case Order::Velocity: return "plot_error_velocity";
+    case Order::Acceleration: return "plot_error_acceleration";
+    }
+    return "plot_error_position";
 }
 
 /// A plot that the user can choose.

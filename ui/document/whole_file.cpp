@@ -65,9 +65,12 @@ bool WholeFile::open()
 
 bool WholeFile::write(const QByteArray &bytes)
 {
+    if (!m_reason.isEmpty()) {
+        return false;
+    }
     // If a full disk accepts only a part of the bytes, QFile reports no error, so the reason is taken from the last
     // error of the operating system.
-    return m_reason.isEmpty() && (m_file.write(bytes) == bytes.size() || fail(qt_error_string()));
+    return m_file.write(bytes) == bytes.size() || fail(qt_error_string());
 }
 
 bool WholeFile::commit(const std::stop_token &stop)
@@ -75,7 +78,10 @@ bool WholeFile::commit(const std::stop_token &stop)
     if (!m_reason.isEmpty() || stop.stop_requested()) {
         return false;
     }
-    return (synchronize(m_file) || fail(qt_error_string())) && (m_file.commit() || fail(m_file.errorString()));
+    if (!synchronize(m_file)) {
+        return fail(qt_error_string());
+    }
+    return m_file.commit() || fail(m_file.errorString());
 }
 
 QString cannotWrite(const QString &path, const QString &reason)

@@ -31,7 +31,7 @@ public:
     QString reason() const { return m_reason; }
 
 private:
-    bool fail(const QString &reason);
+    bool fail(const QString &reason); ///< stores the reason, and returns false
 
     QSaveFile m_file;
     QString m_reason;
