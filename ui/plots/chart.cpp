@@ -34,7 +34,6 @@ void setAxis(QCPAxis &axis, const ChartAxis &content, int pixels, int pixelsPerL
 void addSeries(PlotDrawing &drawing, const ChartContent &content, const ChartSeries &series,
                const SeriesColours &colours, double lineFactor)
 {
-    constexpr double kCurveWidth = 2.0; // px, as in the plots
     std::vector<CurvePoint> points;
     for (const QPointF &point : series.points) {
         points.push_back({coordinate(point.x(), content.x), coordinate(point.y(), content.y)});
@@ -52,9 +51,10 @@ void addSeries(PlotDrawing &drawing, const ChartContent &content, const ChartSer
     graph->setPen(QPen(colour, kCurveWidth * lineFactor,
                        series.line == ChartSeries::Line::Dashed ? Qt::DashLine : Qt::SolidLine));
     if (!series.mark.isEmpty()) {
-        constexpr double kUnscaled = 6.0; // the size at which QCustomPlot does not scale the path
-        graph->setScatterStyle(
-            QCPScatterStyle(series.mark, QPen(colour, 1.2), series.isHollow ? colours.background : colour, kUnscaled));
+        constexpr double kUnscaled = 6.0;     // the size at which QCustomPlot does not scale the path
+        constexpr double kOutlineWidth = 1.2; // px
+        const QColor filling = series.isHollow ? colours.background : colour;
+        graph->setScatterStyle(QCPScatterStyle(series.mark, QPen(colour, kOutlineWidth), filling, kUnscaled));
     }
 }
 
@@ -63,10 +63,10 @@ void shadeOutside(PlotDrawing &drawing, const Interval &range, QColor colour)
 {
     constexpr float kOpacity = 0.16F;
     colour.setAlphaF(kOpacity);
-    const QCPRange all = drawing.xAxis->range();
-    const double from = std::min(range.lower, all.upper);
-    const double to = std::clamp(range.upper, from, all.upper); // a reversed range leaves nothing unshaded
-    for (const auto &[left, right] : {std::pair{all.lower, from}, {to, all.upper}}) {
+    const QCPRange axis = drawing.xAxis->range();
+    const double from = std::min(range.lower, axis.upper);
+    const double to = std::clamp(range.upper, from, axis.upper); // a reversed range leaves nothing unshaded
+    for (const auto &[left, right] : {std::pair{axis.lower, from}, {to, axis.upper}}) {
         auto *shade = new QCPItemRect(&drawing);
         shade->setLayer("background");
         shade->setPen(Qt::NoPen);

@@ -19,10 +19,15 @@ bool isGap(const CurvePoint &point)
     return std::isnan(point.value);
 }
 
-/// Cuts off the parts of the polyline where a coordinate is below an edge, or above it if `sign` is -1.
-std::vector<CurvePoint> cutOff(std::vector<CurvePoint> points, double CurvePoint::*coordinate, double edge, double sign)
+enum class Beyond { Below, Above };
+
+/// Cuts off the parts of the polyline where a coordinate is below or above an edge.
+std::vector<CurvePoint> cutOff(std::vector<CurvePoint> points, double CurvePoint::*coordinate, Beyond beyond,
+                               double edge)
 {
-    const auto isInside = [&](const CurvePoint &point) { return sign * (point.*coordinate - edge) >= 0.0; };
+    const auto isInside = [&](const CurvePoint &point) {
+        return beyond == Beyond::Below ? point.*coordinate >= edge : point.*coordinate <= edge;
+    };
     if (std::ranges::all_of(points, isInside)) {
         return points;
     }
@@ -40,7 +45,8 @@ std::vector<CurvePoint> cutOff(std::vector<CurvePoint> points, double CurvePoint
                 kept.push_back({crossing.t, kNone});
             }
         }
-        if (isGap(to) ? !kept.empty() && !isGap(kept.back()) : isInside(to)) {
+        const bool isNeedlessGap = isGap(to) && (kept.empty() || isGap(kept.back()));
+        if (isGap(to) ? !isNeedlessGap : isInside(to)) {
             kept.push_back(to);
         }
     }
@@ -65,7 +71,7 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
     std::size_t next = indexOf(std::ranges::lower_bound(time, range.lower));
     const std::size_t end = std::min(time.size(), indexOf(std::ranges::upper_bound(time, range.upper)) + 1);
     next -= next > 0 ? 1 : 0;
-    const bool isFew = end - next <= 2 * columns;
+    const bool keepsAll = end - next <= 2 * columns;
     const auto columnOf = [&, scale = static_cast<double>(columns) / range.length()](std::size_t i) {
         return std::clamp(std::floor((time[i] - range.lower) * scale), 0.0, static_cast<double>(columns) - 1.0);
     };
@@ -83,7 +89,7 @@ std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const d
                 firstGap = std::min(firstGap, next);
             }
             ++next;
-        } while (!isFew && next < end && columnOf(next) == column);
+        } while (!keepsAll && next < end && columnOf(next) == column);
         std::array kept{lowest, highest, firstGap};
         std::ranges::sort(kept);
         const auto last = std::unique(kept.begin(), kept.end());
@@ -118,10 +124,10 @@ struct CurveRefinement {
     /// Appends the points that the curve needs between two given ones.
     void insertBetween(const CurvePoint &from, const CurvePoint &to, int depth)
     {
-        constexpr int kMaxDepth = 12;
-        const auto isBeyond = [&](double value) { return value < values.lower ? -1 : int(value > values.upper); };
-        const bool isSeen = isBeyond(from.value) == 0 || isBeyond(from.value) != isBeyond(to.value);
-        if (depth == kMaxDepth || !isSeen) {
+        constexpr int kMaxDepth = 12; // at most 2^12 - 1 points between two given ones
+        const bool areBothBelow = from.value < values.lower && to.value < values.lower;
+        const bool areBothAbove = from.value > values.upper && to.value > values.upper;
+        if (depth == kMaxDepth || areBothBelow || areBothAbove) {
             return;
         }
         const auto pointAt = [&](double part) {
@@ -216,18 +222,19 @@ std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Int
 
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values)
 {
-    std::vector<CurvePoint> kept = cutOff({points.begin(), points.end()}, &CurvePoint::t, time.lower, 1.0);
-    kept = cutOff(std::move(kept), &CurvePoint::t, time.upper, -1.0);
-    kept = cutOff(std::move(kept), &CurvePoint::value, values.lower, 1.0);
-    return cutOff(std::move(kept), &CurvePoint::value, values.upper, -1.0);
+    std::vector<CurvePoint> kept = cutOff({points.begin(), points.end()}, &CurvePoint::t, Beyond::Below, time.lower);
+    kept = cutOff(std::move(kept), &CurvePoint::t, Beyond::Above, time.upper);
+    kept = cutOff(std::move(kept), &CurvePoint::value, Beyond::Below, values.lower);
+    return cutOff(std::move(kept), &CurvePoint::value, Beyond::Above, values.upper);
 }
 
 std::vector<CurvePoint> isolatedPoints(std::span<const CurvePoint> points)
 {
     std::vector<CurvePoint> isolated;
-    const auto isGapAt = [&](std::size_t i) { return i >= points.size() || isGap(points[i]); };
     for (std::size_t i = 0; i < points.size(); ++i) {
-        if (!isGapAt(i) && isGapAt(i - 1) && isGapAt(i + 1)) { // before the first point, i - 1 is the largest number
+        const bool hasGapBefore = i == 0 || isGap(points[i - 1]);
+        const bool hasGapAfter = i + 1 == points.size() || isGap(points[i + 1]);
+        if (!isGap(points[i]) && hasGapBefore && hasGapAfter) {
             isolated.push_back(points[i]);
         }
     }

@@ -55,7 +55,7 @@ std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Int
 /// Returns the parts of the polyline within both ranges, cut exactly at the edges, with a gap between two parts.
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values);
 
-/// Returns the points between two gaps, to which no line leads.
+/// Returns the points that lie alone between two gaps, so that no line leads to them.
 std::vector<CurvePoint> isolatedPoints(std::span<const CurvePoint> points);
 
 } // namespace slidercrank

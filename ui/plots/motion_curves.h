@@ -44,8 +44,7 @@ public:
 
     struct Curve {
         std::vector<CurvePoint> points;
-
-        std::optional<Interval> values; ///< of the curve within the time shown: usualRange()
+        std::optional<Interval> values; ///< range of its values within the time shown: usualRange()
         bool isDense = false;           ///< whether the curve looks like a band, in which dashes cannot be seen
     };
     using Curves = std::array<Curve, kPlottedChannels.size()>;

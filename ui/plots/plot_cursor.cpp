@@ -16,6 +16,8 @@ namespace slidercrank
 namespace
 {
 
+constexpr double kInsideAxes = 1.0; // px between the left edge of the axes and a label
+
 /// Where a label stands beside its line or its dot.
 enum class Side { Right, Left, Centre };
 
@@ -26,7 +28,7 @@ std::optional<double> labelLeft(double line, double width, const QRectF &axes, S
     constexpr double kMinGap = 6.0;    // px
     constexpr double kBesideDot = 2.5; // px, so that the text does not touch the dot
     const double gap = std::max(kMinGap, dotRadius(font) + kBesideDot);
-    const double leftmost = axes.left() + 1.0;
+    const double leftmost = axes.left() + kInsideAxes;
     const double rightmost = axes.right() - width;
     if (side == Side::Centre) {
         return std::max(leftmost, std::min(line - 0.5 * width, rightmost));
@@ -41,7 +43,7 @@ double columnLeft(const PlotCursor &cursor, double width, const QRectF &axes, co
 {
     const std::optional<double> right = labelLeft(cursor.x, width, axes, Side::Right, font);
     const std::optional<double> left = labelLeft(cursor.x, width, axes, Side::Left, font);
-    return right ? *right : left.value_or(axes.left() + 1.0);
+    return right ? *right : left.value_or(axes.left() + kInsideAxes);
 }
 
 /// Returns how many points of the curves, and how many dots, are below a label. Dots count as many points.
@@ -151,6 +153,7 @@ std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::L
     return fewest;
 }
 
+/// Removes the text of a value, so that only its dot remains.
 void leaveOut(PlotCursor::Label &label)
 {
     label.text.setText({});
@@ -298,7 +301,9 @@ double curveSpacing(const QFont &font)
 
 double dotRadius(const QFont &font)
 {
-    return std::max(3.5, 0.27 * font.pixelSize());
+    constexpr double kMinRadius = 3.5;     // px
+    constexpr double kFontFraction = 0.27; // of the size of the letters
+    return std::max(kMinRadius, kFontFraction * font.pixelSize());
 }
 
 void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFont &font, CrowdedLabelPolicy policy)
@@ -345,12 +350,17 @@ void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> be
 void paintCursors(QPainter &painter, std::span<const PlotCursor> cursors, const QRectF &axes, const QFont &font,
                   const SeriesColours &colours)
 {
+    constexpr double kLightOpacity = 0.45;
+    constexpr float kOpacityBehindText = 0.8F;
+    constexpr double kLineWidth = 1.0;   // px
+    constexpr double kPixelCentre = 0.5; // px
     const double radius = dotRadius(font);
     painter.setFont(font);
     for (const PlotCursor &cursor : cursors) {
-        painter.setOpacity(cursor.isLight ? 0.45 : 1.0);
-        painter.setPen(QPen(colours.cursor, 1.0, Qt::SolidLine, Qt::FlatCap)); // a rectangle may vanish in a preview
-        painter.drawLine(QLineF(cursor.x + 0.5, axes.top(), cursor.x + 0.5, axes.bottom()));
+        painter.setOpacity(cursor.isLight ? kLightOpacity : 1.0);
+        const double x = cursor.x + kPixelCentre;
+        painter.setPen(QPen(colours.cursor, kLineWidth, Qt::SolidLine, Qt::FlatCap));
+        painter.drawLine(QLineF(x, axes.top(), x, axes.bottom())); // a rectangle may vanish in a preview
         painter.setOpacity(1.0);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(colours.background); // separates a dot from its curve
@@ -363,7 +373,7 @@ void paintCursors(QPainter &painter, std::span<const PlotCursor> cursors, const 
         painter.setRenderHint(QPainter::Antialiasing, false);
     }
     QColor behind = colours.background;
-    behind.setAlphaF(0.8F);
+    behind.setAlphaF(kOpacityBehindText);
     for (const PlotCursor &cursor : cursors) {
         for (const PlotCursor::Label &label : cursor.labels) {
             painter.fillRect(label.place, behind);

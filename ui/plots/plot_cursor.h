@@ -58,8 +58,8 @@ void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> be
 
 /// The treatment of a value that would cover a curve in every place near its dot.
 enum class CrowdedLabelPolicy {
-    CoverLeast, ///< it covers the curves least
-    LeaveOut    ///< only its dot remains, and only the dots of all values of its rank and of less important ranks
+    CoverLeast, ///< it is written where it covers the curves least
+    LeaveOut    ///< it is not written, nor is any value of its rank or of a less important rank; their dots remain
 };
 
 /// Places the labels of the cursors of one plot with these axes beside the curves. If a label of a later cursor covers

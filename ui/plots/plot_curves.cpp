@@ -20,13 +20,33 @@ namespace slidercrank
 namespace
 {
 
+constexpr double kThinWidth = 1.0;          // px, of a curve that is less important than the model's
+constexpr double kErrorWidth = 1.6;         // px: thin, since the errors of a matching file are noise
 constexpr double kMinRangeFraction = 1e-10; // smallest range, relative to the largest number on an axis
-constexpr std::size_t kErrorsPerRow = 2;
+
+/// The indices in kPlottedChannels of the channels whose errors a plot shows.
+struct ErrorChannels {
+    std::size_t coupler;
+    std::size_t slider;
+};
+
+ErrorChannels errorChannels(Order order)
+{
+    return {.coupler = plottedIndexOf({Theta3, order}), .slider = plottedIndexOf({R4x, order})};
+}
 
 /// Lengths of dashes and gaps, in line widths. Each pinned motion has its own pattern.
 const QVector<double> kReferenceDashes{3.5, 3.0};
+const QVector<double> kRoundingDashes{2.0, 3.0};
 const std::array<QVector<double>, kMaxPinned> kPinnedDashes{{{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}}};
 
+/// Returns the colour of the errors of a channel.
+Ink errorInk(std::size_t channel)
+{
+    return kPlottedChannels[channel].coordinate == R4x ? &SeriesColours::errorOther : &SeriesColours::error;
+}
+
+/// Extends the range so that it contains the added one. Either of them may not exist.
 void include(std::optional<Interval> &range, const std::optional<Interval> &added)
 {
     if (added) {
@@ -147,55 +167,92 @@ bool PlotFigure::isLogarithmic(std::size_t plot) const
     return isErrorPlot(plot) && m_settings.logarithmicError;
 }
 
-void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
+/// Returns the curve of a pinned motion. `pinned`: its index, from the oldest.
+PlotCurve PlotFigure::pinnedCurve(std::size_t pinned, std::size_t channel) const
+{
+    const MotionCurves &motion = m_motions[pinned];
+    const MotionCurves::Curve &computed = m_curves[pinned][channel];
+    PlotCurve curve;
+    curve.name = pinnedText(m_result->pinned[pinned], m_result->mechanism.parameters());
+    curve.ink = kPinnedColours[pinned];
+    curve.points = computed.points;
+    curve.readout = [&motion, channel](const ReadTime &at) { return CurvePoint{at.t, motion.value(channel, at.t)}; };
+    curve.valueAt = [&motion, channel](double t) { return motion.value(channel, t); };
+    curve.rank = PlotCursor::Rank::Pinned;
+    curve.dashes = computed.isDense ? QVector<double>() : kPinnedDashes[pinned];
+    curve.width = m_isPresentation ? kCurveWidth : kThinWidth;
+    return curve;
+}
+
+/// Returns the curve of the model. Samples that are too few for a curve are drawn as dots, and the name says so.
+PlotCurve PlotFigure::modelCurve(std::size_t channel) const
 {
     const std::vector<Parameters> &pinned = m_result->pinned;
     const Parameters &parameters = m_result->mechanism.parameters();
-    const auto add = [&](const QString &name, Ink ink, const MotionCurves::Curve &curve) -> PlotCurve & {
-        include(plot.values, curve.values);
-        return plot.curves.emplace_back(PlotCurve{name, ink, curve.points});
-    };
-    for (std::size_t i = 0; i < pinned.size(); ++i) {
-        PlotCurve &curve = add(pinnedText(pinned[i], parameters), kPinnedColours[i], m_curves[i][channel]);
-        curve.readout = [&motion = m_motions[i], channel](const ReadTime &at) {
-            return CurvePoint{at.t, motion.value(channel, at.t)};
-        };
-        curve.rank = PlotCursor::Rank::Pinned;
-        curve.valueAt = [&motion = m_motions[i], channel](double t) { return motion.value(channel, t); };
-        curve.dashes = m_curves[i][channel].isDense ? QVector<double>() : kPinnedDashes[i];
-        curve.width = m_isPresentation ? curve.width : 1.0;
-    }
     const bool isNamed = m_isPresentation && !pinned.empty() && pinned.back() != parameters;
-    const QString fewSamples =
-        model().isExact() ? QString() : fewSamplesSentence(m_result->mechanism, m_result->sampling);
-    const QString name = isNamed ? pinnedText(parameters, pinned.back()) : tr("model");
-    PlotCurve &curve = add(fewSamples.isEmpty() ? name : fewSamples, &SeriesColours::model, m_curves.back()[channel]);
+    PlotCurve curve;
+    curve.name = isNamed ? pinnedText(parameters, pinned.back()) : tr("model");
+    curve.points = m_curves.back()[channel].points;
     curve.readout = [this, channel](const ReadTime &at) { return modelPoint(channel, at); };
     if (model().isExact()) {
         curve.valueAt = [this, channel](double t) { return model().value(channel, t); };
-    } else {
-        constexpr std::size_t kPixelsPerDot = 12;
-        if (!fewSamples.isEmpty() || curve.points.size() * kPixelsPerDot < m_columns) {
-            curve.dots = curve.points;
-        }
-        if (!fewSamples.isEmpty() && !m_curves.back()[channel].isDense) { // dense samples look like a band
-            curve.points.clear();
-        }
+        return curve;
+    }
+    constexpr std::size_t kPixelsPerDot = 12;
+    const QString fewSamples = fewSamplesSentence(m_result->mechanism, m_result->sampling);
+    if (!fewSamples.isEmpty()) {
+        curve.name = fewSamples;
+    }
+    if (!fewSamples.isEmpty() || curve.points.size() * kPixelsPerDot < m_columns) {
+        curve.dots = curve.points;
+    }
+    if (!fewSamples.isEmpty() && !m_curves.back()[channel].isDense) { // dense samples look like a band
+        curve.points.clear();
+    }
+    return curve;
+}
+
+/// Returns the curve of the file. Requires the channel to be in the file.
+PlotCurve PlotFigure::fileCurve(std::size_t channel) const
+{
+    const Reference &file = *m_result->reference;
+    const ReferenceSeries &series = *file.data.find(kPlottedChannels[channel]);
+    PlotCurve curve;
+    curve.name = file.name;
+    curve.ink = &SeriesColours::reference;
+    curve.points = decimate(file.data.time, series.values, timeRange(), m_columns);
+    curve.readout = [this, channel](const ReadTime &at) { return filePoint(channel, at); };
+    curve.rank = PlotCursor::Rank::File;
+    curve.dashes = kReferenceDashes;
+    return curve;
+}
+
+/// Returns why a curve of the channel is missing, or an empty text.
+QString PlotFigure::noteOfMotions(std::size_t channel) const
+{
+    if (!m_curves.back()[channel].values) {
+        return missingModel();
     }
     const Reference *file = m_result->reference.get();
-    const ReferenceSeries *series = file ? file->data.find(kPlottedChannels[channel]) : nullptr;
-    if (!m_curves.back()[channel].values) {
-        plot.note = missingModel();
-    } else {
-        plot.note = file && !series ? tr("not in the file") : QString();
+    return file && !file->data.find(kPlottedChannels[channel]) ? tr("not in the file") : QString();
+}
+
+/// Adds the curves of a channel, and sets the note and the range of values.
+void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
+{
+    for (std::size_t i = 0; i < m_result->pinned.size(); ++i) {
+        plot.curves.push_back(pinnedCurve(i, channel));
     }
-    if (series) {
-        const std::vector<CurvePoint> points = decimate(file->data.time, series->values, timeRange(), m_columns);
-        PlotCurve &reference = add(file->name, &SeriesColours::reference, {points, usualRange(points, timeRange())});
-        reference.readout = [this, channel](const ReadTime &at) { return filePoint(channel, at); };
-        reference.rank = PlotCursor::Rank::File;
-        reference.dashes = kReferenceDashes;
+    plot.curves.push_back(modelCurve(channel));
+    for (const MotionCurves::Curves &curves : m_curves) {
+        include(plot.values, curves[channel].values);
     }
+    const Reference *file = m_result->reference.get();
+    if (file && file->data.find(kPlottedChannels[channel])) {
+        const PlotCurve &curve = plot.curves.emplace_back(fileCurve(channel));
+        include(plot.values, usualRange(curve.points, timeRange()));
+    }
+    plot.note = noteOfMotions(channel);
     if (plot.values) {
         plot.values = roundedOutwards(*plot.values);
     }
@@ -206,7 +263,7 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
     const bool hasFile = m_result->reference != nullptr;
     const bool isSlider = kPlottedChannels[channel].coordinate == R4x;
     PlotCurve curve;
-    curve.ink = isSlider ? &SeriesColours::errorOther : &SeriesColours::error;
+    curve.ink = errorInk(channel);
     if (hasFile) {
         curve.name = isSlider ? tr("error of the slider") : tr("error of the coupler");
     } else {
@@ -214,7 +271,7 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
             isSlider ? tr("difference of the slider from %1") : tr("difference of the coupler from %1");
         curve.name = name.arg(m_style.comparedWith);
     }
-    curve.width = 1.6; // thin, since the errors of a matching file are noise
+    curve.width = kErrorWidth;
     curve.readout = [this, channel](const ReadTime &at) { return errorPoint(channel, at); };
     if (!hasFile && model().isExact()) {
         curve.valueAt = [this, channel](double t) {
@@ -236,8 +293,8 @@ PlotCurve PlotFigure::roundingCurve(std::size_t channel) const
 {
     const MotionErrors::Errors &errors = (*m_errors)[channel];
     PlotCurve curve{tr("file's rounding"), &SeriesColours::text};
-    curve.width = 1.0;
-    curve.dashes = {2.0, 3.0};
+    curve.width = kThinWidth;
+    curve.dashes = kRoundingDashes;
     curve.points = decimate(m_errors->time(), errors.reference, timeRange(), m_columns);
     for (CurvePoint &point : curve.points) {
         const double half = 0.5 * errors.series->rounding.stepAt(point.value);
@@ -246,42 +303,59 @@ PlotCurve PlotFigure::roundingCurve(std::size_t channel) const
     return curve;
 }
 
-/// Adds the errors of both channels of a row. The axis starts at zero or, if logarithmic, contains at most eight
-/// decades.
-void PlotFigure::computeErrors(Plot &plot, std::size_t row)
+/// Returns marks at the upper edge of the axes, at the time stamps at which the error of a channel is undefined. Of
+/// several marks within a pixel, one is drawn.
+PlotCurve PlotFigure::undefinedMarks(std::size_t channel) const
+{
+    PlotCurve marks;
+    marks.name = tr("undefined: the reference is 0");
+    marks.ink = errorInk(channel);
+    const double pixel = timeRange().length() / static_cast<double>(m_columns);
+    for (const double t : (*m_errors)[channel].undefined) {
+        if (marks.dots.empty() || t - marks.dots.back().t >= pixel) {
+            marks.dots.push_back({t, PlotCurve::kUpperEdge});
+        }
+    }
+    return marks;
+}
+
+/// Returns the range of an axis for errors in the given range. It starts at zero or, if the axis is logarithmic,
+/// contains whole decades, at least one and at most kMaxDecades.
+Interval PlotFigure::errorRange(const Interval &errors) const
 {
     constexpr double kMaxDecades = 8.0;
-    const Interval time = timeRange();
+    if (!m_settings.logarithmicError) {
+        return {0.0, roundedOutwards({0.0, errors.upper}).upper};
+    }
+    const double upper = std::ceil(errors.upper);
+    const double lower = std::max(std::floor(errors.lower), upper - kMaxDecades);
+    return {std::min(lower, upper - 1.0), upper};
+}
+
+/// Adds the errors of both channels of that order, and sets the note and the range of values.
+void PlotFigure::computeErrors(Plot &plot, Order order)
+{
     std::vector<PlotCurve> roundings; // added last, so that they follow the errors in the legend
-    for (std::size_t channel = kErrorsPerRow * row; channel < kErrorsPerRow * (row + 1); ++channel) {
+    const auto [coupler, slider] = errorChannels(order);
+    for (const std::size_t channel : {coupler, slider}) {
         const MotionErrors::Errors &errors = (*m_errors)[channel];
         if (errors.reference.empty()) {
             continue;
         }
-        const PlotCurve curve = plot.curves.emplace_back(errorCurve(channel));
-        if (const std::optional<Interval> range = usualRange(curve.points, time, errors.isUnbounded)) {
-            const double upper = std::ceil(range->upper);
-            const double lower = std::max(std::floor(range->lower), upper - kMaxDecades);
-            include(plot.values, m_settings.logarithmicError
-                                     ? Interval{std::min(lower, upper - 1.0), upper}
-                                     : Interval{0.0, roundedOutwards({0.0, range->upper}).upper});
+        const PlotCurve &curve = plot.curves.emplace_back(errorCurve(channel));
+        if (const std::optional<Interval> range = usualRange(curve.points, timeRange(), errors.isUnbounded)) {
+            include(plot.values, errorRange(*range));
         }
         if (errors.series && m_settings.roundingBand && errors.series->rounding.stepAt(errors.peak) > 0.0) {
             roundings.push_back(roundingCurve(channel));
         }
-        PlotCurve marks{tr("undefined: the reference is 0"), curve.ink};
-        for (const double t : errors.undefined) {
-            if (marks.dots.empty() || t - marks.dots.back().t >= time.length() / static_cast<double>(m_columns)) {
-                marks.dots.push_back({t, PlotCurve::kUpperEdge});
-            }
-        }
-        if (!marks.dots.empty()) {
-            plot.curves.push_back(marks);
+        if (!errors.undefined.empty()) {
+            plot.curves.push_back(undefinedMarks(channel));
         }
     }
     std::ranges::move(roundings, std::back_inserter(plot.curves));
     if (!plot.values) {
-        plot.note = missingErrors(row);
+        plot.note = missingErrors(order);
     }
 }
 
@@ -292,22 +366,23 @@ QString PlotFigure::missingModel() const
 }
 
 /// Returns the reason why a plot shows no errors.
-QString PlotFigure::missingErrors(std::size_t row) const
+QString PlotFigure::missingErrors(Order order) const
 {
-    const std::size_t channel = kErrorsPerRow * row;
-    const MotionErrors::Errors &coupler = (*m_errors)[channel];
-    const MotionErrors::Errors &slider = (*m_errors)[channel + 1];
+    const ErrorChannels channels = errorChannels(order);
+    const MotionErrors::Errors &coupler = (*m_errors)[channels.coupler];
+    const MotionErrors::Errors &slider = (*m_errors)[channels.slider];
     if (coupler.reference.empty() && slider.reference.empty()) {
         return tr("not in the file");
     }
-    if (!m_curves.back()[channel].values) {
+    if (!m_curves.back()[channels.coupler].values) {
         return missingModel();
     }
     if (!coupler.undefined.empty() || !slider.undefined.empty()) {
         return tr("undefined: the reference is 0");
     }
-    return m_result->difference && m_result->difference->channels[channel].maxAbs == 0.0 ? tr("no difference")
-                                                                                         : tr("nothing to compare");
+    const std::optional<MotionDifference> &difference = m_result->difference;
+    const bool isEqual = difference && difference->channels[channels.coupler].maxAbs == 0.0;
+    return isEqual ? tr("no difference") : tr("nothing to compare");
 }
 
 ReadTime PlotFigure::readTime(double t) const
@@ -350,7 +425,7 @@ CurvePoint PlotFigure::filePoint(std::size_t channel, const ReadTime &time) cons
 
 double PlotFigure::lastPinnedValue(std::size_t channel, double t) const
 {
-    return std::prev(m_motions.end(), 2)->value(channel, t); // the model is behind it
+    return lastPinned().value(channel, t);
 }
 
 /// Returns the difference from the file at its nearest row, or from the last pinned motion.
@@ -379,6 +454,7 @@ static std::optional<double> drawnValue(const std::vector<CurvePoint> &points, d
 std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, const QStringList &headings) const
 {
     constexpr double kRoundingError = 1e-9; // fraction of the length of the axis
+    constexpr double kPixel = 1.0;          // by which a dot on the edge may be beside it
     const Plot &plot = m_plots[index];
     if (!plot.values || !timeRange().contains(time)) {
         return std::nullopt;
@@ -390,7 +466,7 @@ std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, c
     }
     for (const PlotReading &reading : readings(index, {time, nearestRow(time)})) {
         const QPointF place(plot.timeAxis->coordToPixel(reading.t), plot.valueAxis->coordToPixel(reading.value));
-        if (QRectF(plot.axes->rect()).adjusted(-1.0, -1.0, 1.0, 1.0).contains(place)) {
+        if (QRectF(plot.axes->rect()).adjusted(-kPixel, -kPixel, kPixel, kPixel).contains(place)) {
             // On a linear axis, a value that is far below a pixel is the rounding error of zero.
             const double range = shownScaleOf(index).factor * plot.valueAxis->range().size();
             const bool isZero = !isLogarithmic(index) && std::abs(reading.number) < kRoundingError * range;
@@ -457,7 +533,8 @@ QStringList PlotFigure::cursorTexts(double t) const
             texts << name.arg(timeText(other));
         }
     };
-    addIfDifferent(tr("≈ time step: %1"), modelPoint(0, {t, nearestRow(t)}).t);
+    constexpr std::size_t kAnyChannel = 0; // all channels of the model have the same time steps
+    addIfDifferent(tr("≈ time step: %1"), modelPoint(kAnyChannel, {t, nearestRow(t)}).t);
     if (const std::optional<std::size_t> row = nearestRow(t)) {
         addIfDifferent(tr("≈ file: %1"), m_result->reference->data.time[*row]);
     }
@@ -474,7 +551,12 @@ std::vector<PlotReading> PlotFigure::readings(std::size_t plot, const ReadTime &
         if (std::isfinite(point.value)) {
             const double number =
                 isLogarithmic(plot) ? std::pow(10.0, point.value) : shownScaleOf(plot).shown(point.value);
-            readings.push_back({point.t, point.value, number, curve.ink, curve.rank, i});
+            readings.push_back({.t = point.t,
+                                .value = point.value,
+                                .number = number,
+                                .ink = curve.ink,
+                                .rank = curve.rank,
+                                .curve = i});
         }
     }
     return readings;

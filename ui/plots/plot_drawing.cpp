@@ -121,7 +121,8 @@ double NumberTicker::getTickStep(const QCPRange &range)
         m_step = std::max(1.0, m_step);
     } else if (const double step = m_step * unit; mTickCount > 1 && std::floor((range.upper - mTickOrigin) / step) <=
                                                                         std::ceil((range.lower - mTickOrigin) / step)) {
-        m_step = nextRoundNumber(0.4 * m_step); // the next smaller one, since a single tick shows no scale
+        constexpr double kToNextSmaller = 0.4; // of 1, 2 and 5, each is more than this fraction of the next one
+        m_step = nextRoundNumber(kToNextSmaller * m_step); // since a single tick shows no scale
     }
     const double largest = std::max(std::abs(range.lower - mTickOrigin), std::abs(range.upper - mTickOrigin)) / unit;
     const double digits = std::ceil(std::log10(largest / m_step)) + 1.0; // not finite if the range underflows
@@ -185,18 +186,22 @@ void PlotDrawing::paint(QPainter &painter, const QSize &size)
 void PlotDrawing::setStyle(const PlotFonts &fonts, const SeriesColours &colours)
 {
     setBackground(QBrush(colours.background));
-    const QColor frame = mixed(colours.text, colours.background, 0.55); // Qt starts threads to blend transparent lines
+    constexpr double kInkOfFrame = 0.55; // fraction of the colour of text; Qt starts threads to blend transparent lines
+    constexpr int kLineWidth = 1;        // px
+    const QColor frame = mixed(colours.text, colours.background, kInkOfFrame);
+    const QPen framePen(frame, kLineWidth);
+    const QPen gridPen(colours.grid, kLineWidth);
     for (QCPAxisRect *rect : axisRects()) {
         for (QCPAxis *axis : rect->axes()) {
-            axis->setBasePen(QPen(frame, 1));
-            axis->setTickPen(QPen(frame, 1));
+            axis->setBasePen(framePen);
+            axis->setTickPen(framePen);
             axis->setTickLabelColor(colours.text);
             axis->setTickLabelFont(fonts.tick);
             axis->setSubTicks(false);
             axis->setLabelColor(colours.text);
             axis->setLabelFont(fonts.tick);
-            axis->grid()->setPen(QPen(colours.grid, 1));
-            axis->grid()->setZeroLinePen(axis->orientation() == Qt::Vertical ? QPen(frame, 1) : QPen(colours.grid, 1));
+            axis->grid()->setPen(gridPen);
+            axis->grid()->setZeroLinePen(axis->orientation() == Qt::Vertical ? framePen : gridPen);
         }
     }
 }

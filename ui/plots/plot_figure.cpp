@@ -24,6 +24,9 @@ namespace
 constexpr int kTickLength = 3; // px
 constexpr int kLabelGap = 4;   // px between a tick and its label
 
+constexpr QSize kMinSizeOfAxes{50, 20}; // px: low enough for the legend to keep its height in a small window
+constexpr int kLinesOfTimeLabels = 2;   // lines of text below a plot: the numbers and the title of the time axis
+
 constexpr int kNoteFlags = Qt::AlignHCenter | Qt::AlignVCenter | Qt::TextWordWrap;
 constexpr double kAroundNote = 2.0; // px
 
@@ -57,13 +60,15 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, const Q
     curve.points = withoutNeedlessPoints(curve.points, kRemoveTolerance * detail * pixel);
 }
 
-/// Returns the number of plots side by side: as in the grid if rows are complete, otherwise at most three. Six plots
-/// without errors are three rows of the grid.
+/// Returns the number of plots side by side: two for the six plots of the motion and for four plots, whose rows are
+/// then complete, otherwise at most three.
 std::size_t columnsFor(const std::vector<std::size_t> &plots)
 {
+    constexpr std::size_t kPair = 2;
     const std::size_t count = plots.size();
-    const bool isGridWithoutErrors = count == 2 * kPlotRows && std::ranges::none_of(plots, &isErrorPlot);
-    return count == 4 || isGridWithoutErrors ? 2 : std::min(count, kPlotColumns);
+    const bool isGridWithoutErrors = count == kPair * kPlotRows && std::ranges::none_of(plots, &isErrorPlot);
+    const bool isSquare = count == kPair * kPair;
+    return isSquare || isGridWithoutErrors ? kPair : std::min(count, kPlotColumns);
 }
 
 } // namespace
@@ -89,17 +94,19 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_plots = {};
     const std::size_t count = style.plots.size();
     const std::size_t columns = columnsFor(style.plots);
+    const bool isLastRowShort = count % columns != 0;
     for (std::size_t place = 0; place < count; ++place) {
         const std::size_t index = style.plots[place];
         Plot &plot = m_plots[index];
         plot.row = place / columns;
-        plot.hasTimeLabels = count % columns != 0 || plot.row + 1 == count / columns; // all if the last row is short
+        plot.hasTimeLabels = isLastRowShort || plot.row + 1 == count / columns;
         plot.axes = new QCPAxisRect(m_drawing.get(), false);
         plot.timeAxis = plot.axes->addAxis(QCPAxis::atBottom);
         plot.valueAxis = plot.axes->addAxis(QCPAxis::atLeft);
-        plot.axes->setMinimumSize(50, 20); // low enough for the legend to keep its height in a small window
+        plot.axes->setMinimumSize(kMinSizeOfAxes);
         plot.axes->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
-        const int below = (plot.hasTimeLabels && count % columns != 0 ? 3 : 1) * lineHeight(m_fonts.tick);
+        const int linesBelow = plot.hasTimeLabels && isLastRowShort ? kLinesOfTimeLabels + 1 : 1;
+        const int below = linesBelow * lineHeight(m_fonts.tick);
         plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, below));
         plot.axes->setAutoMargins(QCP::msLeft | QCP::msRight);
         m_drawing->plotLayout()->addElement(static_cast<int>(plot.row), static_cast<int>(place % columns), plot.axes);
@@ -130,14 +137,14 @@ void PlotFigure::compose(PlotStyle style, const QSize &size)
         applyStyle(style);
     }
     const QCPAxisRect &axes = *m_plots[style.plots.front()].axes; // all have the same size
-    QSize before;
+    QSize previousSize;
     if (axes.size().isEmpty() || size != m_drawing->viewport().size()) {
         m_drawing->layOut(size);
         m_names.clear();
     }
     constexpr int kPasses = 4; // the labels and the legend change the size of the axes
-    for (int pass = 0; pass < kPasses && axes.size() != before; ++pass) {
-        before = axes.size();
+    for (int pass = 0; pass < kPasses && axes.size() != previousSize; ++pass) {
+        previousSize = axes.size();
         fill();
         m_drawing->layOut(size);
     }
@@ -164,9 +171,59 @@ void PlotFigure::chooseTitles()
     }
 }
 
-void PlotFigure::fill()
+/// Computes the curves, the note and the range of values of a plot.
+void PlotFigure::computePlot(std::size_t index)
+{
+    Plot &plot = m_plots[index];
+    plot.curves.clear();
+    plot.note.clear();
+    plot.values.reset();
+    if (!isErrorPlot(index)) {
+        computeMotions(plot, channelOf(index));
+    } else if (m_errors) {
+        computeErrors(plot, orderOfPlot(index));
+    } else {
+        plot.note = tr("nothing to compare");
+    }
+    if (plot.values && m_zoom.values[index]) {
+        plot.values = m_zoom.values[index];
+    } else if (plot.values && !plot.note.isEmpty()) {
+        plot.values = withSpaceForNote(plot, *plot.values);
+    }
+}
+
+/// Gives the value axis of a plot its range and its ticks.
+void PlotFigure::scaleAxis(std::size_t index)
 {
     constexpr int kPixelsPerTick = 30;
+    constexpr int kMinTicks = 2;
+    Plot &plot = m_plots[index];
+    const Interval values = plot.values.value_or(Interval());
+    plot.valueAxis->setRange(values.lower, values.upper);
+    plot.valueAxis->setTickLabels(plot.values.has_value());
+    const ShownScale scale = shownScaleOf(index);
+    plot.ticker->perUnit = 1.0 / scale.factor;
+    plot.ticker->setTickOrigin(-scale.offset / scale.factor);
+    plot.ticker->isLogarithmic = isLogarithmic(index);
+    plot.ticker->setTickCount(std::max(kMinTicks, plot.axes->height() / kPixelsPerTick));
+}
+
+/// Fits the curves of a plot to its axes, adds them to the drawing, and lists them in the legend.
+void PlotFigure::drawCurves(Plot &plot)
+{
+    const Interval values = plot.values.value_or(Interval());
+    for (PlotCurve &curve : plot.curves) {
+        fit(curve, timeRange(), values, plot.axes->size(), m_style.detail);
+        const QPen pen = addCurve(plot, curve);
+        if (std::ranges::none_of(m_legend, [&](const auto &entry) { return entry.first == curve.name; })) {
+            m_legend.emplace_back(curve.name, pen);
+        }
+    }
+}
+
+/// Computes all plots for the present size of the axes, and draws their curves.
+void PlotFigure::fill()
+{
     m_drawing->clearGraphs();
     const int width = std::max(1, m_plots[plots().front()].axes->width());
     m_columns = static_cast<std::size_t>(std::ceil(width / m_style.detail));
@@ -182,53 +239,26 @@ void PlotFigure::fill()
     setTimeScale();
     m_legend.clear();
     for (const std::size_t index : plots()) {
-        Plot &plot = m_plots[index];
-        plot.curves.clear();
-        plot.note.clear();
-        plot.values.reset();
-        if (!isErrorPlot(index)) {
-            computeMotions(plot, channelOf(index));
-        } else if (m_errors) {
-            computeErrors(plot, index / kPlotColumns);
-        } else {
-            plot.note = tr("nothing to compare");
-        }
-        if (plot.values && m_zoom.values[index]) {
-            plot.values = m_zoom.values[index];
-        } else if (plot.values && !plot.note.isEmpty()) {
-            plot.values = withSpaceForNote(plot, *plot.values);
-        }
-        const Interval values = plot.values.value_or(Interval());
-        plot.valueAxis->setRange(values.lower, values.upper);
-        plot.valueAxis->setTickLabels(plot.values.has_value());
-        const ShownScale scale = shownScaleOf(index);
-        plot.ticker->perUnit = 1.0 / scale.factor;
-        plot.ticker->setTickOrigin(-scale.offset / scale.factor);
-        plot.ticker->isLogarithmic = isLogarithmic(index);
-        plot.ticker->setTickCount(std::max(2, plot.axes->height() / kPixelsPerTick));
-        for (PlotCurve &curve : plot.curves) {
-            fit(curve, time, values, plot.axes->size(), m_style.detail);
-            const QPen pen = addCurve(plot, curve);
-            if (std::ranges::none_of(m_legend, [&](const auto &entry) { return entry.first == curve.name; })) {
-                m_legend.emplace_back(curve.name, pen);
-            }
-        }
+        computePlot(index);
+        scaleAxis(index);
+        drawCurves(m_plots[index]);
     }
     m_legendSize = placeLegend();
     m_drawing->plotLayout()->setMargins( // for the legend and the title of the time axis
-        {0, m_legendSize.height(), 0, 2 * lineHeight(m_fonts.tick) + kLabelGap});
+        {0, m_legendSize.height(), 0, kLinesOfTimeLabels * lineHeight(m_fonts.tick) + kLabelGap});
 }
 
 /// Places as many entries of the legend side by side as fit, draws them if there is a painter, and returns their size.
 QSize PlotFigure::placeLegend(QPainter *painter)
 {
-    constexpr int kSpacing = 12; // px
-    constexpr int kLine = 28;
-    constexpr int kGap = 7;              // between a line and its name
+    constexpr int kTop = 6;              // px above the legend
+    constexpr int kSpacing = 12;         // px between two entries
+    constexpr int kLine = 28;            // px, length of the line before a name
+    constexpr int kGap = 7;              // px between a line and its name
     constexpr int kSpaceBesideName = 80; // px: the line before a name, and spacing
     const int width = m_drawing->viewport().width();
     const int height = lineHeight(m_fonts.title);
-    QPoint place(kSpacing, 6);
+    QPoint place(kSpacing, kTop);
     for (const auto &[name, pen] : m_legend) {
         QStaticText &text = m_names[name];
         if (text.text().isEmpty()) {
@@ -268,13 +298,13 @@ bool PlotFigure::drawBesideLegend(QPainter &painter, const QString &text) const
     return true;
 }
 
-/// Chooses as many ticks as there is space for labels. Only the bottom row has labels.
+/// Chooses as many ticks of the time axes as there is space for labels, and gives the plots that have time labels a
+/// title below them.
 void PlotFigure::setTimeScale()
 {
     constexpr double kMinTickDistance = 44.0; // px from tick to tick
     constexpr double kLabelDistance = 14.0;   // px from label to label
     constexpr int kMarginBesideLabel = 3;     // px, because a label that touches the edge of the figure is not drawn
-    constexpr int kUsualDigits = 6;           // digits of a value; the axes do not move until a label has more
     const QFontMetrics metrics(m_fonts.tick);
     const Interval time = timeRange();
     m_timeTicker->perUnit = 1.0 / perSecond();
@@ -288,14 +318,14 @@ void PlotFigure::setTimeScale()
     setDistance(kMinTickDistance);
     QVector<double> ticks;
     QVector<QString> labels;
-    m_timeTicker->generate({time.lower, time.upper}, QLocale(), u'g', 6, ticks, nullptr, &labels);
+    m_timeTicker->generate({time.lower, time.upper}, QLocale(), u'g', kUsualDigits, ticks, nullptr, &labels);
     for (const QString &label : labels) {
         labelWidth = std::max(labelWidth, metrics.horizontalAdvance(label));
     }
     const double minTickDistance = labelWidth + kLabelDistance;
     setDistance(axesWidth < 2.0 * kMinTickDistance ? minTickDistance : std::max(kMinTickDistance, minTickDistance));
     const QString title = isOverAngle() ? QStringLiteral("θ₂ [%1]").arg(shownUnit(Measure::Angle)) : "t [s]";
-    const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
+    const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0'); // until a value has more, no axis moves
     const QMargins minMargins(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kMarginBesideLabel, 0);
     for (const std::size_t index : plots()) {
         const bool hasLabels = m_plots[index].hasTimeLabels;
@@ -307,7 +337,7 @@ void PlotFigure::setTimeScale()
     }
 }
 
-/// Returns the unit of the errors of a row.
+/// Returns the unit of the errors of that order.
 QString PlotFigure::errorUnit(Order order) const
 {
     switch (m_style.error) {
@@ -352,21 +382,24 @@ QStringList PlotFigure::motionTitles(Channel channel)
 /// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" or "error [% of peak]", and shorter variants.
 QStringList PlotFigure::titles(std::size_t index) const
 {
-    const bool isError = isErrorPlot(index);
-    const Channel channel = isError ? Channel() : kPlottedChannels[channelOf(index)];
-    const auto row = static_cast<Order>(index / kPlotColumns);
-    const QString unit = isError ? errorUnit(row) : shownUnit(channel);
-    QStringList titles = isError ? errorTitles() : motionTitles(channel);
-    for (QString &title : titles) {
-        title = QStringLiteral("%1 [%2]").arg(title, unit).trimmed();
+    const auto withUnits = [](QStringList titles, const QString &unit) {
+        for (QString &title : titles) {
+            title = QStringLiteral("%1 [%2]").arg(title, unit).trimmed();
+        }
+        return titles;
+    };
+    if (!isErrorPlot(index)) {
+        const Channel channel = kPlottedChannels[channelOf(index)];
+        return withUnits(motionTitles(channel), shownUnit(channel));
     }
-    if (isError && m_style.error == ErrorMeasure::OfPeak) {
+    QStringList titles = withUnits(errorTitles(), errorUnit(orderOfPlot(index)));
+    if (m_style.error == ErrorMeasure::OfPeak) { // "[% of peak]" may be too long
         titles << QStringLiteral("[%]");
     }
     return titles;
 }
 
-/// Returns the pen for the legend.
+/// Adds a curve to the drawing. Returns the pen for the legend.
 QPen PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
 {
     const QColor colour = m_colours.*curve.ink;
@@ -376,7 +409,8 @@ QPen PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
     }
     m_drawing->addCurve(plot.axes, curve.points)->setPen(pen);
     if (!curve.dots.empty()) {
-        const double size = 4.0 * m_fonts.lineFactor;
+        constexpr double kDotDiameter = 4.0; // px
+        const double size = kDotDiameter * m_fonts.lineFactor;
         QCPGraph *dots = m_drawing->addCurve(plot.axes, curve.dots);
         dots->setLineStyle(QCPGraph::lsNone);
         dots->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, size));
@@ -426,7 +460,8 @@ int PlotFigure::heightFor(const std::vector<std::size_t> &plots, int width, cons
     const std::size_t rows = (plots.size() + columns - 1) / columns;
     const double row =
         std::max<double>(kRowHeight[columns] * width / static_cast<double>(columns), kMinLines * lineHeight(font));
-    return static_cast<int>(std::lround(static_cast<double>(rows) * row)) + 3 * lineHeight(font); // with the legend
+    const int legendAndTimeLabels = 3 * lineHeight(font);
+    return static_cast<int>(std::lround(static_cast<double>(rows) * row)) + legendAndTimeLabels;
 }
 
 /// Returns the place of a plot's note: above the curves, which leave space for it, or in the middle if there are none.
@@ -444,8 +479,9 @@ QRectF PlotFigure::notePlace(const Plot &plot) const
 /// Returns the values with space above them for the note of the plot, unless it needs more than half of the height.
 Interval PlotFigure::withSpaceForNote(const Plot &plot, const Interval &values) const
 {
-    const double part = (notePlace(plot).height() + 2.0 * kAroundNote) / std::max(plot.axes->height(), 1);
-    const double space = part < 0.5 ? part / (1.0 - part) * values.length() : 0.0;
+    constexpr double kMaxFraction = 0.5;
+    const double fraction = (notePlace(plot).height() + 2.0 * kAroundNote) / std::max(plot.axes->height(), 1);
+    const double space = fraction < kMaxFraction ? fraction / (1.0 - fraction) * values.length() : 0.0;
     return {values.lower, values.upper + space};
 }
 

@@ -61,11 +61,11 @@ struct PlotCurve {
     /// Returns the exact value at a time, for drawing. Empty if the curve consists of samples.
     std::function<double(double)> valueAt = {};
 
-    double width = 2.0;                ///< px
+    double width = kCurveWidth;        ///< px
     QVector<double> dashes = {};       ///< lengths of dashes and gaps in line widths; empty for a solid line
     std::vector<CurvePoint> dots = {}; ///< samples that are drawn as single dots
 
-    PlotCursor::Rank rank = PlotCursor::Rank::Model; ///< of its value at a cursor
+    PlotCursor::Rank rank = PlotCursor::Rank::Model; ///< importance of the value that a cursor shows
 
     /// A dot with this value is drawn at the upper edge of the axes.
     static constexpr double kUpperEdge = kInfinity;
@@ -80,8 +80,8 @@ struct Plot {
     std::optional<Interval> values;  ///< the range of the axis; nullopt if there are no values
     QString note;                    ///< why something is missing
     std::vector<QStaticText> titles; ///< variants of the title, the longest first
-    std::size_t title = 0;           ///< the variant that is drawn
-    std::size_t row = 0;             ///< of the figure
+    std::size_t title = 0;           ///< index of the variant that is drawn
+    std::size_t row = 0;             ///< row of the figure in which the plot is
     bool hasTimeLabels = true;       ///< whether the time axis has numbers and a title
 };
 
@@ -167,9 +167,10 @@ public:
     /// Returns the values of a plot that is shown, in the order of the legend.
     std::vector<PlotReading> readings(std::size_t plot, const ReadTime &time) const;
 
-    /// Returns a cursor of a plot that is shown, in px of the figure, with its headings and the values of the curves at
-    /// that time. A value of another time, such as that of the nearest row of the file, has its dot there and begins
-    /// with "≈". Returns nullopt outside the time shown.
+    /// Returns a cursor of a plot that is shown, in px of the figure, with the headings and the values of the curves at
+    /// that time (s). A curve that has no value at that time, such as a file between two rows, is read at the nearest
+    /// time at which it has one: its dot is drawn there, and the number begins with "≈". Returns nullopt if the time is
+    /// not shown or the plot has no values.
     std::optional<PlotCursor> cursorAt(std::size_t plot, double time, const QStringList &headings) const;
 
     /// Returns "t = 0.2500 s", or over the crank angle "θ₂ = 90.00°". With the time `since`, returns the difference
@@ -197,18 +198,28 @@ private:
     CurvePoint modelPoint(std::size_t channel, const ReadTime &time) const;
     CurvePoint filePoint(std::size_t channel, const ReadTime &time) const;
     CurvePoint errorPoint(std::size_t channel, const ReadTime &time) const;
+    const MotionCurves &lastPinned() const { return m_motions[m_motions.size() - 2]; } ///< requires a pinned motion
     double lastPinnedValue(std::size_t channel, double t) const;
     QStringList cursorTexts(double t) const;
     void computeMotions(Plot &plot, std::size_t channel);
-    void computeErrors(Plot &plot, std::size_t row);
+    PlotCurve pinnedCurve(std::size_t pinned, std::size_t channel) const;
+    PlotCurve modelCurve(std::size_t channel) const;
+    PlotCurve fileCurve(std::size_t channel) const;
+    QString noteOfMotions(std::size_t channel) const;
+    void computeErrors(Plot &plot, Order order);
     void addCurvesBeside(PlotCursor &cursor, const Plot &plot) const;
     PlotCurve errorCurve(std::size_t channel) const;
     PlotCurve roundingCurve(std::size_t channel) const;
+    PlotCurve undefinedMarks(std::size_t channel) const;
+    Interval errorRange(const Interval &errors) const;
     QString missingModel() const;
-    QString missingErrors(std::size_t row) const;
+    QString missingErrors(Order order) const;
 
     void applyStyle(const PlotStyle &style);
     void fill();
+    void computePlot(std::size_t index);
+    void scaleAxis(std::size_t index);
+    void drawCurves(Plot &plot);
     void setTimeScale();
     QString errorUnit(Order order) const;
     QStringList errorTitles() const;
@@ -230,7 +241,7 @@ private:
 
     // Computed for the time range and the pixels of the plots.
     std::size_t m_columns = 1;                  ///< number of columns of details (about a pixel) in a plot
-    std::vector<MotionCurves::Curves> m_curves; ///< of m_motions
+    std::vector<MotionCurves::Curves> m_curves; ///< one for each of m_motions
     std::optional<MotionErrors> m_errors;
     std::array<Plot, kPlotCount> m_plots;
 

@@ -15,4 +15,7 @@ struct PlotFonts {
     double lineFactor = 1.0; ///< factor of the line widths; above 1 for large fonts
 };
 
+/// Width (px) of an ordinary curve, to be multiplied by PlotFonts::lineFactor.
+inline constexpr double kCurveWidth = 2.0;
+
 } // namespace slidercrank

@@ -24,12 +24,10 @@ PlotGrid::PlotGrid()
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
     setAccessibleName(tr("Plots of the motion"));
-    const std::array errors{tr("Error of the positions"), tr("Error of the velocities"),
-                            tr("Error of the accelerations")};
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
         m_panes[plot] = new PlotPane(m_picture, this);
         m_panes[plot]->setObjectName(plotName(plot));
-        m_panes[plot]->setAccessibleName(isErrorPlot(plot) ? errors[plot / kPlotColumns]
+        m_panes[plot]->setAccessibleName(isErrorPlot(plot) ? nameOfErrors(orderOfPlot(plot))
                                                            : quantityName(kPlottedChannels[channelOf(plot)]));
     }
     setObjectName("plots");
@@ -39,6 +37,16 @@ PlotGrid::PlotGrid()
     m_hint->setTextInteractionFlags(Qt::LinksAccessibleByMouse); // the keyboard uses the menu instead
     connect(m_hint, &QLabel::linkActivated, this, &PlotGrid::openReferenceRequested);
     makeChoices();
+}
+
+QString PlotGrid::nameOfErrors(Order order)
+{
+    switch (order) {
+    case Order::Position: break;
+    case Order::Velocity: return tr("Error of the velocities");
+    case Order::Acceleration: return tr("Error of the accelerations");
+    }
+    return tr("Error of the positions");
 }
 
 void PlotGrid::makeChoices()
@@ -146,7 +154,7 @@ void PlotGrid::refreshIfStale()
 void PlotGrid::refresh()
 {
     requestRefresh();
-    compose({plotsToShow(m_maximized), font(), palette()}, size());
+    compose({.plots = plotsToShow(m_maximized), .font = font(), .palette = palette()}, size());
     m_picture = QPixmap();
     for (std::size_t index = 0; index < kPlotCount; ++index) {
         const Plot &plot = shownPlot(index);
@@ -161,7 +169,7 @@ void PlotGrid::refresh()
         choice->setVisible(hasErrors());
     }
     const bool isAlone = !result()->isCompared() && !m_maximized && !isPresentation();
-    constexpr int kGap = 12;
+    constexpr int kGap = 12; // px, to the edge of the figure
     const int hintWidth = m_hint->sizeHint().width();
     m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, m_legendSize.height());
     m_hint->setVisible(isAlone && m_legendSize.width() < m_hint->x());
@@ -249,7 +257,7 @@ void PlotGrid::paintEvent(QPaintEvent *)
 void PlotGrid::paintFigure(QPainter &painter, const FigureContent &content, const QSize &size, const QPalette &palette)
 {
     const std::vector<std::size_t> plots = content.plots.empty() ? plotsToShow({}) : content.plots;
-    compose({plots, painter.font(), palette, smallestDetail(painter)}, size);
+    compose({.plots = plots, .font = painter.font(), .palette = palette, .detail = smallestDetail(painter)}, size);
     paint(painter, content.cursorTime);
     requestRefresh(); // restores the figure for the screen
 }
@@ -258,7 +266,7 @@ std::vector<NamedPlot> PlotGrid::choosablePlots() const
 {
     std::vector<NamedPlot> plots;
     for (const std::size_t plot : plotsToShow({})) {
-        plots.push_back({plotName(plot), m_panes[plot]->accessibleName()});
+        plots.push_back({.name = plotName(plot), .text = m_panes[plot]->accessibleName()});
     }
     return plots;
 }

@@ -80,6 +80,7 @@ protected:
     void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
+    static QString nameOfErrors(Order order);
     void makeChoices();
 
     /// Returns the maximized plot, all nine plots, or without errors the six of the motion.

@@ -72,8 +72,9 @@ void PlotGrid::wheelEvent(QWheelEvent *event)
     if (!plot || m_drag) {
         return;
     }
-    constexpr double kNotch = 120.0;
-    const double factor = std::pow(0.85, event->angleDelta().y() / kNotch);
+    constexpr double kNotch = 120.0;       // angleDelta() of one notch of a mouse wheel
+    constexpr double kZoomPerNotch = 0.85; // factor of the visible range
+    const double factor = std::pow(kZoomPerNotch, event->angleDelta().y() / kNotch);
     const QPointF about = coordinates(*plot, event->position());
     if (event->position().x() >= axes(*plot).left()) {
         zoomAbout(about.x(), factor);
@@ -92,7 +93,7 @@ void PlotGrid::mousePressEvent(QMouseEvent *event)
     }
     endDrag(); // begun with another button, or its release was not received
     const bool isPan = !isLeft || event->modifiers().testFlag(Qt::ShiftModifier);
-    m_drag = Drag{*plot, isPan, event->pos(), event->pos(), zoom()};
+    m_drag = Drag{.plot = *plot, .isPan = isPan, .start = event->pos(), .last = event->pos(), .before = zoom()};
     m_hovered.reset(); // until the pointer moves over the new axes
 }
 
@@ -118,14 +119,14 @@ void PlotGrid::drag(const QPoint &to)
         return;
     }
     grabKeyboard(); // so that Escape reaches this widget
-    const QPointF way = coordinates(plot, m_drag->last) - coordinates(plot, to);
+    const QPointF movement = coordinates(plot, m_drag->last) - coordinates(plot, to); // of the axes
     m_drag->last = to;
     if (m_drag->isPan) {
         setCursor(Qt::ClosedHandCursor);
         const Interval time = timeRange();
-        zoomTime({time.lower + way.x(), time.upper + way.x()});
+        zoomTime({time.lower + movement.x(), time.upper + movement.x()});
         if (std::optional<Interval> &values = m_zoom.values[plot]) {
-            values = Interval{values->lower + way.y(), values->upper + way.y()};
+            values = Interval{values->lower + movement.y(), values->upper + movement.y()};
         }
         refresh(); // the next mouse move is relative to the new axes
     } else {
@@ -200,8 +201,10 @@ void PlotGrid::leaveEvent(QEvent *)
 /// Handles the keys of the plot that has the focus or is being dragged. + and − zoom about the current time.
 void PlotGrid::keyPressEvent(QKeyEvent *event)
 {
+    constexpr double kZoomPerKey = 0.7; // factor of the visible range
     const Interval shownTime = timeRange();
-    const double about = m_time && shownTime.contains(*m_time) ? *m_time : 0.5 * (shownTime.lower + shownTime.upper);
+    const double middle = 0.5 * (shownTime.lower + shownTime.upper);
+    const double fixedTime = m_time && shownTime.contains(*m_time) ? *m_time : middle; // about which the keys zoom
     const auto focused = std::ranges::find(m_panes, focusWidget());
     switch (event->key()) {
     case Qt::Key_Return:
@@ -221,8 +224,8 @@ void PlotGrid::keyPressEvent(QKeyEvent *event)
         }
         break;
     case Qt::Key_Plus:
-    case Qt::Key_Equal: return zoomAbout(about, 0.7);
-    case Qt::Key_Minus: return zoomAbout(about, 1.0 / 0.7);
+    case Qt::Key_Equal: return zoomAbout(fixedTime, kZoomPerKey);
+    case Qt::Key_Minus: return zoomAbout(fixedTime, 1.0 / kZoomPerKey);
     case Qt::Key_0: return showAll();
     default: break;
     }

@@ -21,7 +21,7 @@ PlotPane::PlotPane(const QPixmap &picture, QWidget *figure)
 void PlotPane::setCursors(std::vector<PlotCursor> cursors, const QRect &axes)
 {
     const QRect before = m_paintedArea;
-    if (axes == m_axes) { // otherwise the line moves with the axes, at the same time
+    if (axes == m_axes) { // otherwise the line has moved because the axes have, and not in an animation
         keepPlaces(cursors, m_cursors);
     }
     m_axes = axes;
@@ -34,9 +34,10 @@ void PlotPane::setCursors(std::vector<PlotCursor> cursors, const QRect &axes)
             painted |= label.place;
         }
     }
-    const double around = dotRadius(font()) + 1.5; // px, for the dots on the line
-    m_paintedArea = painted.adjusted(-around, -around, around, around).toAlignedRect();
-    // One rectangle: where the region to paint has several, Qt starts threads to fill it, which costs far more.
+    constexpr double kOutlineOfDot = 1.5;                    // px
+    const double margin = dotRadius(font()) + kOutlineOfDot; // for the dots on the line
+    m_paintedArea = painted.adjusted(-margin, -margin, margin, margin).toAlignedRect();
+    // A single rectangle. To fill a region of several rectangles, Qt starts threads, which takes far longer.
     update(before | m_paintedArea);
 }
 
@@ -46,7 +47,8 @@ void PlotPane::paintEvent(QPaintEvent *)
     painter.drawPixmap(-pos(), m_picture);
     paintCursors(painter, m_cursors, m_axes, font(), seriesColours(palette()));
     if (hasFocus()) {
-        painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+        constexpr int kFocusWidth = 2; // px
+        painter.setPen(QPen(palette().color(QPalette::Highlight), kFocusWidth));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(m_axes.adjusted(-1, -1, 1, 1)); // not through the numbers of the axes
     }
