@@ -6,6 +6,8 @@
 #include "ui/text/motion_facts.h"
 #include "ui/text/written_number.h"
 
+#include <cmath>
+
 namespace slidercrank
 {
 
@@ -15,8 +17,8 @@ namespace
 /// With more iterations the residual becomes no smaller, because each iteration doubles the number of correct digits.
 constexpr int kSufficientIterations = 100;
 
-/// %1 stands for the time steps, %2 for the shortest coupler with which the crank makes full turns, %3 for the
-/// iteration limit.
+/// The messages by status. %1 stands for the time steps, %2 for the shortest coupler with which the crank makes full
+/// turns, %3 for the iteration limit, %4 for the tolerance.
 constexpr EnumText<Status> kMessages[] = {
     {Status::Solved, ""},
     {Status::Singular,
@@ -35,8 +37,38 @@ constexpr EnumText<Status> kMessages[] = {
     {Status::NotFinite,
      QT_TRANSLATE_NOOP(
          "slidercrank::CommandLine",
-         "The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer to 0.")}};
+         "The crank angle is not a finite number at %1: choose a smaller --omega2, or times nearer to 0.")}};
 static_assert(isCompleteTable(kMessages, Status::NotFinite));
+
+/// Returns the message about time steps with the status, with %1 to %4.
+QString messageFor(Status status, const SamplingSummary &summary, const NewtonOptions &newton)
+{
+    if (status == Status::IterationLimit && newton.maxIterations >= kSufficientIterations) {
+        return CommandLine::tr("Newton-Raphson did not converge at %1: rounding errors are larger than the "
+                               "--tolerance (now %4); choose a greater one.");
+    }
+    const double crankAngle = summary.firstAngles[static_cast<std::size_t>(status)];
+    if (status == Status::NotFinite && std::isfinite(crankAngle)) { // kLargestDrive; the closed form has no such limit
+        return CommandLine::tr("The crank angle is too large for Newton-Raphson at %1, because its θ₂ has 16 digits: "
+                               "choose --method closed-form, a smaller --omega2, or times nearer to 0.");
+    }
+    return CommandLine::tr(rowOf(kMessages, status).text);
+}
+
+/// Returns where the first time step with the status is: "t = 0.5 s (θ₂ = 180.00°)". If the motion has several time
+/// steps, the number of those with the status comes before it.
+QString placeText(Status status, const SamplingSummary &summary)
+{
+    const auto index = static_cast<std::size_t>(status);
+    const QString place = QString("t = %1 s (θ₂ = %2°)")
+                              .arg(numberText(summary.firstTimes[index]), crankAngleText(summary.firstAngles[index]));
+    if (summary.timeSteps == 1) {
+        return place;
+    }
+    const QString count = CommandLine::tr("%1 of %2 time steps, first at ")
+                              .arg(QString::number(summary.count(status)), QString::number(summary.timeSteps));
+    return count + place;
+}
 
 ExitStatus exitStatusOf(Status status)
 {
@@ -65,24 +97,11 @@ ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summar
         if (summary.count(status) == 0) {
             continue;
         }
-        const auto index = static_cast<std::size_t>(status);
-        const QString where =
-            (summary.timeSteps == 1
-                 ? QString()
-                 : CommandLine::tr("%1 of %2 time steps, first at ")
-                       .arg(QString::number(summary.count(status)), QString::number(summary.timeSteps))) +
-            QString("t = %1 s (θ₂ = %2°)")
-                .arg(numberText(summary.firstTimes[index]), crankAngleText(summary.firstAngles[index]));
-        const bool isOutOfReach = status == Status::IterationLimit && newton.maxIterations >= kSufficientIterations;
-        const QString message =
-            isOutOfReach ? CommandLine::tr("Newton-Raphson did not converge at %1: rounding errors are larger than the "
-                                           "--tolerance (now %4); choose a greater one.")
-                         : CommandLine::tr(rowOf(kMessages, status).text);
-        messages += QString(message)
+        messages += messageFor(status, summary, newton)
                         .replace("%4", numberText(newton.tolerance))
                         .replace("%3", QString::number(newton.maxIterations))
                         .replace("%2", atLeastText(shortestCouplerForFullTurn(mechanism)))
-                        .replace("%1", where);
+                        .replace("%1", placeText(status, summary));
         if (status == Status::IterationLimit && newton.toleranceKind == ToleranceKind::Absolute) {
             messages += CommandLine::tr("Very long links need --tolerance-kind relative.");
         }

@@ -877,8 +877,12 @@
         <translation>%1: %2; %3 instantes</translation>
     </message>
     <message>
-        <source>The motion is too large to be computed at %1: choose a smaller --omega2, or times nearer to 0.</source>
-        <translation>El movimiento es demasiado grande para calcularlo en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
+        <source>The crank angle is not a finite number at %1: choose a smaller --omega2, or times nearer to 0.</source>
+        <translation>El ángulo de la manivela no es un número finito en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
+    </message>
+    <message>
+        <source>The crank angle is too large for Newton-Raphson at %1, because its θ₂ has 16 digits: choose --method closed-form, a smaller --omega2, or times nearer to 0.</source>
+        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson en %1, porque su θ₂ tiene 16 cifras: elija --method closed-form, un --omega2 menor, o instantes más cercanos a 0.</translation>
     </message>
     <message>
         <source>Cannot write the settings in %1: remove that file.</source>

@@ -176,6 +176,9 @@ private slots:
             {"solve --method newton --a 2e9 --b 6.5e9 --c 2.5e9", 5, "--tolerance-kind relative"},
             {"solve --method newton --max-iterations 1 --tolerance-kind relative", 5, "or --tolerance.\n"},
             {"solve --method newton --a 2e9 --b 6.5e9 --c 2.5e9 --tolerance-kind relative", 0, ""},
+            {"solve --method newton --omega2 1e6 --at 1e9", 5, "--method closed-form"}, // kLargestDrive
+            {"solve --method newton --omega2 1e6 --duration 1e9", 5, "199 of 201 time steps, first at t = 10⁷ s"},
+            {"solve --omega2 1e6 --at 1e9", 0, ""},
             {"limits --c 100 --format csv", 4, "The mechanism cannot be assembled: b = 65 mm < |c| − a"},
             {"compare " SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv --b 40", 4, "first at t ="},
         };
