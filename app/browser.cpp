@@ -49,7 +49,7 @@ EM_JS(void, handOver, (const char *path, const char *name), {
     link.download = UTF8ToString(name);
     link.href = URL.createObjectURL(new Blob([FS.readFile(UTF8ToString(path))]));
     link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000); // ms, in which the browser reads the file
 });
 // clang-format on
 
@@ -164,12 +164,15 @@ private:
     void fitWidth()
     {
         constexpr int kNarrow = 760; // px
+        // The heights or widths of both parts, which the splitter scales to the space that there is.
+        const QList<int> equalHeights{500, 500};
+        const QList<int> widerPlots{560, 840};
         const bool isNarrow = m_window->width() < kNarrow;
         auto *columns = m_window->findChild<QSplitter *>("columns");
         const Qt::Orientation orientation = isNarrow ? Qt::Vertical : Qt::Horizontal;
         if (columns && columns->orientation() != orientation) {
             columns->setOrientation(orientation);
-            columns->setSizes(isNarrow ? QList<int>{500, 500} : QList<int>{560, 840});
+            columns->setSizes(isNarrow ? equalHeights : widerPlots);
         }
     }
 

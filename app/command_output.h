@@ -10,6 +10,9 @@
 namespace slidercrank
 {
 
+/// The significant digits of the parameters of a mechanism in a result: enough to tell two mechanisms apart.
+inline constexpr int kMechanismDigits = 9;
+
 /// What a command prints in each of the formats, of which one is written, and its exit status.
 struct CommandOutput {
     QString text = {};

@@ -11,7 +11,7 @@ namespace slidercrank
 
 class OptionReader;
 
-/// Throws unless the argument is the name of a file that exists or a link with a scene, so that the window can open it.
+/// Throws UsageError unless the window can open the argument: a file that exists, or a link with a scene.
 void requireFile(const QString &argument);
 
 ExitStatus windowCommand(const OptionReader &options, const Streams &streams); ///< opens the window

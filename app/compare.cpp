@@ -32,6 +32,7 @@ QJsonArray jsonSkippedRows(const ReferenceData &data)
     });
 }
 
+/// Compares one reference with the mechanism, whose motion at the time stamps of the file is computed by `solver`.
 CommandOutput compareOne(const Mechanism &mechanism, const SolverSettings &solver, const Reference &reference,
                          const Streams &streams)
 {
@@ -65,7 +66,8 @@ CommandOutput compareOne(const Mechanism &mechanism, const SolverSettings &solve
                    {"explanation", jsonExplanation},
                    {"skipped", jsonSkippedRows(data)},
                    {"ignoredColumns", QJsonArray::fromStringList(ignoredHeadings(data.layout))}};
-    const QString text = headline(reference) + CommandLine::tr("Model: %1").arg(mechanismText(mechanism, 9)) + "\n\n" +
+    const QString text = headline(reference) +
+                         CommandLine::tr("Model: %1").arg(mechanismText(mechanism, kMechanismDigits)) + "\n\n" +
                          alignedTable(comparisonTable(comparison, data)) + '\n' + summaryText(comparison);
     output.text = (QStringList(text) + explanation).join('\n') + '\n';
     output.status = moreSevere(

@@ -48,7 +48,7 @@ QString keyText(LimitKind kind)
     return QString::fromUtf8(key.data(), static_cast<qsizetype>(key.size()));
 }
 
-/// How much a limit may decrease and increase, in the unit that is shown.
+/// By how much a limit may decrease and increase, in the unit that is shown.
 struct Change {
     std::optional<double> minus = {};
     std::optional<double> plus = {};
@@ -201,9 +201,10 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
         const std::vector<Limit> limits = findLimits(varied, motionLimits(varied));
         const bool isLength = *parameter == Parameter::A || *parameter == Parameter::B || *parameter == Parameter::C;
         Record row{{match.captured(1), isLength ? shownValue(Measure::Length, value, units) : value}};
-        for (const auto &[kind, key, measure] : kLimitDescriptions) {
-            if (!key.empty()) {
-                row.emplace_back(keyText(kind), jsonNumber(shownValue(measure, valueOf(limits, kind), units)));
+        for (const LimitDescription &limit : kLimitDescriptions) {
+            if (!limit.key.empty()) {
+                const double shown = shownValue(limit.measure, valueOf(limits, limit.kind), units);
+                row.emplace_back(keyText(limit.kind), jsonNumber(shown));
             }
         }
         rows.push_back(row);
@@ -211,8 +212,14 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
     return rows;
 }
 
-/// Reads --design, such as "stroke=80,time-ratio=1.2,transmission-angle=40". Without a stroke, its stroke is 0.
-DesignRequest readDesign(const OptionReader &options)
+/// What --design asks for.
+struct DesignOption {
+    DesignRequest request;
+    bool findsOffset = false; ///< only a time ratio is given: c is to be found for the given a and b
+};
+
+/// Reads --design, such as "stroke=80,time-ratio=1.2,transmission-angle=40", or "time-ratio=1.2".
+DesignOption readDesign(const OptionReader &options)
 {
     DesignRequest request;
     QStringList keys;
@@ -240,14 +247,13 @@ DesignRequest readDesign(const OptionReader &options)
                             "time-ratio=1.2 beside --a and --b, not \"%1\".")
                 .arg(options.text("design"))};
     }
-    return request;
+    return {.request = request, .findsOffset = findsOffset};
 }
 
 /// Returns the mechanism with the lengths that --design asks for. The other parameters are those of the options.
 Mechanism designMechanism(const OptionReader &options, Parameters parameters)
 {
-    const DesignRequest request = readDesign(options);
-    const bool findsOffset = request.stroke == 0.0;
+    const auto [request, findsOffset] = readDesign(options);
     if (findsOffset) {
         options.refuse({"c", "vary"}, CommandLine::tr("--design time-ratio computes c: remove %1."));
         if (!options.has("a") || !options.has("b")) {
@@ -282,7 +288,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
     QString design;
     if (options.has("design")) {
         mechanism = designMechanism(options, mechanism.parameters());
-        design = mechanismText(mechanism, 9) + '\n';
+        design = mechanismText(mechanism, kMechanismDigits) + '\n';
     }
     if (options.has("vary")) {
         options.refuse({"tolerance"}, CommandLine::tr("--vary prints values without their tolerances: remove %1."));

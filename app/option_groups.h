@@ -34,8 +34,7 @@ void checkTimeSteps(const Sampling &sampling, const QString &message);
 double firstTimeAtAngle(const OptionReader &options, const Mechanism &mechanism, double theta2);
 
 /// Returns the time (s) that --at or --at-angle asks for, or nullopt if neither option is given. An angle stands for
-/// the first time from
-/// --start on at which the crank has it.
+/// the first time from --start on at which the crank has it.
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism);
 
 /// Reads --column and --abscissa.

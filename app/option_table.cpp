@@ -7,8 +7,41 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
 namespace slidercrank
 {
+
+namespace
+{
+
+/// The names of the commands, in the order of allCommands().
+constexpr std::string_view kCommandNames[] = {"window",  "solve",    "limits", "check",
+                                              "compare", "identify", "study",  "render"};
+
+consteval bool areCommands(std::string_view names)
+{
+    while (!names.empty()) {
+        const std::string_view name = names.substr(0, names.find(' '));
+        if (std::ranges::find(kCommandNames, name) == std::end(kCommandNames)) {
+            return false;
+        }
+        names.remove_prefix(std::min(name.size() + 1, names.size()));
+    }
+    return true;
+}
+
+} // namespace
+
+consteval CommandList::CommandList(const char *theNames)
+    : names(theNames)
+{
+    if (!areCommands(theNames)) {
+        throw "an unknown command"; // stops the compiler
+    }
+}
 
 namespace
 {
@@ -88,8 +121,8 @@ public:
          renderCommand, Platform::Offscreen},
     };
 
-    static constexpr const char *kWithMechanism = "solve limits check compare identify study render";
-    static constexpr const char *kEveryCommand = "window solve limits check compare identify study render";
+    static constexpr CommandList kWithMechanism = "solve limits check compare identify study render";
+    static constexpr CommandList kEveryCommand = "window solve limits check compare identify study render";
 
     static inline const std::vector<OptionGroup> kGroups{
         {QT_TR_NOOP("Mechanism"),
@@ -226,6 +259,9 @@ public:
     };
 };
 
+static_assert(std::ranges::equal(kCommandNames, Descriptions::kCommands, {}, {},
+                                 [](const CommandDescription &command) { return std::string_view(command.name); }));
+
 } // namespace
 
 std::span<const CommandDescription> allCommands()
@@ -267,7 +303,7 @@ std::vector<OptionDescription> optionsOf(const CommandDescription &command)
     std::vector<OptionDescription> options;
     for (const OptionGroup &group : Descriptions::kGroups) {
         for (const OptionDescription &option : group.options) {
-            if (QString(option.commands).split(' ').contains(command.name)) {
+            if (QString(option.commands.names).split(' ').contains(command.name)) {
                 options.push_back(option);
                 options.back().group = group.heading;
             }

@@ -38,8 +38,15 @@ const CommandDescription *findCommand(const QString &name);
 /// Returns the names of typedCommands().
 QStringList commandNames();
 
+/// The names of some commands, separated by spaces: "solve render". It does not compile with an unknown name.
+struct CommandList {
+    const char *names;
+
+    consteval CommandList(const char *theNames);
+};
+
 struct OptionDescription {
-    const char *commands; ///< names of the commands that take the option, separated by spaces
+    CommandList commands; ///< the commands that take the option
     const char *name;     ///< without dashes
     const char *value;    ///< placeholder of the value in the help, "open|crossed" for a choice; null for a switch
     const char *text;     ///< what the option does, untranslated

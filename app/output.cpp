@@ -13,30 +13,49 @@ Output::Output(const Streams &streams, const QString &path)
 {
 }
 
-bool Output::fail()
+void Output::reportFailure() const
 {
     m_streams.report(m_path.isEmpty() ? CommandLine::tr("Cannot write to standard output: %1.")
                                             .arg(withoutFullStop(m_streams.output.errorString()))
                                       : cannotWrite(m_path, m_file.reason()));
-    return false;
 }
 
 bool Output::open()
 {
-    return m_path.isEmpty() || m_file.open() || fail();
+    if (m_path.isEmpty() || m_file.open()) {
+        return true;
+    }
+    reportFailure();
+    return false;
 }
 
 bool Output::write(const QByteArray &bytes)
 {
-    m_failed = m_failed || (m_path.isEmpty() ? m_streams.output.write(bytes) != bytes.size() : !m_file.write(bytes));
+    if (!m_failed) {
+        const bool isWritten = m_path.isEmpty() ? m_streams.output.write(bytes) == bytes.size() : m_file.write(bytes);
+        m_failed = !isWritten;
+    }
     return !m_failed;
+}
+
+/// Writes the buffer of a device, if it has one. Returns false on failure.
+static bool flush(QIODevice &device)
+{
+    auto *const buffered = qobject_cast<QFileDevice *>(&device);
+    return !buffered || buffered->flush();
 }
 
 ExitStatus Output::finish()
 {
-    auto *const buffered = qobject_cast<QFileDevice *>(&m_streams.output);
-    const bool isWritten = !m_failed && (m_path.isEmpty() ? !buffered || buffered->flush() : m_file.commit());
-    return isWritten || fail() ? ExitStatus::Success : ExitStatus::FileError;
+    if (!m_failed) {
+        const bool isWritten = m_path.isEmpty() ? flush(m_streams.output) : m_file.commit();
+        m_failed = !isWritten;
+    }
+    if (m_failed) {
+        reportFailure();
+        return ExitStatus::FileError;
+    }
+    return ExitStatus::Success;
 }
 
 ExitStatus writeOutput(const Streams &streams, const QString &path, const QByteArray &bytes)

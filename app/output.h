@@ -25,7 +25,7 @@ public:
     ExitStatus finish();
 
 private:
-    bool fail(); ///< reports the reason, and returns false
+    void reportFailure() const;
 
     const Streams &m_streams;
     QString m_path;

@@ -13,11 +13,10 @@
 namespace slidercrank
 {
 
-/// Time stamps (s) at which the positions occur, and the mechanism they belong to. With --omega2-for, its crank speed
-/// is the computed one.
+/// Positions of a mechanism, by the times at which they occur.
 struct Positions {
-    Mechanism mechanism;
-    std::vector<double> timeStamps;
+    Mechanism mechanism;            ///< with --omega2-for, its crank speed is the computed one
+    std::vector<double> timeStamps; ///< s
 };
 
 /// Returns the positions that the options ask for, in the order of the output; none if they ask for time steps. A crank

@@ -43,9 +43,13 @@ static qsizetype editDistance(const QString &from, const QString &to)
 bool sharesBeginning(const QString &typed, const QString &known)
 {
     constexpr qsizetype kShortestBeginning = 2; // "a" begins too many words
-    const bool isLongEnough = known.size() >= kShortestBeginning && 2 * known.size() >= typed.size();
-    const bool continuesKnown = isLongEnough && typed.startsWith(known, Qt::CaseInsensitive);
-    return !typed.isEmpty() && (continuesKnown || known.startsWith(typed, Qt::CaseInsensitive));
+    if (typed.isEmpty()) {
+        return false;
+    }
+    const bool isAtMostTwiceAsLong = typed.size() <= 2 * known.size();
+    const bool continuesKnown =
+        known.size() >= kShortestBeginning && isAtMostTwiceAsLong && typed.startsWith(known, Qt::CaseInsensitive);
+    return continuesKnown || known.startsWith(typed, Qt::CaseInsensitive);
 }
 
 QStringList similarWords(const QString &typed, const QStringList &words)

@@ -9,8 +9,8 @@
 namespace slidercrank
 {
 
-/// Returns whether the typed word is the beginning of the known one, or continues it and is at most twice as long.
-/// Upper and lower case are equal.
+/// Returns whether the typed word is the beginning of the known one, or continues it and is at most twice as long. A
+/// known word of a single letter has no continuation. Upper and lower case are equal.
 bool sharesBeginning(const QString &typed, const QString &known);
 
 /// Returns those of `words` that share their beginning with the typed one. If there are none, or more than a reader

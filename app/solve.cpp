@@ -10,6 +10,7 @@
 #include "ui/document/settings_fields.h"
 #include "ui/export/motion_csv.h"
 
+#include <functional>
 #include <span>
 
 namespace slidercrank
@@ -18,6 +19,8 @@ namespace slidercrank
 namespace
 {
 
+/// Returns the channels that --channels names, in the order of allOutputChannels(); by default, the 36 of the
+/// coordinates.
 std::vector<OutputChannel> readChannels(const OptionReader &options)
 {
     std::vector<OutputChannel> all = allOutputChannels();
@@ -132,59 +135,85 @@ void refuseLargeJson(const Table &table, std::size_t timeStamps)
     }
 }
 
+/// What the options ask for.
+struct SolveRequest {
+    Table table;
+    OutputFormat format;
+    SolverSettings solver;
+    Mechanism mechanism;
+    std::vector<Positions> positions; ///< empty if time steps are asked for
+    Sampling sampling;                ///< the time steps; not used if there are positions
+    double alpha2 = 0.0;              ///< rad/s², crank acceleration at the positions
+
+    SolveRequest(const OptionReader &options, const Streams &streams)
+        : table{.channels = readChannels(options), .units = readUnits(options)}
+        , format(options.choice("format", OutputFormat::Csv))
+        , solver(readSolver(options))
+        , mechanism(readMechanism(options))
+        , positions(readPositions(options, mechanism, table.units, streams))
+    {
+        if (positions.empty()) {
+            sampling = readSampling(options);
+        } else {
+            alpha2 = readCrankAcceleration(options);
+        }
+        if (positions.size() == 1) { // of several, each has an initial angle of its own
+            mechanism = positions.front().mechanism;
+        }
+        if (format == OutputFormat::Json) {
+            refuseLargeJson(table, positions.empty() ? static_cast<std::size_t>(sampling.steps) + 1
+                                                     : countTimeStamps(positions));
+        }
+    }
+};
+
+/// Computes the motion and passes it to take(), in pieces if it is written as CSV. Ends early if take() returns false.
+void computeMotion(const SolveRequest &request, const std::function<bool(const Trajectory &)> &take)
+{
+    const SampledChannels channels(request.table.channels, request.alpha2);
+    if (!request.positions.empty()) {
+        take(samplePositions(request.positions, channels, request.solver));
+    } else if (request.format == OutputFormat::Json) { // JSON holds all values of a channel together
+        take(sample(request.mechanism, request.sampling.timeStamps(), channels, request.solver));
+    } else {
+        sampleInPieces(request.mechanism, request.sampling, channels, request.solver, take);
+    }
+}
+
 } // namespace
 
 ExitStatus solveCommand(const OptionReader &options, const Streams &streams)
 {
-    const Table table{.channels = readChannels(options), .units = readUnits(options)};
-    const bool isJson = options.choice("format", OutputFormat::Csv) == OutputFormat::Json;
-    const SolverSettings solver = readSolver(options);
-    const Mechanism given = readMechanism(options);
-    const std::vector<Positions> positions = readPositions(options, given, table.units, streams);
-    const bool hasPositions = !positions.empty();
-    // The positions of a crank that stands still have different initial angles: JSON then names the given mechanism.
-    const Mechanism &mechanism = positions.size() == 1 ? positions.front().mechanism : given;
-    const SampledChannels channels(table.channels, hasPositions ? readCrankAcceleration(options) : 0.0);
-    const Sampling sampling = hasPositions ? Sampling() : readSampling(options);
-    if (isJson) {
-        refuseLargeJson(table,
-                        hasPositions ? countTimeStamps(positions) : static_cast<std::size_t>(sampling.steps) + 1);
-    }
+    const SolveRequest request(options, streams);
+    const bool isJson = request.format == OutputFormat::Json;
     Output output(streams, readOutput(options));
     options.refuseFiles();
     if (!output.open()) {
         return ExitStatus::FileError;
     }
+    if (!isJson) {
+        output.write(headerOf(request.table));
+    }
     SamplingSummary summary;
     JumpingRows jumps;
-    const auto write = [&](const Trajectory &motion) {
+    for (const Positions &each : request.positions) {
+        jumps.add(each.mechanism, each.timeStamps, request.alpha2);
+    }
+    computeMotion(request, [&](const Trajectory &motion) {
         summary.add(motion.summary);
-        if (!hasPositions) {
-            jumps.add(mechanism, motion.time);
+        if (request.positions.empty()) {
+            jumps.add(request.mechanism, motion.time);
         }
-        return isJson ? output.write(motionJson(mechanism, solver.method, table, motion))
-                      : writeRows(output, table, motion);
-    };
-    if (!isJson) {
-        output.write(headerOf(table));
-    }
-    for (const Positions &each : positions) {
-        jumps.add(each.mechanism, each.timeStamps, channels.alpha2);
-    }
-    if (hasPositions) {
-        write(samplePositions(positions, channels, solver));
-    } else if (isJson) { // JSON holds all values of a channel together
-        write(sample(mechanism, sampling.timeStamps(), channels, solver));
-    } else {
-        sampleInPieces(mechanism, sampling, channels, solver, write);
-    }
+        return isJson ? output.write(motionJson(request.mechanism, request.solver.method, request.table, motion))
+                      : writeRows(output, request.table, motion);
+    });
     if (output.finish() != ExitStatus::Success) {
         return ExitStatus::FileError;
     }
-    if (solver.method == Method::ClosedForm) {
+    if (request.solver.method == Method::ClosedForm) {
         jumps.report(streams);
     }
-    return reportTimeSteps(streams, summary, mechanism, solver.newton);
+    return reportTimeSteps(streams, summary, request.mechanism, request.solver.newton);
 }
 
 } // namespace slidercrank

@@ -44,9 +44,10 @@ QString tablesWithHeading(const QString &heading, const Page &page)
 
 QString caseReport(const CaseResult &result)
 {
-    const QString heading = CommandLine::tr("%1: %2; %3 time stamps")
-                                .arg(caseText(result.name), mechanismText(Mechanism(result.parameters), 9),
-                                     QString::number(result.timeStamps));
+    const QString heading =
+        CommandLine::tr("%1: %2; %3 time stamps")
+            .arg(caseText(result.name), mechanismText(Mechanism(result.parameters), kMechanismDigits),
+                 QString::number(result.timeStamps));
     return tablesWithHeading(heading, studyPage(result));
 }
 
