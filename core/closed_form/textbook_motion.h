@@ -20,7 +20,14 @@ struct TextbookMotion {
     T theta2, omega2, c, pi;
     T height{}, reach{}; ///< b sin θ3 and b cos θ3
     double side;
-    std::array<T, kOrderCount> pinX, pinY, sliderX; ///< indexed by Order; the pin is the crank pin A
+
+    // Indices of a coordinate and its derivatives, which are the numbers of the enumerators of Order.
+    static constexpr std::size_t kPosition = 0;
+    static constexpr std::size_t kVelocity = 1;
+    static constexpr std::size_t kAcceleration = 2;
+
+    std::array<T, kOrderCount> pinX, pinY; ///< the crank pin A
+    std::array<T, kOrderCount> sliderX;
     T omega3, alpha3;
 
     /// The parameters that the formulas use, by Parameter: a, b, c (mm) and ω2 (rad/s); θ20 is not used.
@@ -40,26 +47,26 @@ struct TextbookMotion {
         theta2 = crankAngle;
         pi = valueOfPi;
         side = branchSide;
-        pinX[0] = a * cos(theta2);
-        pinY[0] = a * sin(theta2);
+        pinX[kPosition] = a * cos(theta2);
+        pinY[kPosition] = a * sin(theta2);
         for (std::size_t k = 1; k < kOrderCount; ++k) { // the derivatives of a rotation
             pinX[k] = -(omega2 * pinY[k - 1]);
             pinY[k] = omega2 * pinX[k - 1];
         }
-        height = c - pinY[0];
+        height = c - pinY[kPosition];
         const T square = (b - height) * (b + height);
         if (!(square >= 0.0)) {
             return false;
         }
         reach = side * sqrt(square);
-        sliderX[0] = pinX[0] + reach;
+        sliderX[kPosition] = pinX[kPosition] + reach;
         if (!(square > 0.0)) {
             return false;
         }
-        omega3 = -pinY[1] / reach;
-        alpha3 = (height * omega3 * omega3 - pinY[2]) / reach;
-        sliderX[1] = pinX[1] - height * omega3;
-        sliderX[2] = pinX[2] + pinY[1] * omega3 - height * alpha3;
+        omega3 = -pinY[kVelocity] / reach;
+        alpha3 = (height * omega3 * omega3 - pinY[kAcceleration]) / reach;
+        sliderX[kVelocity] = pinX[kVelocity] - height * omega3;
+        sliderX[kAcceleration] = pinX[kAcceleration] + pinY[kVelocity] * omega3 - height * alpha3;
         return true;
     }
 

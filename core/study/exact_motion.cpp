@@ -25,13 +25,13 @@ ExactState exactState(const ExactInput &in)
     TextbookMotion<ManyDigits> motion;
     const bool isSolved = motion.compute({a, b, c, omega2}, omega2 * t + theta20,
                                          in.branch == Branch::Open ? 1.0 : -1.0, acos(ManyDigits(-1.0)));
-    out.clearance = (b - abs(c - motion.pinY[0])) / b;
+    out.clearance = (b - abs(c - motion.pinY[motion.kPosition])) / b;
     if (!isSolved && out.clearance < 0) {
         out.status = Status::NotAssemblable;
         return out;
     }
     out.status = isSolved ? Status::Solved : Status::Singular;
-    out.cosTheta3 = (motion.sliderX[0] - motion.pinX[0]) / b;
+    out.cosTheta3 = (motion.sliderX[motion.kPosition] - motion.pinX[motion.kPosition]) / b;
     for (std::size_t index = 0; index < (isSolved ? kChannelCount : kCoordinateCount); ++index) {
         out.values[index] = motion.valueAt(channelAt(index));
     }
