@@ -2,6 +2,7 @@
 #include "ui/document/scene_link.h"
 
 #include "core/import/quantity.h"
+#include "ui/document/result.h"
 #include "ui/text/printable_text.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/written_number.h"

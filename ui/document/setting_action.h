@@ -23,4 +23,12 @@ QAction *makeSettingAction(View *view, const QString &text, Value Settings::*mem
     return action;
 }
 
+/// Returns a checkable action that switches a member of the settings of a view on and off.
+template <typename View, typename Settings>
+QAction *makeSwitchAction(View *view, const QString &text, bool Settings::*member)
+{
+    constexpr bool on = true;
+    return makeSettingAction(view, text, member, on, !on);
+}
+
 } // namespace slidercrank

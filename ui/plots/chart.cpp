@@ -83,7 +83,7 @@ void shadeOutside(PlotDrawing &drawing, const Interval &range, QColor colour)
 void placeLegend(PlotDrawing &drawing, const QSize &size)
 {
     constexpr int kMinWidthOfAxes = 200;   // px
-    constexpr double kLeastStretch = 1e-3; // so that the axes get the space that the legend does not need
+    constexpr double kSmallStretch = 1e-3; // so that the axes get the space that the legend does not need
     QCPLegend *legend = drawing.legend;
     const QSize needed = legend->minimumOuterSizeHint();
     const auto fits = [&needed](const QSize &space) { return needed.boundedTo(space) == needed; };
@@ -92,7 +92,7 @@ void placeLegend(PlotDrawing &drawing, const QSize &size)
     if (legend->visible() && isBeside) {
         drawing.axisRect()->insetLayout()->take(legend);
         drawing.plotLayout()->addElement(0, 1, legend);
-        drawing.plotLayout()->setColumnStretchFactor(1, kLeastStretch);
+        drawing.plotLayout()->setColumnStretchFactor(1, kSmallStretch);
     }
 }
 

@@ -100,7 +100,8 @@ void PlotFigure::applyStyle(const PlotStyle &style)
         Plot &plot = m_plots[index];
         plot.row = place / columns;
         plot.hasTimeLabels = isLastRowShort || plot.row + 1 == count / columns;
-        plot.axes = new QCPAxisRect(m_drawing.get(), false);
+        constexpr bool kHasFourAxes = false; // only the two that are added below
+        plot.axes = new QCPAxisRect(m_drawing.get(), kHasFourAxes);
         plot.timeAxis = plot.axes->addAxis(QCPAxis::atBottom);
         plot.valueAxis = plot.axes->addAxis(QCPAxis::atLeft);
         plot.axes->setMinimumSize(kMinSizeOfAxes);

@@ -57,8 +57,8 @@ void PlotGrid::makeChoices()
                                         {tr("A&bsolute error"), ErrorMeasure::Absolute}}) {
         m_choices << measures->addAction(makeSettingAction(this, text, &PlotSettings::error, measure, measure));
     }
-    m_choices << makeSettingAction(this, tr("&Logarithmic errors"), &PlotSettings::logarithmicError, true, false)
-              << makeSettingAction(this, tr("File's &rounding"), &PlotSettings::roundingBand, true, false);
+    m_choices << makeSwitchAction(this, tr("&Logarithmic errors"), &PlotSettings::logarithmicError)
+              << makeSwitchAction(this, tr("File's &rounding"), &PlotSettings::roundingBand);
     m_errorChoices = m_choices;
     m_choices << makeSettingAction(this, tr("Over the crank &angle"), &PlotSettings::abscissa, Abscissa::CrankAngle,
                                    Abscissa::Time);
