@@ -2049,6 +2049,17 @@ difiere: lo demás</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::PolygonText</name>
+    <message>
+        <source>all vectors are 0</source>
+        <translation>todos los vectores son 0</translation>
+    </message>
+    <message>
+        <source>There are no velocities in this position.</source>
+        <translation>En esta posición no existen las velocidades.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::WordList</name>
     <message>
         <source>%1 and %2</source>
@@ -3823,14 +3834,6 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
 </context>
 <context>
     <name>slidercrank::PolygonView</name>
-    <message>
-        <source>all vectors are 0</source>
-        <translation>todos los vectores son 0</translation>
-    </message>
-    <message>
-        <source>There are no velocities in this position.</source>
-        <translation>En esta posición no existen las velocidades.</translation>
-    </message>
     <message>
         <source>Velocity and acceleration polygons</source>
         <translation>Polígonos de velocidades y de aceleraciones</translation>

@@ -6,7 +6,7 @@
 // position, which are checked at once, and shown again when the crank returns to that position. The tab also finds the
 // positions in which a quantity has a value.
 
-#include "ui/panels/motion_table.h"
+#include "ui/export/motion_table.h"
 #include "ui/text/notation.h"
 
 #include <QTimer>

@@ -4,12 +4,14 @@
 
 #include "core/limits/design.h"
 #include "core/limits/extremes.h"
+#include "ui/export/polygon_figure.h"
 #include "ui/panels/design_form.h"
 #include "ui/panels/parameter_panel.h"
 #include "ui/panels/polygon_view.h"
 #include "ui/panels/response_view.h"
 #include "ui/text/notation.h"
 #include "ui/text/record.h"
+#include "ui/text/theme.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_slider.h"
 #include "ui/window/main_window.h"
@@ -20,15 +22,18 @@
 #include "tests/support/widget_parts.h"
 
 #include <QApplication>
+#include <QBuffer>
 #include <QCheckBox>
 #include <QClipboard>
 #include <QFile>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QRegularExpression>
 #include <QScopeGuard>
 #include <QStandardPaths>
+#include <QSvgGenerator>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -512,6 +517,31 @@ private slots:
             QVERIFY2(scales[3].p1().x() > kMiddle && scales[3].p2().x() < 2.0 * kMiddle,
                      qPrintable(QString::number(round)));
             QCOMPARE(svg.count("mm/s"), qsizetype(4)); // of both scales, and behind both lists of magnitudes
+        }
+    }
+
+    /// A former defect: polygons in the window, which is lower than a figure, had no magnitudes.
+    void lowPolygonsHaveTheirMagnitudesBesideThem()
+    {
+        struct Row {
+            QSizeF area;
+            bool hasMagnitudes;
+        };
+        const Polygons polygons = polygonsAt(Mechanism(), 0.2, 0.0);
+        for (const Row &row : {Row{{740.0, 170.0}, true}, Row{{740.0, 400.0}, true}, Row{{300.0, 120.0}, false}}) {
+            QBuffer svg;
+            QSvgGenerator generator;
+            generator.setOutputDevice(&svg);
+            QPainter painter(&generator);
+            drawPolygons(painter, {{0.0, 0.0}, row.area}, polygons, paletteFor(Theme::Light));
+            painter.end();
+            QCOMPARE(svg.data().count("mm/s"), row.hasMagnitudes ? 4 : 2); // of the scales, and of the magnitudes
+            static const QRegularExpression kText("<text[^>]* x=\"([-0-9.]+)\" y=\"([-0-9.]+)\"");
+            for (auto match = kText.globalMatch(QString::fromUtf8(svg.data())); match.hasNext();) {
+                const QRegularExpressionMatch text = match.next();
+                const QPointF place(text.captured(1).toDouble(), text.captured(2).toDouble());
+                QVERIFY2(QRectF({0.0, 0.0}, row.area).contains(place), qPrintable(text.captured()));
+            }
         }
     }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panels/motion_table.h"
+#include "ui/export/motion_table.h"
 
 #include "core/mechanism/turn.h"
 #include "core/mechanism/two_part_angle.h"
