@@ -398,6 +398,7 @@ std::optional<QString> write(const RenderRequest &request, const std::shared_ptr
                                     .found = found,
                                     .time = request.scene.time,
                                     .alpha2 = request.scene.alpha2,
+                                    .table = request.scene.table,
                                     .paper = request.paper};
         return exportReport(request.output, content, drawMechanism, drawPlots);
     }

@@ -4370,6 +4370,26 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
             <numerusform>Newton-Raphson en las 12 coordenadas absolutas: tolerancia %1 (%2), a lo sumo %n iteraciones por paso de tiempo. Iteraciones: %3; residuo máximo: %4.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Without a time: angles that the crank does not reach within the time range.</source>
+        <translation>Sin tiempo: ángulos que la manivela no alcanza en el intervalo de tiempo.</translation>
+    </message>
+    <message>
+        <source>Without a value: angles at which the mechanism cannot be assembled, or at which the velocities do not exist.</source>
+        <translation>Sin valor: ángulos en los que el mecanismo no se puede ensamblar o en los que las velocidades no existen.</translation>
+    </message>
+    <message>
+        <source>Table, every %1%2</source>
+        <translation>Tabla, cada %1%2</translation>
+    </message>
+    <message>
+        <source>Further columns of the table</source>
+        <translation>Otras columnas de la tabla</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration polygons at %1</source>
+        <translation>Polígonos de velocidades y de aceleraciones en %1</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::ReportLayout</name>

@@ -10,12 +10,14 @@
 #include "tests/support/printed_picture.h"
 #include "tests/support/suite.h"
 #include "ui/document/scene.h"
+#include "ui/export/motion_table.h"
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/language.h"
 #include "ui/text/notation.h"
 #include "ui/text/theme.h"
+#include "ui/text/written_number.h"
 
 #include <QRegularExpression>
 #include <QScopeGuard>
@@ -120,6 +122,16 @@ double largestDistance(const std::vector<QPointF> &curve, const Parameters &para
     }
     return worst;
 }
+
+struct ReportCase {
+    Parameters parameters = {};
+    bool hasFile = false;
+    int pinned = 0;      ///< motions
+    double alpha2 = 0.0; ///< rad/s²
+    MotionTableSettings table = {.columns = usualTableChannels()};
+    Notation notation = {};
+    int pages = 0; ///< at most
+};
 
 class TestPrintedExports : public QObject
 {
@@ -266,15 +278,30 @@ private slots:
 
     void reportsStayWithinTheirMargins_data()
     {
-        QTest::addColumn<bool>("hasFile");
-        QTest::addColumn<int>("pinned");
-        QTest::addColumn<double>("b");
-        QTest::newRow("the model alone") << false << 0 << 60.0;
-        QTest::newRow("a file") << true << 0 << 65.0;
-        QTest::newRow("a file that agrees") << true << 0 << 60.0;
-        QTest::newRow("pins") << false << 4 << 60.0;
-        QTest::newRow("a file and pins") << true << 4 << 65.0;
-        QTest::newRow("an oscillating crank") << false << 0 << 40.0;
+        constexpr Parameters kInInches{.a = 35.56, .b = 101.6, .c = 25.4, .omega2 = 10.0}; // 1.4, 4 and 1 in
+        const Notation inches{Symbols::Textbook, {LengthUnit::Inch, AngleUnit::DegreeAndRadianPerSecond}};
+        QTest::addColumn<ReportCase>("report");
+        QTest::newRow("the model alone") << ReportCase{.parameters = withCoupler(60.0), .pages = 3};
+        QTest::newRow("a file") << ReportCase{.parameters = withCoupler(65.0), .hasFile = true, .pages = 2};
+        QTest::newRow("a file that agrees") << ReportCase{.parameters = withCoupler(60.0), .hasFile = true, .pages = 2};
+        QTest::newRow("pins") << ReportCase{.parameters = withCoupler(60.0), .pinned = 4, .pages = 3};
+        QTest::newRow("a file and pins") << ReportCase{
+            .parameters = withCoupler(65.0), .hasFile = true, .pinned = 4, .pages = 3};
+        QTest::newRow("an oscillating crank") << ReportCase{.parameters = withCoupler(40.0), .pages = 3};
+        QTest::newRow("a mechanism that cannot be assembled")
+            << ReportCase{.parameters = withCoupler(4.0), .alpha2 = 5.0, .pages = 1};
+        QTest::newRow("a mechanism that cannot be assembled, beside a file")
+            << ReportCase{.parameters = withCoupler(4.0), .hasFile = true, .pages = 2};
+        QTest::newRow("a crank at rest") << ReportCase{.parameters = {.omega2 = 0.0}, .pages = 3};
+        QTest::newRow("a crank at rest that is accelerated")
+            << ReportCase{.parameters = {.omega2 = 0.0}, .alpha2 = 5.0, .pages = 3};
+        QTest::newRow("a fast crank") << ReportCase{.parameters = {.omega2 = 600.0}, .alpha2 = -1e4, .pages = 3};
+        QTest::newRow("inches") << ReportCase{.parameters = kInInches, .alpha2 = 30.0, .notation = inches, .pages = 3};
+        QTest::newRow("rows every 5°") << ReportCase{.table = {.angleStep = 5.0, .columns = usualTableChannels()},
+                                                     .pages = 4};
+        QTest::newRow("every column") << ReportCase{.table = {.columns = tableChannels()}, .pages = 5};
+        QTest::newRow("time steps") << ReportCase{.table = {.step = TableStep::Time, .columns = usualTableChannels()},
+                                                  .pages = 3};
     }
 
     /// A former defect: the last column of the table and the drawing were cut off.
@@ -283,33 +310,83 @@ private slots:
         if (const QString missing = missingProgram({"pdftotext", "pdftoppm"}); !missing.isEmpty()) {
             QSKIP(qPrintable(QStringLiteral("%1 is missing: tests/run installs it.").arg(missing)));
         }
-        QFETCH(const bool, hasFile);
-        QFETCH(const int, pinned);
-        QFETCH(const double, b);
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        QFETCH(const ReportCase, report);
+        setNotation(report.notation);
         for (const Language language : {Language::English, Language::Spanish}) {
             for (const PaperSize paper : {PaperSize::A4, PaperSize::Letter}) {
                 setLanguage(language);
-                writeReport(hasFile, pinned, b, paper);
-                checkWords(pinned == 0 ? 2 : 5);
+                writeReport(report, paper);
+                checkWords(report.pages);
                 checkPixels();
             }
+        }
+    }
+
+    /// The table and the polygons of a report, against the equations of the mechanism by hand: θ3 at B, in inches and
+    /// radians per second.
+    void reportsContainTheTableAndThePolygons()
+    {
+        if (const QString missing = missingProgram({"pdftotext"}); !missing.isEmpty()) {
+            QSKIP(qPrintable(QStringLiteral("%1 is missing: tests/run installs it.").arg(missing)));
+        }
+        QCOMPARE(run("render --a 1.4in --b 4in --c 1in --omega2 10 --alpha2 30 --at-angle 45 --notation textbook "
+                     "--length-unit in --angle-unit deg-rad/s --what report -o " +
+                     path("report.pdf"))
+                     .status,
+                 0);
+        const QString text =
+            QString::fromUtf8(outputOf("pdftotext", {"-layout", path("report.pdf"), "-"})).replace(QChar::Nbsp, u' ');
+        const QStringList lines = text.split('\n');
+        constexpr double a = 1.4, b = 4.0, c = 1.0, omega2 = 10.0, alpha2 = 30.0;
+        for (int degrees = 0; degrees <= 360; degrees += 15) {
+            const double theta2 = degrees / kDegreesPerRadian;
+            const double theta3 = std::asin((c - a * std::sin(theta2)) / b); // at A
+            const double omega3 = -a * omega2 * std::cos(theta2) / (b * std::cos(theta3));
+            const double alpha3 = (a * omega2 * omega2 * std::sin(theta2) - a * alpha2 * std::cos(theta2) +
+                                   b * omega3 * omega3 * std::sin(theta3)) /
+                                  (b * std::cos(theta3));
+            const double x = a * std::cos(theta2) + b * std::cos(theta3);
+            const double v = -a * omega2 * std::sin(theta2) - b * omega3 * std::sin(theta3);
+            const double acceleration = -a * (alpha2 * std::sin(theta2) + omega2 * omega2 * std::cos(theta2)) -
+                                        b * (alpha3 * std::sin(theta3) + omega3 * omega3 * std::cos(theta3));
+            const double outer = std::sqrt((a + b) * (a + b) - c * c);
+            QStringList row;
+            for (const double value : {theta2 * kDegreesPerRadian, 180.0 + theta3 * kDegreesPerRadian, omega3, alpha3,
+                                       x, v, acceleration, 90.0 - std::abs(theta3) * kDegreesPerRadian, outer - x}) {
+                constexpr double kRounding = 1e-12;
+                row << shortNumber(std::abs(value) < kRounding ? 0.0 : value, 5);
+            }
+            const auto hasRow = [&row](const QString &line) {
+                return line.simplified().endsWith(QLatin1Char(' ') + row.join(' '));
+            };
+            QVERIFY2(std::ranges::any_of(lines, hasRow), qPrintable(row.join(' ')));
+        }
+        const double bOmega3 = 9.8996; // in/s: a ω2 cos θ2 / cos θ3 with θ3 = asin((c - a sin θ2)/b) = 0.144°
+        for (const double magnitude : {14.0, bOmega3, 140.0, 42.0, bOmega3 * bOmega3 / b}) {
+            QVERIFY2(text.contains(" = " + shortNumber(magnitude)), qPrintable(QString::number(magnitude)));
         }
     }
 
 private:
     QString path(const char *name) const { return m_folder.filePath(name); }
 
-    void writeReport(bool hasFile, int pinned, double b, PaperSize paper)
+    void writeReport(const ReportCase &report, PaperSize paper)
     {
-        Choices choices{withCoupler(b), {}, {}, nullptr, {}};
-        if (hasFile) {
+        Choices choices{report.parameters, {}, {}, nullptr, {}};
+        if (report.hasFile) {
             choices.reference = std::get<std::shared_ptr<const Reference>>(readReference({{kSample}, {}, {}}));
         }
-        for (int i = 0; i < pinned; ++i) {
+        for (int i = 0; i < report.pinned; ++i) {
             choices.pinned.push_back({.a = 15.0 + i, .b = 70.0 + 10.0 * i, .c = -12.5, .omega2 = 3.0 + i});
         }
-        ReportContent content{.result = compute(choices, {}), .found = {}, .time = 0.2, .paper = paper};
-        if (hasFile) {
+        ReportContent content{.result = compute(choices, {}),
+                              .found = {},
+                              .time = 0.2,
+                              .alpha2 = report.alpha2,
+                              .table = report.table,
+                              .paper = paper};
+        if (report.hasFile) {
             content.found = identify(content.result->reference->data, content.result->mechanism);
         }
         PlotGrid plots;
@@ -328,28 +405,37 @@ private:
         QCOMPARE(exportReport(path("report.pdf"), content, drawMechanism, drawPlots), std::nullopt);
     }
 
-    /// Checks the places of all words, and that no page is nearly empty or ends with a heading.
+    /// Checks the places of all words, and that no page but the last one is rather empty.
     void checkWords(qsizetype largestPageCount)
     {
         constexpr double kMargin = 50.0; // pt, 17.6 mm
+        constexpr double kFooter = 20.0; // pt, above the lower margin
+        constexpr double kMinFullness = 0.4;
         static const QRegularExpression kPage(QStringLiteral("<page width=\"([0-9.]+)\" height=\"([0-9.]+)\">"));
         static const QRegularExpression kWord(QStringLiteral(
             "<word xMin=\"([-0-9.]+)\" yMin=\"([-0-9.]+)\" xMax=\"([-0-9.]+)\" yMax=\"([-0-9.]+)\">([^<]*)"));
         const QString text = QString::fromUtf8(outputOf("pdftotext", {"-bbox", path("report.pdf"), "-"}));
         const QStringList pages = text.split("</page>");
-        QVERIFY2(pages.size() - 1 <= largestPageCount, "pages that are half empty");
+        QVERIFY2(pages.size() - 1 <= largestPageCount, qPrintable(QString::number(pages.size() - 1)));
         for (qsizetype page = 0; page + 1 < pages.size(); ++page) {
             const QRegularExpressionMatch size = kPage.match(pages[page]);
-            const QRectF inside = QRectF(0.0, 0.0, size.captured(1).toDouble(), size.captured(2).toDouble())
+            const double height = size.captured(2).toDouble();
+            const QRectF inside = QRectF(0.0, 0.0, size.captured(1).toDouble(), height)
                                       .adjusted(kMargin, 0.0, -kMargin, 0.0); // above and below, see checkPixels()
             int words = 0;
+            double lowest = 0.0;
             for (auto match = kWord.globalMatch(pages[page]); match.hasNext(); ++words) {
                 const QRegularExpressionMatch word = match.next();
                 const QRectF box(QPointF(word.captured(1).toDouble(), word.captured(2).toDouble()),
                                  QPointF(word.captured(3).toDouble(), word.captured(4).toDouble()));
                 QVERIFY2(inside.contains(box), qPrintable(word.captured()));
+                if (box.bottom() < height - kMargin - kFooter) {
+                    lowest = std::max(lowest, box.bottom());
+                }
             }
             QVERIFY2(words > 30, qPrintable(pages[page]));
+            QVERIFY2(lowest > kMinFullness * height || page + 2 == pages.size(),
+                     qPrintable(QString::number(lowest / height)));
         }
     }
 

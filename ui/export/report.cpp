@@ -5,6 +5,8 @@
 #include "ui/export/report.h"
 
 #include "ui/document/whole_file.h"
+#include "ui/export/polygon_figure.h"
+#include "ui/text/theme.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QCoreApplication>
@@ -22,6 +24,7 @@
 #include <cmath>
 #include <memory>
 #include <utility>
+#include <vector>
 
 namespace slidercrank
 {
@@ -70,8 +73,25 @@ void insertDrawing(QTextDocument &document, const QString &placeholder, int type
     document.documentLayout()->registerHandler(type, &drawing);
     QTextCharFormat format;
     format.setObjectType(type);
-    document.find(placeholder).insertText(QString(QChar::ObjectReplacementCharacter), format);
+    if (QTextCursor place = document.find(placeholder); !place.isNull()) { // not every report has every drawing
+        place.insertText(QString(QChar::ObjectReplacementCharacter), format);
+    }
 }
+
+/// The sections that stand on the same page as a drawing.
+enum class Followers {
+    None,     ///< only the section of the drawing
+    NextOrAll ///< all sections after it, if they leave enough space for the drawing; otherwise only the next one
+};
+
+/// A drawing in the text whose height depends on the space on its page.
+struct FlexibleDrawing {
+    DrawingObject &drawing;
+    int type = 0;          ///< object type in the document
+    double smallest = 0.0; ///< height, px
+    double largest = 0.0;
+    Followers followers = Followers::None;
+};
 
 /// Arranges the sections of a document on its pages.
 class Pages
@@ -83,77 +103,84 @@ public:
     {
     }
 
-    /// Moves each section that a page break would divide to the next page, if it fits on a page.
-    void keepSectionsTogether()
+    /// Arranges all sections, in their order.
+    void arrange(const std::vector<FlexibleDrawing> &drawings)
     {
-        for (QTextBlock block = m_document.begin(); block.isValid(); block = block.next()) {
-            if (block.blockFormat().headingLevel() == kSectionLevel) {
-                const double top = boxOf(block).top();
-                const double bottom = bottomOf(block);
-                const bool isDivided = pageAt(top) != pageAt(bottom);
-                if (isDivided && bottom - top <= m_page.height() && std::fmod(top, m_page.height()) > 0.0) {
-                    beginPageWith(block);
-                }
+        QTextBlock heading = headingAfter(m_document.begin());
+        for (; heading.isValid(); heading = headingAfter(heading)) {
+            const auto isHere = [&](const FlexibleDrawing &flexible) { return hasObject(heading, flexible.type); };
+            const auto flexible = std::ranges::find_if(drawings, isHere);
+            if (flexible == drawings.end()) {
+                keepTogether(heading);
+            } else {
+                fillPage(heading, *flexible);
             }
         }
-    }
-
-    /// Makes the section with the drawing fill a page: together with all sections after it, if they leave enough space
-    /// for the drawing, otherwise together with the next section.
-    void fillPage(DrawingObject &drawing, int type, int largestHeight)
-    {
-        constexpr int kReservedHeight = 24;  // px, because the space between paragraphs depends on the page
-        constexpr double kMinDrawing = 0.45; // of the page
-        for (QTextBlock block = m_document.begin(); block.isValid(); block = block.next()) {
-            if (hasObject(block, type)) {
-                const QTextBlock heading = headingOf(block);
-                beginPageWith(heading);
-                const QTextBlock next = headingAfter(block);
-                const double top = boxOf(heading).top();
-                const double withNext = bottomOf(next.isValid() ? next : heading) - top;
-                const double withAll = boxOf(m_document.lastBlock()).bottom() - top;
-                const bool isSpaceForAll = m_page.height() - withAll - kReservedHeight >= kMinDrawing * m_page.height();
-                const double others = isSpaceForAll ? withAll : withNext;
-                drawing.setHeight(
-                    std::min(largestHeight, static_cast<int>(m_page.height() - others) - kReservedHeight));
-                layOut();
-                return;
-            }
-        }
-    }
-
-    void beginPageWith(const QTextBlock &heading)
-    {
-        QTextCursor cursor(heading);
-        QTextBlockFormat format = heading.blockFormat();
-        format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
-        cursor.setBlockFormat(format);
-        layOut();
     }
 
 private:
     static constexpr int kSectionLevel = 2; ///< level of the headings of sections
 
+    /// Moves a section that a page break would divide to the next page, if it fits on a page.
+    void keepTogether(const QTextBlock &heading)
+    {
+        const double top = boxOf(heading).top();
+        const double bottom = bottomOf(heading);
+        const bool isDivided = pageAt(top) != pageAt(bottom);
+        if (isDivided && bottom - top <= m_page.height() && std::fmod(top, m_page.height()) > 0.0) {
+            setPageBreak(heading, QTextFormat::PageBreak_AlwaysBefore);
+        }
+    }
+
+    /// Gives a drawing the height with which its section and the followers fill the page. They stand on a new page,
+    /// unless the drawing can have the smallest height on the page on which they begin.
+    void fillPage(const QTextBlock &heading, const FlexibleDrawing &flexible)
+    {
+        constexpr int kReservedHeight = 24; // px, because the space between paragraphs depends on the page
+        const double spaceBefore = std::fmod(boxOf(heading).top(), m_page.height());
+        setPageBreak(heading, QTextFormat::PageBreak_AlwaysBefore); // for the measurement
+        const auto heightUntil = [&](double bottom) { return bottom - boxOf(heading).top() + kReservedHeight; };
+        double others = heightUntil(bottomOf(heading));
+        if (flexible.followers == Followers::NextOrAll) {
+            const QTextBlock next = headingAfter(heading);
+            const double withAll = heightUntil(boxOf(m_document.lastBlock()).bottom());
+            const bool isSpaceForAll = m_page.height() - withAll >= flexible.smallest;
+            others = isSpaceForAll ? withAll : heightUntil(bottomOf(next.isValid() ? next : heading));
+        }
+        double space = m_page.height() - others;
+        if (space - spaceBefore >= flexible.smallest) {
+            setPageBreak(heading, QTextFormat::PageBreak_Auto);
+            space -= spaceBefore;
+        }
+        flexible.drawing.setHeight(static_cast<int>(std::min(flexible.largest, space)));
+        layOut();
+    }
+
+    void setPageBreak(const QTextBlock &heading, QTextFormat::PageBreakFlag policy)
+    {
+        QTextCursor cursor(heading);
+        QTextBlockFormat format = heading.blockFormat();
+        format.setPageBreakPolicy(policy);
+        cursor.setBlockFormat(format);
+        layOut();
+    }
+
     void layOut() { m_document.markContentsDirty(0, m_document.characterCount()); }
     QRectF boxOf(const QTextBlock &block) const { return m_document.documentLayout()->blockBoundingRect(block); }
     int pageAt(double y) const { return static_cast<int>(y / m_page.height()); }
 
-    static bool hasObject(const QTextBlock &block, int type)
+    /// Returns whether a section contains an object of that type.
+    static bool hasObject(const QTextBlock &heading, int type)
     {
-        for (auto fragment = block.begin(); !fragment.atEnd(); ++fragment) {
-            if (fragment.fragment().charFormat().objectType() == type) {
-                return true;
+        const QTextBlock end = headingAfter(heading);
+        for (QTextBlock block = heading; block != end; block = block.next()) {
+            for (auto fragment = block.begin(); !fragment.atEnd(); ++fragment) {
+                if (fragment.fragment().charFormat().objectType() == type) {
+                    return true;
+                }
             }
         }
         return false;
-    }
-
-    static QTextBlock headingOf(QTextBlock block)
-    {
-        while (block.isValid() && block.blockFormat().headingLevel() != kSectionLevel) {
-            block = block.previous();
-        }
-        return block;
     }
 
     static QTextBlock headingAfter(QTextBlock block)
@@ -190,7 +217,8 @@ QFont letterFont(int pixels)
 const QString kStyle =
     "h1 {font-size: x-large; margin-bottom: 2px} h2 {font-size: large; margin-top: 12px; margin-bottom: 4px} "
     "p {margin-top: 4px; margin-bottom: 4px} th, td {padding-right: 10px} td.unbroken {white-space: nowrap} "
-    ".note {color: #505050} .dense td, .dense th {font-size: small}";
+    ".note {color: #505050} .dense td, .dense th {font-size: small} "
+    ".numbers td, .numbers th {padding-right: 3px; white-space: nowrap}";
 
 void setText(QTextDocument &document, const QFont &font, const QString &html)
 {
@@ -213,6 +241,15 @@ QSize drawingSize(const ReportContent &content, const QFont &font, double textWi
     return {static_cast<int>(width), static_cast<int>(kHeightRatio * width)};
 }
 
+FigureDrawing polygonDrawing(const ReportContent &content)
+{
+    return [polygons = polygonsAt(content.result->mechanism, content.time, content.alpha2)](QPainter &painter,
+                                                                                            const QSize &size) {
+        painter.setRenderHint(QPainter::Antialiasing);
+        drawPolygons(painter, QRectF({0.0, 0.0}, QSizeF(size)), polygons, paletteFor(Theme::Light));
+    };
+}
+
 /// A report laid out on pages of a size (px).
 class LaidOutReport
 {
@@ -221,18 +258,32 @@ public:
                   const FigureDrawing &figure)
         : m_font(font)
         , m_mechanism(mechanism, font, drawingSize(content, font, page.width()))
+        , m_polygons(polygonDrawing(content), font, {static_cast<int>(page.width()), 1})
         , m_figure(figure, font, {static_cast<int>(page.width()), 1})
     {
-        constexpr double kMaxHeightRatio = 1.4; // height of the figure over its width
+        constexpr double kMaxPolygonRatio = 0.75; // height over width
+        constexpr double kMaxFigureRatio = 1.4;
+        constexpr double kMinFigure = 0.45; // of the page
         constexpr int kMechanismType = QTextFormat::UserObject;
-        constexpr int kFigureType = QTextFormat::UserObject + 1;
+        constexpr int kPolygonType = QTextFormat::UserObject + 1;
+        constexpr int kFigureType = QTextFormat::UserObject + 2;
         setText(m_document, font, reportHtml(content));
         insertDrawing(m_document, kMechanismPlace, kMechanismType, m_mechanism);
+        insertDrawing(m_document, kPolygonsPlace, kPolygonType, m_polygons);
         insertDrawing(m_document, kFigurePlace, kFigureType, m_figure);
         m_document.setPageSize(page);
-        Pages pages(m_document);
-        pages.fillPage(m_figure, kFigureType, static_cast<int>(kMaxHeightRatio * page.width()));
-        pages.keepSectionsTogether();
+        const double minPolygons = minimumPolygonHeight(font);
+        Pages(m_document)
+            .arrange({{.drawing = m_polygons,
+                       .type = kPolygonType,
+                       .smallest = minPolygons,
+                       .largest = kMaxPolygonRatio * page.width(),
+                       .followers = Followers::None},
+                      {.drawing = m_figure,
+                       .type = kFigureType,
+                       .smallest = kMinFigure * page.height(),
+                       .largest = kMaxFigureRatio * page.width(),
+                       .followers = Followers::NextOrAll}});
     }
 
     /// Returns whether no line is wider than the page.
@@ -282,6 +333,7 @@ public:
 private:
     QFont m_font;
     DrawingObject m_mechanism; ///< the drawings outlive the document, which draws them
+    DrawingObject m_polygons;
     DrawingObject m_figure;
     QTextDocument m_document;
 };

@@ -2,10 +2,15 @@
 #pragma once
 
 // Writes a report as PDF on A4 or Letter: the mechanism with its drawing, the values at one crank angle, the motion
-// limits, the plots with the method of computation, and the comparison with a reference file or a pinned motion.
+// limits, the table of the motion and the polygons, the plots with the method of computation, and the comparison with a
+// reference file or a pinned motion.
+//
+// A comparison with a file has neither the table nor the polygons: they are exercises about the model, and would
+// separate the drawing from the errors by a page.
 
 #include "core/identification/identification.h"
 #include "ui/document/result.h"
+#include "ui/document/view_settings.h"
 #include "ui/export/figure_export.h"
 
 #include <QDateTime>
@@ -26,13 +31,15 @@ struct ReportContent {
     std::shared_ptr<const Result> result; ///< not null
     Identification found;                 ///< the mechanism of the reference; not used if there is no reference
     double time = 0.0;                    ///< s, at which the values are stated and the mechanism is drawn
-    double alpha2 = 0.0;                  ///< rad/s²: acceleration of the crank, in the values only
+    double alpha2 = 0.0;                  ///< rad/s²: acceleration of the crank in values, table and polygons
+    std::optional<MotionTableSettings> table = {}; ///< nullopt: every 15°, with the usual columns
     PaperSize paper = PaperSize::A4;
     QDateTime timeOfWriting = QDateTime::currentDateTime();
 };
 
 /// The paragraphs that stand for the drawings in the text of a report.
 inline constexpr const char *kMechanismPlace = "[mechanism]";
+inline constexpr const char *kPolygonsPlace = "[polygons]";
 inline constexpr const char *kFigurePlace = "[figure]";
 
 /// Returns the table of the parameters of the model as HTML. The mechanism is drawn beside it.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report.h"
 
+#include "ui/export/motion_table.h"
+#include "ui/export/polygon_figure.h"
 #include "ui/text/channel_text.h"
 #include "ui/text/column_text.h"
 #include "ui/text/comparison_text.h"
@@ -18,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace slidercrank
@@ -47,6 +50,7 @@ QString paragraph(QString text)
 {
     static const QRegularExpression kBeforeUnit("(?<=[0-9]) (?=[a-z°])");
     text.replace(" = ", "\u00a0=\u00a0").replace(kBeforeUnit, "\u00a0");
+    text.replace("|\u00a0", "|\u2060\u00a0"); // a bar permits a break even before a space that does not
     return text.isEmpty() ? QString() : element("p", text);
 }
 
@@ -55,29 +59,36 @@ QString note(const QString &text)
     return text.isEmpty() ? QString() : QStringLiteral("<div class=note>%1</div>").arg(element("p", text));
 }
 
-/// Whether the last column of a table contains numbers or text.
-enum class LastColumn { Number, Text };
+/// What the columns of a table contain.
+enum class TableKind {
+    Numbers,            ///< numbers alone
+    NamesAndNumbers,    ///< names in the first column
+    NamesNumbersAndText ///< names in the first column, text in the last one
+};
 
-/// Returns an HTML table. The first row is the header. The first column is aligned to the left, numbers to the right.
-/// With a last column of text, which is broken into lines, the first column is broken, too, and the letters are
-/// smaller.
-QString table(const std::vector<QStringList> &rows, LastColumn last = LastColumn::Number)
+/// Returns an HTML table. The first row is the header, which is repeated on each page. Names and text are aligned to
+/// the left, numbers to the right. With a column of text, which is broken into lines, the names are broken, too, and
+/// the letters are smaller.
+QString table(const std::vector<QStringList> &rows, TableKind kind = TableKind::NamesAndNumbers)
 {
-    const bool hasText = last == LastColumn::Text;
-    QString html = hasText ? "<table class=dense cellspacing=0 cellpadding=2>" : "<table cellspacing=0 cellpadding=2>";
+    const bool hasText = kind == TableKind::NamesNumbersAndText;
+    const char *style = hasText ? "dense" : "plain";
+    QString html = QStringLiteral("<table class=%1 cellspacing=0 cellpadding=2>")
+                       .arg(QLatin1String(kind == TableKind::Numbers ? "numbers" : style));
     for (const QStringList &row : rows) {
-        html += "<tr>";
+        const bool isHeader = &row == &rows.front();
+        html += isHeader ? "<thead><tr>" : "<tr>";
         for (qsizetype i = 0; i < row.size(); ++i) {
+            const bool isName = i == 0 && kind != TableKind::Numbers;
             const bool isText = hasText && i + 1 == row.size();
-            const bool isBroken = isText || (hasText && i == 0);
+            const bool isBroken = isText || (hasText && isName);
             html += QStringLiteral("<%1 class=%2 align=%3%4>%5</%1>")
-                        .arg(QLatin1String(&row == &rows.front() ? "th" : "td"),
-                             QLatin1String(isBroken ? "text" : "unbroken"),
-                             QLatin1String(isText || i == 0 ? "left" : "right"),
-                             QLatin1String(hasText && i == 0 ? " width=130" : ""), // px
+                        .arg(QLatin1String(isHeader ? "th" : "td"), QLatin1String(isBroken ? "text" : "unbroken"),
+                             QLatin1String(isText || isName ? "left" : "right"),
+                             QLatin1String(hasText && isName ? " width=130" : ""), // px
                              subscriptHtml(row[i]));
         }
-        html += "</tr>";
+        html += isHeader ? "</tr></thead>" : "</tr>";
     }
     return html + "</table>";
 }
@@ -89,7 +100,8 @@ QString equation(const ReportContent &content, const OutputChannel &channel)
     const OutputState state = unambiguousStateAt(mechanism, content.time, content.alpha2);
     const double exact = withoutNoise(state.valueOf(channel), channel, mechanism, content.alpha2);
     const double value = shownChannel(channel, mechanism.branch(), exact);
-    return QStringLiteral("%1 = %2").arg(symbolOf(channel), withUnit(shortNumber(value, kDigits), shownUnit(channel)));
+    return QStringLiteral("%1 = %2").arg(
+        symbolOf(channel), std::isfinite(value) ? withUnit(shortNumber(value, kDigits), shownUnit(channel)) : dash());
 }
 
 /// Returns the values of coupler and slider at the chosen position.
@@ -131,6 +143,14 @@ QString accelerationNote(const ReportContent &content)
                : note(Report::tr("The motion limits and the plots are those of a constant crank speed, without α₂."));
 }
 
+/// Returns the section with the motion limits.
+QString limitSection(const Result &result)
+{
+    const std::vector<MotionFact> facts = motionFacts(result.mechanism, result.limits, result.sampling, notation());
+    return heading(Report::tr("Motion limits")) + paragraph(mobilitySentence(result.mechanism, result.limits)) +
+           (facts.empty() ? QString() : table(limitTable(facts)));
+}
+
 QString crankText(const ReportContent &content)
 {
     const Mechanism &mechanism = content.result->mechanism;
@@ -146,6 +166,105 @@ QString crankText(const ReportContent &content)
         text += QStringLiteral(", α₂ = %1 rad/s²").arg(numberText(content.alpha2));
     }
     return text;
+}
+
+/// Returns the settings of the table of the motion. A step that gives more rows than a report should have is replaced.
+MotionTableSettings printedTable(const ReportContent &content)
+{
+    constexpr std::size_t kMaxPrintedRows = 361; // every degree, about nine pages
+    const MotionTableSettings usual{.columns = usualTableChannels()};
+    MotionTableSettings settings = content.table.value_or(usual);
+    if (tablePlaces(settings, content.result->mechanism, content.result->sampling).size() > kMaxPrintedRows) {
+        settings.step = TableStep::CrankAngle;
+        settings.angleStep = usual.angleStep;
+    }
+    return settings;
+}
+
+/// Returns the rows of the table of the motion.
+std::vector<TableRow> motionRows(const ReportContent &content, const MotionTableSettings &settings)
+{
+    const Mechanism &mechanism = content.result->mechanism;
+    std::vector<TableRow> rows;
+    for (const TablePlace &place : tablePlaces(settings, mechanism, content.result->sampling)) {
+        rows.push_back(motionTableRow(settings, mechanism, content.alpha2, place));
+    }
+    return rows;
+}
+
+/// Returns some columns of the table of the motion as HTML.
+QString motionColumns(const std::vector<TableColumn> &columns, const std::vector<TableRow> &rows,
+                      const std::vector<std::size_t> &shown)
+{
+    std::vector<QStringList> texts(rows.size() + 1);
+    for (const std::size_t column : shown) {
+        texts.front() << columns[column].title;
+        for (std::size_t row = 0; row < rows.size(); ++row) {
+            texts[row + 1] << rows[row].cells[column].text;
+        }
+    }
+    return table(texts, TableKind::Numbers);
+}
+
+/// Returns the notes that explain the dashes in the table of the motion.
+QString dashNotes(const std::vector<TableRow> &rows)
+{
+    const auto hasNoNumber = [](const TableCell &cell) { return !cell.number; };
+    const auto hasNoTime = [&](const TableRow &row) { return hasNoNumber(row.cells.front()); };
+    const auto hasNoValue = [&](const TableRow &row) {
+        return std::any_of(row.cells.begin() + kFirstChannelColumn, row.cells.end(), hasNoNumber);
+    };
+    QString html;
+    if (std::ranges::any_of(rows, hasNoTime)) {
+        html += note(Report::tr("Without a time: angles that the crank does not reach within the time range."));
+    }
+    if (std::ranges::any_of(rows, hasNoValue)) {
+        html += note(Report::tr("Without a value: angles at which the mechanism cannot be assembled, or at which the "
+                                "velocities do not exist."));
+    }
+    return html;
+}
+
+/// Returns the section with the table of the motion, on a new page. Columns for which the page is too narrow follow
+/// in sections of their own. Returns an empty text if there is none.
+QString motionTable(const ReportContent &content)
+{
+    if (content.result->reference || content.result->limits.mobility == Mobility::Impossible) {
+        return {};
+    }
+    constexpr std::size_t kMaxChannels = 8; // side by side
+    const MotionTableSettings settings = printedTable(content);
+    const std::vector<TableColumn> columns = motionTableColumns(settings);
+    const std::vector<TableRow> rows = motionRows(content, settings);
+    const bool isOverTime = settings.step == TableStep::Time;
+    const QString step =
+        isOverTime ? withUnit(numberText(settings.timeStep), "s") : withUnit(numberText(settings.angleStep), "°");
+    const QString acceleration =
+        content.alpha2 == 0.0 ? QString() : QStringLiteral(", α₂ = %1 rad/s²").arg(numberText(content.alpha2));
+    const QString title = Report::tr("Table, every %1%2").arg(step, acceleration);
+    QString html;
+    for (std::size_t first = kFirstChannelColumn; first < columns.size(); first += kMaxChannels) {
+        std::vector<std::size_t> shown(kFirstChannelColumn);
+        std::iota(shown.begin(), shown.end(), 0U); // t and θ₂
+        for (std::size_t i = first; i < std::min(first + kMaxChannels, columns.size()); ++i) {
+            shown.push_back(i);
+        }
+        html += html.isEmpty() ? QStringLiteral("<h2 style=\"page-break-before: always\">%1</h2>").arg(title)
+                               : heading(Report::tr("Further columns of the table"));
+        html += motionColumns(columns, rows, shown);
+    }
+    return html + dashNotes(rows);
+}
+
+/// Returns the section with the polygons; an empty text if there is no vector to be drawn.
+QString polygonSection(const ReportContent &content)
+{
+    const Polygons polygons = polygonsAt(content.result->mechanism, content.time, content.alpha2);
+    if (content.result->reference || !hasVectors(polygons)) {
+        return {};
+    }
+    return heading(Report::tr("Velocity and acceleration polygons at %1").arg(crankText(content))) +
+           QStringLiteral("<p>%1</p>").arg(kPolygonsPlace);
 }
 
 QString pinnedText(const Result &result)
@@ -183,7 +302,7 @@ QString errorTable(const std::vector<ChannelComparison> &comparison, const Refer
             rows.back() << numberText(inShownUnit(channel.roundingStep), 3) << verdictText(channel);
         }
     }
-    return table(rows, file ? LastColumn::Text : LastColumn::Number);
+    return table(rows, file ? TableKind::NamesNumbersAndText : TableKind::NamesAndNumbers);
 }
 
 /// Returns the description of the reference: the files, and how their columns were interpreted.
@@ -224,6 +343,16 @@ QString differenceText(const Result &result)
     return heading(Report::tr("Difference from the pinned motion")) +
            paragraph(Report::tr("The model is compared with the pinned motion (%1).").arg(pinned)) +
            errorTable(result.difference->channels, nullptr);
+}
+
+/// Returns the section with the plots; an empty text if they would contain no curve.
+QString plotSection(const Result &result)
+{
+    if (result.limits.mobility == Mobility::Impossible && !result.isCompared()) {
+        return {};
+    }
+    return heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +
+           QStringLiteral("<p>%1</p>").arg(kFigurePlace);
 }
 
 QString methodText(const Result &result)
@@ -285,11 +414,8 @@ QString reportHtml(const ReportContent &content)
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
            sideBySide(parameterTable(content), kMechanismPlace) + note(caption) +
            heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) + derivedValues(content) +
-           jumpNote(content) + accelerationNote(content) + heading(Report::tr("Motion limits")) +
-           paragraph(mobilitySentence(result.mechanism, result.limits)) +
-           table(limitTable(motionFacts(result.mechanism, result.limits, result.sampling, notation()))) +
-           heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +
-           QStringLiteral("<p>%1</p>").arg(kFigurePlace) + heading(Report::tr("Method")) +
+           jumpNote(content) + accelerationNote(content) + limitSection(result) + motionTable(content) +
+           polygonSection(content) + plotSection(result) + heading(Report::tr("Method")) +
            paragraph(methodText(result)) + comparison;
 }
 

@@ -169,7 +169,12 @@ void Exports::chooseReport()
 
 void Exports::writeReport(const QString &path, PaperSize paper)
 {
-    ReportContent content{m_session->result(), {}, m_session->time(), m_session->alpha2(), paper};
+    ReportContent content{.result = m_session->result(),
+                          .found = {},
+                          .time = m_session->time(),
+                          .alpha2 = m_session->alpha2(),
+                          .table = m_views.table->settings(),
+                          .paper = paper};
     if (const auto &reference = content.result->choices.reference) {
         const auto &identification = m_session->identification();
         if (!identification || identification->reference != reference ||

@@ -305,9 +305,54 @@ private slots:
         QVERIFY2(report.has({"65 mm", "60.0", " ± ", "identified in this file", "coupler angle θ³", "stroke",
                              "inventor_sample.csv, t = 0 … 1 s, 201 rows", "± is one standard error"}),
                  qPrintable(report.text));
+        QVERIFY(!report.has("Table") && !report.has("olygons")); // exercises, of no use in a comparison
         const ReportText alone(contentWith(65.0, nullptr));
         QVERIFY(!alone.has("eference") && !alone.has("found in"));
         QVERIFY(ReportText(contentWith(60.0, referenceIn({kSample}))).has("within the rounding of the file"));
+    }
+
+    void reportsTheTableWithItsSettings()
+    {
+        ReportContent content = contentWith(65.0, nullptr);
+        const ReportText usual(content);
+        qsizetype at = 0;
+        for (const char *words : {"Motion limits", "Table, every 15°", "345.00", "Velocity and acceleration polygons",
+                                  "[polygons]", "Motion", "[figure]", "Method"}) {
+            at = usual.text.indexOf(words, at);
+            QVERIFY2(at >= 0, words);
+        }
+        const std::vector<OutputChannel> position{Channel{R4x, Order::Position}};
+        content.table = MotionTableSettings{.step = TableStep::Time, .timeStep = 0.25, .columns = position};
+        content.alpha2 = 50.0;
+        const ReportText overTime(content);
+        QVERIFY2(overTime.has({"Table, every 0.25 s, α₂ = 50 rad/s²", "0.75000"}), qPrintable(overTime.text));
+        QVERIFY(!overTime.has("345.00"));
+        content.table->timeStep = 1e-3; // 1001 rows
+        QVERIFY(ReportText(content).has("Table, every 15°"));
+    }
+
+    void reportsNeitherTableNorPolygonsOfWhatDoesNotMove()
+    {
+        Session session;
+        session.setParameter(Parameter::Omega2, 0.0);
+        ReportContent content{session.result(), {}};
+        QVERIFY(ReportText(content).has("Table, every 15°") && !ReportText(content).has("olygons"));
+        QVERIFY(ReportText(content).has("angles that the crank does not reach"));
+        content.alpha2 = 5.0;
+        QVERIFY(ReportText(content).has("olygons"));
+        session.setParameters({.b = 4.0}); // cannot be assembled
+        const ReportText impossible({session.result(), {}});
+        QVERIFY2(!impossible.has("Table") && !impossible.has("olygons") && !impossible.has("[figure]"),
+                 qPrintable(impossible.text));
+    }
+
+    /// A former defect: "θ³ = –°" and the headings of a table without rows.
+    void reportsDashesWithoutUnits()
+    {
+        const ReportText impossible(contentWith(4.0, nullptr));
+        QVERIFY2(impossible.has({"θ³ = –", "s = –."}) && !impossible.has("–°") && !impossible.has("– mm"),
+                 qPrintable(impossible.text));
+        QVERIFY(!impossible.has("limit\n"));
     }
 
     void reportNamesItsFilesAndColumns()
@@ -348,7 +393,9 @@ private slots:
         ReportContent content{session.result(), {}};
         content.time = 0.75; // 270°
         const ReportText report(content);
-        QVERIFY2(report.has({"v⁴ = –", "a⁴ = –", "the velocities jump: just before"}), qPrintable(report.text));
+        QVERIFY2(report.has({"v⁴ = –", "a⁴ = –", "the velocities jump: just before", "velocities do not exist."}),
+                 qPrintable(report.text));
+        QVERIFY(!report.has("olygons"));
         content.time = 0.7;
         QVERIFY(!ReportText(content).has("v⁴ = –") && !ReportText(content).has("just before"));
     }
