@@ -131,6 +131,17 @@ double NumberTicker::getTickStep(const QCPRange &range)
     return m_step * unit;
 }
 
+QVector<QString> NumberTicker::createLabelVector(const QVector<double> &ticks, const QLocale &locale, QChar format,
+                                                 int precision)
+{
+    QVector<QString> labels = QCPAxisTicker::createLabelVector(ticks, locale, format, precision);
+    const bool isCrowded = ticks.size() > 2 && ticks[1] - ticks[0] < minLabelDistance;
+    for (qsizetype i = 1; isCrowded && i < labels.size(); i += 2) {
+        labels[i].clear();
+    }
+    return labels;
+}
+
 QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
     constexpr double kRoundingError = 1e-6; // fraction of a step

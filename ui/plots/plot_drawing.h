@@ -34,8 +34,13 @@ public:
     /// in radians are then multiples of π.
     std::optional<AngleUnit> angle = {};
 
+    /// Where ticks are closer together, in coordinates of the axis, every second one has no label.
+    double minLabelDistance = 0.0;
+
 protected:
     double getTickStep(const QCPRange &range) override;
+    QVector<QString> createLabelVector(const QVector<double> &ticks, const QLocale &locale, QChar format,
+                                       int precision) override;
     QString getTickLabel(double tick, const QLocale &locale, QChar format, int precision) override;
 
 private:

@@ -206,7 +206,9 @@ void PlotFigure::scaleAxis(std::size_t index)
     plot.ticker->perUnit = 1.0 / scale.factor;
     plot.ticker->setTickOrigin(-scale.offset / scale.factor);
     plot.ticker->isLogarithmic = isLogarithmic(index);
-    plot.ticker->setTickCount(std::max(kMinTicks, plot.axes->height() / kPixelsPerTick));
+    const int height = std::max(1, plot.axes->height());
+    plot.ticker->setTickCount(std::max(kMinTicks, height / kPixelsPerTick));
+    plot.ticker->minLabelDistance = values.length() * lineHeight(m_fonts.tick) / height;
 }
 
 /// Fits the curves of a plot to its axes, adds them to the drawing, and lists them in the legend.

@@ -490,6 +490,33 @@ private slots:
         QVERIFY(zero >= 0 && isNear(axis.tickVector()[zero], 0.25, 1e-9));
     }
 
+    /// A former defect: on a small screen with an open tab, the numbers of the axis of the positions touched.
+    void numbersOfALowPlotDoNotTouch()
+    {
+        const std::vector<std::size_t> plots{0, 1, 3, 4, 6, 7};
+        QFont font;
+        font.setPixelSize(12);
+        const double numberHeight = QFontMetricsF(PlotFonts(font).tick).height();
+        PlotFigure &figure = figureOf({});
+        for (int height = 220; height <= 600; height += 5) { // px, 220 in a window of 764×450
+            figure.compose({plots, font, paletteFor(Theme::Light)}, {420, height});
+            for (const std::size_t plot : plots) {
+                const QCPAxis &axis = *figure.shownPlot(plot).axes->axis(QCPAxis::atLeft);
+                std::vector<double> numbers; // px
+                for (qsizetype i = 0; i < axis.tickVector().size(); ++i) {
+                    if (!axis.tickVectorLabels()[i].isEmpty()) {
+                        numbers.push_back(axis.coordToPixel(axis.tickVector()[i]));
+                    }
+                }
+                QVERIFY(numbers.size() >= 2);
+                for (std::size_t i = 1; i < numbers.size(); ++i) {
+                    QVERIFY2(numbers[i - 1] - numbers[i] >= numberHeight - 1.0,
+                             qPrintable(QStringLiteral("%1 px, plot %2").arg(height).arg(plot)));
+                }
+            }
+        }
+    }
+
     /// A former defect: in a figure of 85 mm, values at the cursor covered a part of their curve.
     void valuesStandBesideTheirCurve()
     {
