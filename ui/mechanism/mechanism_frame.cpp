@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_frame.h"
 
-#include "ui/text/interval.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -53,6 +51,16 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
         }
     }
     return QRectF(QPointF(x.lower, std::min(-a, c)), QPointF(x.upper, std::max(a, c)));
+}
+
+Interval sliderTravel(const Mechanism &mechanism, const MotionLimits &limits)
+{
+    if (limits.mobility == Mobility::FullTurn && limits.inner && limits.outer) {
+        const auto [left, right] = std::minmax(limits.inner->R4x, limits.outer->R4x);
+        return {left, right};
+    }
+    const QRectF bounds = motionBounds(mechanism, limits);
+    return {bounds.left(), bounds.right()};
 }
 
 void MechanismFrame::follow(const QRectF &bounds)

@@ -9,6 +9,7 @@
 // top().
 
 #include "core/limits/mobility.h"
+#include "ui/text/interval.h"
 
 #include <QPointF>
 #include <QRectF>
@@ -35,6 +36,9 @@ struct MechanismProjection {
 
 /// Returns the rectangle (mm) in which the pins A and B move. It is never empty, since the crank has a length.
 QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits);
+
+/// Returns the range (mm) in which the slider moves or, where the crank makes no full turns, one that contains it.
+Interval sliderTravel(const Mechanism &mechanism, const MotionLimits &limits);
 
 class MechanismFrame
 {

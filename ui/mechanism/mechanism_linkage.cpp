@@ -8,6 +8,7 @@
 #include "ui/text/written_number.h"
 
 #include <QFontMetricsF>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -28,7 +29,9 @@ constexpr double kJointRadius = 6.0; // covers the ends of the links
 QPainterPath sliderPath(QPointF centre)
 {
     QPainterPath path;
-    path.addRect(QRectF(centre - QPointF(19.0, 12.0), QSizeF(38.0, 24.0)));
+    QRectF slider(QPointF(), MechanismSketch::kSliderSize);
+    slider.moveCenter(centre);
+    path.addRect(slider);
     return path;
 }
 
@@ -84,7 +87,9 @@ void MechanismSketch::addLinkage()
     addMarked();
     if (!m_exists) {
         addMissingCoupler();
-        addAssemblyProblem();
+        if (!hasProblemInLegend()) {
+            addAssemblyProblem();
+        }
     }
 }
 
@@ -148,11 +153,20 @@ void MechanismSketch::addMissingCoupler()
                    tr("gap = %1").arg(lengthText(std::abs(mechanism().c() - nearest), 4)), m_ink);
 }
 
-/// Adds the reason why the mechanism cannot be assembled and what would help.
+/// Returns the reason why the mechanism cannot be assembled and what would help. A line does not end within an
+/// equation.
+QString MechanismSketch::problemText() const
+{
+    static const QRegularExpression kWithin(
+        "(?<=[=≥]) | (?=[=≥])|(?<=[0-9]) (?=[a-z])"); // around a sign, before a unit
+    return missingPoseText(*m_scene).replace(kWithin, QChar(QChar::Nbsp));
+}
+
+/// Adds the reason why the mechanism cannot be assembled, in a box that hides what is below it.
 void MechanismSketch::addAssemblyProblem()
 {
     constexpr double kMargin = 17.0; // px
-    const QString text = missingPoseText(*m_scene);
+    const QString text = problemText();
     const QRectF available(0.0, 0.0, std::max(160.0, 0.45 * projection().size.width()), 1e4);
     const QSizeF extent = QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, text).size();
     const double numbers = textSize({}).height(); // the numbers of the grid along the lower edge
@@ -160,6 +174,7 @@ void MechanismSketch::addAssemblyProblem()
     const QRectF box = m_scene->inFreeCorner(inside, extent);
     QPainterPath frame;
     frame.addRoundedRect(box.adjusted(-9.0, -9.0, 9.0, 9.0), 4.0, 4.0);
+    std::erase_if(m_labels, [&frame](const Label &label) { return frame.intersects(label.box); });
     add(frame, QPen(m_colours.warning, 1.0), withAlpha(m_paper, 0.93));
     m_labels.push_back({.text = text,
                         .box = box.adjusted(0.0, 0.0, 1.0, 1.0),

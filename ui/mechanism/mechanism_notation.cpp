@@ -7,6 +7,8 @@
 #include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
+#include <QFontMetricsF>
+
 #include <algorithm>
 #include <cmath>
 
@@ -162,10 +164,37 @@ void MechanismSketch::addLegend()
     if (centre) {
         addInstantCentreText(*centre, scaleCount());
     }
+    if (hasProblemInLegend()) {
+        m_labels.push_back({.text = problemText(),
+                            .box = problemInLegend(),
+                            .ink = m_ink,
+                            .paper = Qt::transparent,
+                            .alignment = Qt::TextWordWrap});
+    }
+}
+
+/// Returns whether the reason why the mechanism cannot be assembled is below the drawing, which it would cover. A
+/// mechanism that can be assembled at other angles has the reason in a corner, since its drawing would otherwise jump
+/// while the crank turns.
+bool MechanismSketch::hasProblemInLegend() const
+{
+    return m_legend == Legend::Separate && m_scene->result && !m_exists && limits().mobility == Mobility::Impossible;
+}
+
+QRectF MechanismSketch::problemInLegend() const
+{
+    constexpr double kMargin = 6.0; // px, at either side
+    constexpr double kLargestHeight = 1e4;
+    const QRectF available(kMargin, cornerLineTop(scaleCount()),
+                           std::max(1.0, projection().size.width() - 2.0 * kMargin), kLargestHeight);
+    return QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, problemText());
 }
 
 double MechanismSketch::legendHeight() const
 {
+    if (hasProblemInLegend()) {
+        return problemInLegend().bottom();
+    }
     constexpr int kLinesOfInstantCentre = 2;
     const int lines = scaleCount() + (m_scene->settings.instantCentre ? kLinesOfInstantCentre : 0);
     return lines == 0 ? 0.0 : cornerLineTop(lines);

@@ -117,12 +117,7 @@ QRectF MechanismSketch::rail() const
 {
     constexpr double kOverhang = 23.0;   // px that the rail is longer than the stroke, at either end
     constexpr double kOutOfSight = 20.0; // px
-    const QRectF bounds = motionBounds(mechanism(), limits());
-    double left = bounds.left();
-    double right = bounds.right();
-    if (limits().mobility == Mobility::FullTurn && limits().inner && limits().outer) {
-        std::tie(left, right) = std::minmax(limits().inner->R4x, limits().outer->R4x);
-    }
+    const auto [left, right] = sliderTravel(mechanism(), limits());
     const QPointF from(std::max(toPixels({left, 0.0}).x() - kOverhang, -kOutOfSight),
                        toPixels({0.0, mechanism().c()}).y() + kBelowLine);
     const double to = std::min(toPixels({right, 0.0}).x() + kOverhang, projection().size.width() + kOutOfSight);

@@ -30,6 +30,8 @@ public:
     static constexpr double kLargestCrankArc = 30.0;
     static constexpr double kLargestCouplerArc = 36.0;
 
+    static constexpr QSizeF kSliderSize{38.0, 24.0}; ///< px
+
     MechanismSketch(const MechanismScene &scene, const MechanismProjection &projection, const QPalette &palette,
                     const QFont &font, Legend legend = Legend::InCorner);
 
@@ -44,7 +46,8 @@ public:
     /// between this circle and the slider's line, and the reason.
     void addLinkage();
 
-    /// Adds the legend of a separate drawing: the scales of the arrows and the text about the instant centre.
+    /// Adds the legend of a separate drawing: the scales of the arrows, the text about the instant centre, and the
+    /// reason why the mechanism cannot be assembled at any angle.
     void addLegend();
     double legendHeight() const; ///< px; 0 if the settings need no legend
 
@@ -76,7 +79,10 @@ private:
     void addJoint(QPointF centre, const QColor &edge, DrawnPart part);
     void addModel();
     void addMissingCoupler();
+    QString problemText() const;
     void addAssemblyProblem();
+    bool hasProblemInLegend() const;
+    QRectF problemInLegend() const; ///< px, where the legend states the reason
     void addGhost();
     void addCouplerAngle();
     void addMarked();

@@ -93,8 +93,8 @@ std::optional<QRectF> placesOfWideAngle(const MechanismScene &scene)
     return QRectF(left, mechanism.c(), right - left, 0.0);
 }
 
-/// Returns the projection of a picture: the whole frame, with space below the slider's line for the rail, the names of
-/// the dead centres and the numbers of the grid, and around the arc of a wide angle.
+/// Returns the projection of a picture: the whole frame, with space around the slider, below its line for the rail, the
+/// names of the dead centres and the numbers of the grid, and around the arc of a wide angle.
 MechanismProjection pictureProjection(const MechanismScene &scene, const MechanismFrame &frame, const QSizeF &size,
                                       const QFont &font)
 {
@@ -106,11 +106,18 @@ MechanismProjection pictureProjection(const MechanismScene &scene, const Mechani
     }
     const double pixelsBelow = kRailHeight + 2.0 * QFontMetricsF(font).height();
     const std::optional<QRectF> vertex = placesOfWideAngle(scene);
+    const auto [left, right] = sliderTravel(scene.result->mechanism, scene.result->limits);
+    const QRectF travel(left, scene.result->mechanism.c(), right - left, 0.0);
     MechanismFrame enlarged = frame;
     for (int round = 0; round < kRounds; ++round) {
         const double lowest = scene.result->mechanism.c() - pixelsBelow / projection.scale;
         QRectF visibleArea = frame.fitted();
         visibleArea.setTop(std::min(visibleArea.top(), lowest)); // y points upwards
+        constexpr double kAroundSlider = 2.0;                    // px
+        const QSizeF slider =
+            (0.5 * MechanismSketch::kSliderSize + QSizeF(kAroundSlider, kAroundSlider)) / projection.scale;
+        visibleArea =
+            visibleArea.united(travel.adjusted(-slider.width(), -slider.height(), slider.width(), slider.height()));
         if (vertex) {
             constexpr double kAroundArc = 10.0; // px, for the line from which the angle is measured
             const double around = (MechanismSketch::kLargestCouplerArc + kAroundArc) / projection.scale;

@@ -179,6 +179,72 @@ private slots:
         }
     }
 
+    /// A former defect: in the report, the reason covered the pivot and the crank pin, and in small pictures, their
+    /// names stood across its letters.
+    void theReasonCoversNothingInPictures()
+    {
+        MechanismScene scene;
+        Session session;
+        session.setParameters({.b = 4.0}); // cannot be assembled at any angle
+        scene.result = session.result();
+        scene.pose = session.pose();
+        scene.settings = {.names = true, .dimensions = true, .angles = true};
+        for (const double width : {220.0, 380.0, 800.0}) {
+            MechanismFrame frame;
+            frame.fit(motionBounds(scene.mechanism(), scene.result->limits));
+            const MechanismProjection projection = frame.projection({width, 0.6 * width});
+            const auto beginsWithReason = [](const Label &label) { return label.text.startsWith("The mechanism"); };
+            MechanismSketch picture(scene, projection, paletteFor(Theme::Light), QFont(),
+                                    MechanismSketch::Legend::Separate);
+            picture.addLinkage();
+            QVERIFY(std::ranges::none_of(picture.labels(), beginsWithReason));
+            MechanismSketch legend(scene, projection, paletteFor(Theme::Light), QFont(),
+                                   MechanismSketch::Legend::Separate);
+            legend.addLegend();
+            const auto reason = std::ranges::find_if(legend.labels(), beginsWithReason);
+            QVERIFY(reason != legend.labels().end() && reason->box.bottom() <= legend.legendHeight());
+            QVERIFY(reason->box.left() >= 0.0 && reason->box.right() <= width);
+            QVERIFY2(reason->text.contains("b\u00a0≥\u00a045\u00a0mm"), qPrintable(reason->text));
+
+            MechanismSketch onScreen(scene, projection, paletteFor(Theme::Light), QFont());
+            onScreen.addLinkage();
+            const auto box = std::ranges::find_if(onScreen.labels(), beginsWithReason);
+            QVERIFY(box != onScreen.labels().end());
+            for (const Label &label : onScreen.labels()) {
+                QVERIFY2(&label == &*box || !label.box.intersects(box->box), qPrintable(label.text));
+            }
+        }
+    }
+
+    /// A former defect: in small pictures, the right and the upper edge cut the slider at its outer dead centre.
+    void picturesContainTheSlider()
+    {
+        for (const Parameters &parameters : {Parameters{}, Parameters{.c = 0.0}, Parameters{.b = 300.0, .c = -10.0},
+                                             Parameters{.branch = Branch::Crossed}}) {
+            Session session;
+            session.setParameters(parameters);
+            const SliderPosition outer = *session.result()->limits.outer;
+            MechanismView view;
+            view.setResult(session.result());
+            view.setPose(poseAt(parameters, outer.theta2 / parameters.omega2));
+            for (const int width : {160, 230, 320, 600}) { // px
+                QImage image(width, view.pictureHeight(width), QImage::Format_RGB32);
+                QPainter painter(&image);
+                view.paintMechanism(painter, image.size(), paletteFor(Theme::Light));
+                painter.end();
+                constexpr int kDarkest = 90; // the slider's line and its rail are lighter than the slider's outline
+                for (int x = 0; x < image.width(); ++x) {
+                    QVERIFY2(qGray(image.pixel(x, 0)) > kDarkest, qPrintable(QString::number(width)));
+                }
+                for (int y = 0; y < image.height(); ++y) {
+                    for (const int x : {0, image.width() - 1}) {
+                        QVERIFY2(qGray(image.pixel(x, y)) > kDarkest, qPrintable(QString::number(width)));
+                    }
+                }
+            }
+        }
+    }
+
     /// A former defect: the drawing showed −173° for a coupler angle of 187° in the plots, and an angle of the crank
     /// other than the timeline's.
     void anglesAreTheNumbersOfThePlotsAndTheTimeline()

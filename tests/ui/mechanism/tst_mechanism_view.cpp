@@ -81,7 +81,7 @@ struct Bench {
         for (const auto &[line, place] : recorder.texts) {
             lines << line.trimmed();
         }
-        return lines.join(u' ');
+        return lines.join(u' ').replace(QChar::Nbsp, u' ');
     }
 };
 
