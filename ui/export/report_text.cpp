@@ -50,7 +50,8 @@ QString paragraph(QString text)
 {
     static const QRegularExpression kBeforeUnit("(?<=[0-9]) (?=[a-z°])");
     text.replace(" = ", "\u00a0=\u00a0").replace(kBeforeUnit, "\u00a0");
-    text.replace("|\u00a0", "|\u2060\u00a0"); // a bar permits a break even before a space that does not
+    // A bar permits a break behind it, even before a space that does not.
+    text.replace("|c|", "|\u2060c|").replace("|\u00a0", "|\u2060\u00a0");
     return text.isEmpty() ? QString() : element("p", text);
 }
 
