@@ -428,7 +428,8 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
                     .sampling = scene.sampling,
                     .solver = scene.solver,
                     .reference = nullptr,
-                    .pinned = scene.pinned};
+                    .pinned = scene.pinned,
+                    .alpha2 = scene.alpha2};
     if (scene.reference) {
         choices.reference = readTimedReference(streams, *scene.reference, columns, Mechanism(scene.parameters));
         if (!choices.reference) {

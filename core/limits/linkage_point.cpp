@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/linkage_point.h"
 
-#include "core/closed_form/state_at.h"
+#include "core/limits/output_channel.h"
 
 #include <algorithm>
 
 namespace slidercrank
 {
 
-LinkageMotion linkageMotion(const Mechanism &mechanism, double t)
+LinkageMotion linkageMotion(const Mechanism &mechanism, double t, double alpha2)
 {
-    const State state = ClosedForm(mechanism).stateAt(t);
+    const State state = outputStateAt(mechanism, t, alpha2).state;
     const auto motionOf = [&state](Coordinate x, Coordinate y, double factor) {
         const auto vectorOf = [&](const Vector12 &q) { return PlaneVector{factor * q[x], factor * q[y]}; };
         return PointMotion{

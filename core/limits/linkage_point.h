@@ -32,7 +32,7 @@ struct PointMotion {
 /// The motion of each point, in the order of kLinkagePoints.
 using LinkageMotion = std::array<PointMotion, kLinkagePoints.size()>;
 
-/// Returns the exact motion of the points at time t (s).
-LinkageMotion linkageMotion(const Mechanism &mechanism, double t);
+/// Returns the exact motion of the points at time t (s), at which the crank has the acceleration alpha2 (rad/s²).
+LinkageMotion linkageMotion(const Mechanism &mechanism, double t, double alpha2 = 0.0);
 
 } // namespace slidercrank

@@ -42,7 +42,7 @@ struct Choices {
     SolverSettings solver;
     std::shared_ptr<const Reference> reference; ///< may be null
     std::vector<Parameters> pinned = {};        ///< pinned motions, the oldest first
-    double alpha2 = 0.0; ///< rad/s²: acceleration of the crank in the table and the polygons; the curves are without it
+    double alpha2 = 0.0; ///< rad/s²: acceleration of the crank in table, polygons and drawing; the curves are without it
 
     friend bool operator==(const Choices &, const Choices &) = default;
 };

@@ -98,7 +98,7 @@ void MechanismSketch::addMotionArrows(const ArrowScale &arrows, std::span<const 
         const PointMotion motion = m_scene->motion(point);
         const PlaneVector &vector = motion.*arrows.vector;
         const double amount = vector.length();
-        if (amount > 0.0 && std::isfinite(amount)) {
+        if (amount > 0.0 && std::isfinite(amount) && arrows.amount > 0.0) {
             const double shortened = std::min(1.0, arrows.largest / amount);
             const double mmPerUnit = shortened * arrows.length / arrows.amount;
             const QPointF tail(motion.position.x, motion.position.y);

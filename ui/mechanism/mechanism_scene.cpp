@@ -12,7 +12,7 @@ namespace slidercrank
 
 PointMotion MechanismScene::motion(LinkagePoint point) const
 {
-    return linkageMotion(mechanism(), pose.time)[static_cast<std::size_t>(point)];
+    return linkageMotion(mechanism(), pose.time, alpha2())[static_cast<std::size_t>(point)];
 }
 
 QRectF MechanismScene::inFreeCorner(const QRectF &area, const QSizeF &size) const
@@ -35,7 +35,7 @@ ArrowScale MechanismScene::arrows(PlaneVector PointMotion::*vector) const
     const QRectF bounds = motionBounds(mechanism(), result->limits);
     const double arrowOfA = kArrowOfA * std::max(bounds.width(), bounds.height());
     const double omega2 = std::abs(mechanism().omega2());
-    const double amountOfA = mechanism().a() * (scale.isOfVelocity() ? omega2 : omega2 * omega2);
+    const double amountOfA = mechanism().a() * (scale.isOfVelocity() ? omega2 : std::hypot(omega2 * omega2, alpha2()));
     scale.largest = kMaxArrowRatio * amountOfA;
     scale.length = nextRoundNumber(0.5 * arrowOfA);
     scale.amount = amountOfA > 0.0 ? nextRoundNumber(amountOfA / arrowOfA * scale.length) : 0.0;

@@ -42,6 +42,9 @@ struct MechanismScene {
     /// Returns B, mm. Requires pose.exists().
     QPointF wristPin() const { return {pose.motion.R4x, mechanism().c()}; }
 
+    double alpha2() const { return result->choices.alpha2; } ///< rad/s²: acceleration of the crank
+
+    /// Returns the motion of a point at the time of the pose, with the acceleration alpha2() of the crank.
     PointMotion motion(LinkagePoint point) const;
 
     /// Returns a box of that size in the corner of the area that is away from the crank and the slider's line.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/mechanism/mechanism_text.h"
 
+#include "core/limits/output_channel.h"
 #include "core/mechanism/turn.h"
 #include "ui/text/channel_text.h"
 #include "ui/text/motion_facts.h"
@@ -49,6 +50,7 @@ QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
     const Mechanism &mechanism = scene.mechanism();
     const double size = mechanism.a() + mechanism.b() + std::abs(mechanism.c());
     const double omega2 = std::abs(mechanism.omega2());
+    const double accelerationOfCrank = std::hypot(omega2 * omega2, scene.alpha2()); // of A, over a
     const PointMotion motion = scene.motion(point);
     const QString position = MechanismText::tr("position (%1; %2) %3")
                                  .arg(shownText(Measure::Length, motion.position.x, size),
@@ -59,7 +61,7 @@ QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
     return {position,
             vectorText(MechanismText::tr("velocity %1 %2 (%3; %4)"), motion.velocity, Measure::Speed, size * omega2),
             vectorText(MechanismText::tr("acceleration %1 %2 (%3; %4)"), motion.acceleration, Measure::Acceleration,
-                       size * omega2 * omega2)};
+                       size * accelerationOfCrank)};
 }
 
 QStringList crankLines(const MechanismScene &scene)
@@ -82,8 +84,9 @@ QStringList couplerLines(const MechanismScene &scene)
     };
     QStringList lines{lineOf(Order::Position, motion.theta3, 1.0)};
     if (std::isfinite(motion.theta3Dot)) {
+        const State state = outputStateAt(scene.mechanism(), scene.pose.time, scene.alpha2()).state;
         lines << lineOf(Order::Velocity, motion.theta3Dot, omega2)
-              << lineOf(Order::Acceleration, motion.theta3DDot, omega2 * omega2);
+              << lineOf(Order::Acceleration, state.qDDot[Theta3], std::hypot(omega2 * omega2, scene.alpha2()));
     }
     return lines;
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "ui/document/session.h"
-#include "ui/mechanism/mechanism_sketch.h"
 #include "ui/mechanism/mechanism_frame.h"
+#include "ui/mechanism/mechanism_sketch.h"
 #include "ui/text/theme.h"
 
 #include <algorithm>
@@ -18,10 +18,11 @@ struct Drawn {
     std::unique_ptr<MechanismSketch> sketch;
 
     explicit Drawn(const Parameters &parameters, double time, const MechanismSettings &settings = {},
-                   const QSizeF &size = {800.0, 600.0})
+                   const QSizeF &size = {800.0, 600.0}, double alpha2 = 0.0)
     {
         Session session;
         session.setParameters(parameters);
+        session.setAlpha2(alpha2);
         scene.result = session.result();
         scene.pose = poseAt(parameters, time);
         scene.settings = settings;

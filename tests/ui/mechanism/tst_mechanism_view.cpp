@@ -368,16 +368,26 @@ private slots:
         QCOMPARE(bench.view.toPixels({30.0, 5.0}), whole);
     }
 
+    void arrowsAreTheDerivativesOfWhatIsDrawn_data()
+    {
+        QTest::addColumn<double>("alpha2"); // rad/s²
+        QTest::newRow("constant speed") << 0.0;
+        QTest::newRow("accelerated") << 60.0; // a former defect: the arrows were those of a constant speed
+        QTest::newRow("decelerated") << -25.0;
+    }
+
     void arrowsAreTheDerivativesOfWhatIsDrawn()
     {
-        const Drawn drawn({}, 0.37, {.velocity = true, .acceleration = true});
+        QFETCH(const double, alpha2);
+        const Drawn drawn({}, 0.37, {.velocity = true, .acceleration = true}, {800.0, 600.0}, alpha2);
         const SeriesColours colours = drawn.sketch->colours();
         const ArrowScale velocity = drawn.scene.arrows(&PointMotion::velocity);
         const Parameters p;
         constexpr double kStep = 1e-4; // s
         for (const LinkagePoint point : kLinkagePoints) {
             const auto at = [&](double time) -> QPointF {
-                const Pose pose = poseAt(p, time);
+                const double later = time - 0.37; // s; with α₂, the crank is where it otherwise were at another time
+                const Pose pose = poseAt(p, time + 0.5 * alpha2 * later * later / p.omega2);
                 const QPointF A = p.a * QPointF(pose.motion.crank.cos, pose.motion.crank.sin);
                 const QPointF B(pose.motion.R4x, p.c);
                 switch (point) {
@@ -400,6 +410,22 @@ private slots:
                              drawn.scene.arrows(&PointMotion::acceleration), colours.error));
         }
         QVERIFY(!drawn.label(arrowScaleText(velocity)).isNull());
+    }
+
+    /// With ω₂ = 0, the acceleration of A is a α₂ = 20 mm · 5 rad/s². θ₂ = 0: α₃ = −a α₂ / √(b² − c²) = −5/3 rad/s².
+    void statesTheAccelerationsOfACrankThatStarts()
+    {
+        const Drawn drawn({.omega2 = 0.0}, 0.0, {.acceleration = true}, {800.0, 600.0}, 5.0);
+        const PointMotion pin = drawn.scene.motion(LinkagePoint::A);
+        QVERIFY(std::abs(pin.acceleration.x) < 1e-12 && std::abs(pin.acceleration.y - 100.0) < 1e-12);
+        const ArrowScale scale = drawn.scene.arrows(&PointMotion::acceleration);
+        QVERIFY(scale.amount > 0.0);
+        const QPointF tip = drawn.sketch->toPixels(QPointF(20.0, 100.0 * scale.length / scale.amount));
+        QVERIFY(std::ranges::any_of(drawn.sketch->shapes(), [&tip](const DrawnShape &shape) {
+            return !shape.path.isEmpty() && (QPointF(shape.path.elementAt(0)) - tip).manhattanLength() < 0.05;
+        }));
+        QVERIFY2(partText(drawn.scene, DrawnPart::Coupler).contains("α³ = −95.49 °/s²"),
+                 qPrintable(partText(drawn.scene, DrawnPart::Coupler)));
     }
 
     void showsTheInstantCentre()
