@@ -31,26 +31,31 @@ std::vector<Channel> listed(const ChannelSet &channels)
     return list;
 }
 
-QByteArray csvHeader(const std::vector<Channel> &channels, const Units &units)
+QByteArray csvHeader(const std::vector<Channel> &channels, const MotionCsvOptions &options)
 {
     QByteArray header("time");
     for (const Channel channel : channels) {
-        header += ',' + columnName(OutputChannel(channel), units).toUtf8();
+        QString name = columnName(OutputChannel(channel), options.notation.units);
+        const bool isCouplerAngle = channel == Channel{Theta3, Order::Position};
+        if (isCouplerAngle && options.notation.symbols == Symbols::Textbook) {
+            name.replace(columnName(OutputChannel(channel)), kCouplerAngleAtB);
+        }
+        header += ',' + name.toUtf8();
     }
     return header + '\n';
 }
 
-/// Writes one row per time step. Returns false if the sink stopped it.
-bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &channels, const Units &units,
-                  const TextSink &sink)
+/// Writes one row per time step, with the values of each channel in its scale. Returns false if the sink stopped it.
+bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &channels,
+                  const std::vector<ShownScale> &scales, const TextSink &sink)
 {
     QByteArray text;
     text.reserve(kFullBuffer + kFullBuffer / 8);
     for (std::size_t row = 0; row < trajectory.time.size(); ++row) {
         appendNumber(text, trajectory.time[row]);
-        for (const Channel channel : channels) {
+        for (std::size_t column = 0; column < channels.size(); ++column) {
             text += ',';
-            appendNumber(text, fromFileUnit(measureOf(channel), trajectory[channel][row], units));
+            appendNumber(text, scales[column].shown(trajectory[channels[column]][row]));
         }
         text += '\n';
         if (text.size() >= kFullBuffer) {
@@ -87,11 +92,15 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
     columns.set(indexOf({Coordinate::Theta2, Order::Position}));
     const std::vector<Channel> list = listed(columns);
     WholeFile file(path);
-    bool goesOn = file.open() && file.write(csvHeader(list, options.units));
+    bool goesOn = file.open() && file.write(csvHeader(list, options));
+    std::vector<ShownScale> scales;
+    for (const Channel channel : list) {
+        scales.push_back(shownScale(channel, result.mechanism.branch(), options.notation));
+    }
     double writtenSteps = 0.0;
     const TextSink sink = [&](const QByteArray &text) { return file.write(text) && !stop.stop_requested(); };
     const auto take = [&](const Trajectory &piece) {
-        goesOn = writeCsvRows(piece, list, options.units, sink);
+        goesOn = writeCsvRows(piece, list, scales, sink);
         writtenSteps += static_cast<double>(piece.time.size());
         if (progress) {
             progress(writtenSteps / (sampling.steps + 1.0));

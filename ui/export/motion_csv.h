@@ -6,7 +6,7 @@
 
 #include "core/sampling/trajectory.h"
 #include "ui/document/result.h"
-#include "ui/text/units.h"
+#include "ui/text/notation.h"
 
 #include <QByteArray>
 #include <QString>
@@ -21,9 +21,14 @@ namespace slidercrank
 /// Appends the number with 17 significant digits, which identify a double. Writes 0 without a sign, and "nan" for NaN.
 void appendNumber(QByteArray &text, double value);
 
+/// The column of θ3 in the notation of textbooks, which measure it at B. The reader of files knows the name.
+inline constexpr const char *kCouplerAngleAtB = "theta3 at B";
+
 struct MotionCsvOptions {
     ChannelSet channels;
-    Units units = {}; ///< a unit that differs from that of files follows the name of its column
+    /// Decides where θ3 is measured, and the units. A unit that differs from that of files follows the name of its
+    /// column.
+    Notation notation = {};
 };
 
 /// Writes time, crank angle and the channels to a file, with every digit. Returns nullopt on success

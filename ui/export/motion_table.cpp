@@ -4,6 +4,7 @@
 #include "core/mechanism/turn.h"
 #include "core/mechanism/two_part_angle.h"
 #include "core/sampling/crank_time.h"
+#include "ui/export/motion_csv.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
 #include "ui/text/record.h"
@@ -40,7 +41,6 @@ std::vector<OutputChannel> derivedChannels(DerivedQuantity quantity)
 }
 
 constexpr Channel kCouplerAngle{Theta3, Order::Position};
-constexpr const char *kCouplerAngleAtB = "theta3 at B"; ///< the column of θ3 in files in the notation of textbooks
 
 bool isMeasuredAtB(const OutputChannel &channel)
 {

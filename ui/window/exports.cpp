@@ -147,7 +147,7 @@ void Exports::writeData(const QString &path, const ChannelSet &channels)
         emit m_session->failed(tr("Another file is still being written: wait for it, or cancel it below."));
         return;
     }
-    const MotionCsvOptions options{channels, notation().units};
+    const MotionCsvOptions options{channels, notation()};
     const auto write = [path, options, result = m_session->result()](const std::stop_token &stop,
                                                                      const BackgroundTask::Progress &progress) {
         return exportMotion(path, *result, options, stop, progress);

@@ -5,6 +5,7 @@
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
 #include "ui/export/motion_csv.h"
+#include "ui/export/motion_table.h"
 #include "ui/export/report.h"
 #include "ui/text/language.h"
 #include "ui/text/theme.h"
@@ -277,7 +278,7 @@ private slots:
         for (qsizetype i = 1; i < steps.size(); ++i) {
             QVERIFY(std::abs(steps[i].split(',')[1].toDouble() - 1.8 * double(i - 1)) < 1e-9);
         }
-        const MotionCsvOptions inInches{plottedChannels(), {LengthUnit::Inch, AngleUnit::Radian}};
+        const MotionCsvOptions inInches{plottedChannels(), {.units = {LengthUnit::Inch, AngleUnit::Radian}}};
         QCOMPARE(exportMotion(path("inches.csv"), *session.result(), inInches), std::nullopt);
         const QList<QByteArray> inches = contentOf(path("inches.csv")).trimmed().split('\n');
         const QList<QByteArray> names = inches.first().split(',');
@@ -291,6 +292,32 @@ private slots:
                     1e-9);
         }
         QVERIFY(exportMotion(path("gone/x.csv"), *session.result(), {plottedChannels()})->contains("gone"));
+    }
+
+    /// A former defect: in the notation of textbooks, the data had another θ₃ than the window and its table.
+    void writesTheCouplerAngleOfTextbooks()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        setNotation({.symbols = Symbols::Textbook});
+        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+            Session session;
+            session.setParameters({.branch = branch});
+            const MotionCsvOptions options{plottedChannels(), notation()};
+            QCOMPARE(exportMotion(path("textbook.csv"), *session.result(), options), std::nullopt);
+            const QList<QByteArray> lines = contentOf(path("textbook.csv")).trimmed().split('\n');
+            const qsizetype column = lines.first().split(',').indexOf("theta3 at B");
+            QVERIFY2(column > 0, lines.first());
+            const MotionTableSettings table{.columns = {Channel{Theta3, Order::Position}}};
+            const TableRow row = motionTableRow(table, session.result()->mechanism, 0.0, {.theta2 = 0.0});
+            const double inTable = *row.cells.back().number;
+            QVERIFY(std::abs(lines[1].split(',')[column].toDouble() - inTable) < 1e-12);
+
+            session.setReference(referenceIn({path("textbook.csv")})); // reads it back
+            QCOMPARE(session.result()->comparison.size(), std::size_t(7)); // with θ₂
+            for (const ChannelComparison &channel : session.result()->comparison) {
+                QVERIFY(channel.maxAbs && *channel.maxAbs < 1e-9);
+            }
+        }
     }
 
     void reportsTheMechanismFirstThenPlotsThenErrors()
