@@ -4387,8 +4387,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Otras columnas de la tabla</translation>
     </message>
     <message>
-        <source>Velocity and acceleration polygons at %1</source>
-        <translation>Polígonos de velocidades y de aceleraciones en %1</translation>
+        <source>Velocity and acceleration polygons</source>
+        <translation>Polígonos de velocidades y de aceleraciones</translation>
     </message>
 </context>
 <context>
@@ -4498,6 +4498,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>peak slider acc. [%1]</source>
         <translation>aceleración máx. corredera [%1]</translation>
+    </message>
+    <message>
+        <source>Hollow dots: pinned motions, %1.</source>
+        <translation>Puntos huecos: movimientos fijados, %1.</translation>
     </message>
 </context>
 <context>

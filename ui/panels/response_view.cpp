@@ -304,14 +304,35 @@ bool ResponseView::eventFilter(QObject *watched, QEvent *event)
     return false;
 }
 
-/// Draws the charts with their titles, as many in a row as the letters permit.
+/// Returns the explanation of the hollow dots in a figure; empty if no motion is pinned.
+QString ResponseView::pinnedNote() const
+{
+    QStringList motions;
+    for (const Parameters &pinned : m_session->result()->pinned) {
+        motions << pinnedText(pinned, m_response.parameters);
+    }
+    return motions.isEmpty() ? QString() : tr("Hollow dots: pinned motions, %1.").arg(motions.join(u", "));
+}
+
+/// Returns the height (px) of a text that is broken into lines of that width.
+static int textHeight(const QString &text, int width, const QFont &font)
+{
+    constexpr int kLargestHeight = 10'000;
+    return QFontMetrics(font).boundingRect(QRect(0, 0, width, kLargestHeight), Qt::TextWordWrap, text).height();
+}
+
+/// Draws the charts with their titles, as many in a row as the letters permit, and the explanation of the dots.
 void ResponseView::draw(QPainter &painter, const QSize &size) const
 {
     const QPalette light = paletteFor(Theme::Light);
     const ChartRows rows(size.width(), painter.font());
-    const QSize part(size.width() / rows.columns, size.height() / rows.rows);
+    const QString note = pinnedNote();
+    const int noteHeight = note.isEmpty() ? 0 : textHeight(note, size.width(), painter.font());
+    const QSize part(size.width() / rows.columns, (size.height() - noteHeight) / rows.rows);
     painter.fillRect(QRect(QPoint(), size), light.base());
     painter.setPen(light.color(QPalette::Text));
+    painter.drawText(QRect(0, size.height() - noteHeight, size.width(), noteHeight), Qt::AlignCenter | Qt::TextWordWrap,
+                     note);
     for (std::size_t i = 0; i < m_charts.size(); ++i) {
         const int place = static_cast<int>(i);
         painter.save();
@@ -329,7 +350,9 @@ FigureSubject ResponseView::figure() const
 {
     const Mechanism mechanism(m_response.parameters);
     const FigureDrawing drawing = [this](QPainter &painter, const QSize &size) { draw(painter, size); };
-    const FigureHeight height = [](int width, const QFont &font) { return ChartRows(width, font).height(); };
+    const FigureHeight height = [note = pinnedNote()](int width, const QFont &font) {
+        return ChartRows(width, font).height() + (note.isEmpty() ? 0 : textHeight(note, width, font));
+    };
     FigureSubject subject;
     subject.name = tr("response");
     subject.height = [=](const FigureOptions &) { return withParameters(height, mechanism); };

@@ -53,6 +53,7 @@ private:
     void requestAt(Chart &chart, double pixel);
     void fillExportMenu(QMenu *menu);
     void draw(QPainter &painter, const QSize &size) const;
+    QString pinnedNote() const;
     void copy();
 
     Session *m_session;

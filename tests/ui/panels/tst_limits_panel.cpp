@@ -359,6 +359,23 @@ private slots:
     }
 
     /// A former defect: the outcome stood beside the fields, outside a window of 1024 px.
+    /// A former defect: the exported charts did not say what their hollow dots are.
+    void exportedChartsExplainTheDotsOfPinnedMotions()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("response.svg");
+        ShownResponse shown(Parameter::B);
+        const auto isExplained = [&] {
+            QFile file(path);
+            return exportFigure(path, shown.view.figure(), {}) == std::nullopt && file.open(QIODevice::ReadOnly) &&
+                   file.readAll().contains("Hollow dots: pinned motions, b = 65 mm.");
+        };
+        QVERIFY(!isExplained());
+        shown.session.pinMotion();
+        shown.session.setParameter(Parameter::B, 80.0);
+        QTRY_VERIFY(isExplained());
+    }
+
     void theDesignFormFitsBesideTheMechanism()
     {
         const ShownDesign shown;
