@@ -264,8 +264,8 @@ QString polygonSection(const ReportContent &content)
     if (content.result->reference || !hasVectors(polygons)) {
         return {};
     }
-    return heading(Report::tr("Velocity and acceleration polygons at %1").arg(crankText(content))) +
-           QStringLiteral("<p>%1</p>").arg(kPolygonsPlace);
+    return heading(Report::tr("Velocity and acceleration polygons")) +
+           note(Report::tr("At %1").arg(crankText(content))) + QStringLiteral("<p>%1</p>").arg(kPolygonsPlace);
 }
 
 QString pinnedText(const Result &result)
