@@ -270,10 +270,16 @@ bool NumberTable::hasNames() const
     return m_columns.size() > 1 && !m_columns.front().isNumber && m_columns[1].isNumber;
 }
 
-/// Returns the width of the first column. Names are shortened where the numbers behind them would be cut off.
+/// Returns the width of the first column. Names are shortened a little where this makes all columns visible, and as
+/// much as necessary where the numbers behind them would be cut off.
 int NumberTable::widthOfNames() const
 {
     constexpr int kShortestNames = 12; // letters
+    constexpr double kALittle = 0.8;   // of their width
+    const int forAllColumns = viewport()->width() - (horizontalHeader()->length() - columnWidth(0));
+    if (forAllColumns >= kALittle * m_namesWidth) {
+        return std::min(forAllColumns, m_namesWidth);
+    }
     const int shortest = std::min(m_namesWidth, kShortestNames * fontMetrics().averageCharWidth() + kCellMargin);
     return std::clamp(viewport()->width() - columnWidth(1), shortest, m_namesWidth);
 }

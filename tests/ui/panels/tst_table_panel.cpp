@@ -188,6 +188,30 @@ private slots:
         QCOMPARE(shown.table()->columnWidth(0), whole);
     }
 
+    /// A former defect: in a Spanish window of 1024 px, a few pixels of the last column were cut off.
+    void namesAreShortenedALittleBeforeTheLastColumnIsCutOff()
+    {
+        Page page = pageWith({1234.5});
+        page.tables[0].rows[0].cells[0].text = "a name that is as long as that of the longest limit";
+        page.tables[0].columns.push_back({"second number", {}, "second"});
+        page.tables[0].rows[0].cells.push_back({.text = "12345.678", .number = 12345.678});
+        ShownTable shown(page);
+        const NumberTable *table = shown.table();
+        settle(shown.panel);
+        const int names = table->columnWidth(0);
+        const int panelAround = shown.panel.width() - table->viewport()->width();
+        const int whole = names + table->columnWidth(1) + table->columnWidth(2);
+        for (const int missing : {1, names / 10, names / 6}) { // px
+            shown.panel.resize(panelAround + whole - missing, 300);
+            settle(shown.panel);
+            QCOMPARE(table->columnWidth(0), names - missing);
+            QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
+        }
+        shown.panel.resize(panelAround + whole - names / 2, 300); // the first number is more important
+        settle(shown.panel);
+        QVERIFY(table->horizontalScrollBar()->maximum() > 0);
+    }
+
     /// A former defect: only the table of the motion had the separators of the language.
     void writesTheChosenSeparators()
     {
