@@ -226,8 +226,8 @@ void ResponseView::refresh()
 void ResponseView::showResponse()
 {
     const LimitValues currentLimits = limitValues(Mechanism(m_response.parameters));
-    m_sentence->setText(fullTurnText(m_response.parameter, m_response.range) + u' ' +
-                        tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter)));
+    m_sentence->setText(withUnbrokenUnits(fullTurnText(m_response.parameter, m_response.range) + u' ' +
+                                          tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter))));
     for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
         const QString title = tr("%1: %2").arg(chartName(kResponseLimits[i]), shortNumber(currentLimits[i]));
         m_titles[i]->setText(unbroken(title));

@@ -8,10 +8,10 @@ namespace slidercrank
 
 QString withUnbrokenUnits(QString text)
 {
-    text.replace("θ₂₀ = ", "θ₂₀\u00a0=\u00a0").replace(" ± ", "\u00a0±\u00a0");
-    text.replace("|c|", "|\u2060c|"); // a line may end after a bar
-    static const QRegularExpression kBeforeUnit("(?<=\\d) (?=%|°|mm|rad|s\\b)");
-    return text.replace(kBeforeUnit, "\u00a0");
+    static const QRegularExpression kAroundSign("(?<=[=≥≤±]) | (?=[=≥≤±])");
+    static const QRegularExpression kBeforeUnit("(?<=\\d) (?=%|°|mm|cm|in\\b|rad|s\\b)");
+    text.replace(kAroundSign, "\u00a0").replace(kBeforeUnit, "\u00a0");
+    return text.replace("|c|", "|\u2060c|").replace("|\u00a0", "|\u2060\u00a0"); // a line may end after a bar
 }
 
 QLabel *plainText(const QString &text)

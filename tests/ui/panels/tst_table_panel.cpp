@@ -79,6 +79,17 @@ class TestTablePanel : public QObject
     Q_OBJECT
 
 private slots:
+    /// A former defect: in narrow tabs a line ended behind "b =".
+    void sentencesAreNotBrokenWithinAnEquation()
+    {
+        Page page = pageWith({1.0});
+        page.sentence = "b = 65 mm ≥ a + |c| = 4.5 in: c = 24.99 ± 0.01 cm.";
+        ShownTable shown(page);
+        QCOMPARE(child<QLabel>(shown.panel, "panelSentence")->text(),
+                 "b\u00a0=\u00a065\u00a0mm\u00a0≥\u00a0a + |\u2060c|\u2060\u00a0=\u00a04.5\u00a0in: "
+                 "c\u00a0=\u00a024.99\u00a0±\u00a00.01\u00a0cm.");
+    }
+
     void showsTheSentenceAndTheTablesOfThePage()
     {
         ShownTable shown(pageWith({1.0, 2.5}));

@@ -248,7 +248,7 @@ private slots:
             QCOMPARE(picture("mechanismView") == ghost, isShown);
         }
         showTab(ErrorsTab);
-        QVERIFY(part<QLabel>("errorPanelSentence")->text().contains("b = 65\u00a0mm"));
+        QVERIFY(part<QLabel>("errorPanelSentence")->text().contains("b\u00a0=\u00a065\u00a0mm"));
         QVERIFY(!isBlank(picture("plot_error_velocity")));
         press(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(session().pinned().empty() && picture("plot_R4_x") != both && picture("mechanismView") != ghost);
