@@ -241,7 +241,11 @@ void MechanismSketch::addScales(int line)
     const auto addScale = [&](const ArrowScale &arrows) {
         const QPointF left(7.0, cornerLineTop(line) + 0.5 * textSize({}, TextSize::Small).height());
         addArrow(left, left + QPointF(kSample, 0.0), arrows, Qt::SolidLine);
-        addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows));
+        const double alpha2 = m_scene->alpha2();
+        const bool hasCrankAcceleration = !arrows.isOfVelocity() && alpha2 != 0.0;
+        const QString condition =
+            hasCrankAcceleration ? QStringLiteral(", α₂ = %1 rad/s²").arg(numberText(alpha2)) : QString();
+        addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows) + condition);
     };
     if (settings.showsVelocity()) {
         addScale(m_scene->arrows(&PointMotion::velocity));

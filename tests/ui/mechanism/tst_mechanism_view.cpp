@@ -8,6 +8,7 @@
 #include "ui/mechanism/mechanism_text.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/text/theme.h"
+#include "ui/text/written_number.h"
 
 #include <QImage>
 #include <QLabel>
@@ -410,6 +411,11 @@ private slots:
                              drawn.scene.arrows(&PointMotion::acceleration), colours.error));
         }
         QVERIFY(!drawn.label(arrowScaleText(velocity)).isNull());
+        const QString scale = arrowScaleText(drawn.scene.arrows(&PointMotion::acceleration));
+        const auto states = [&](const QString &text) {
+            return std::ranges::count(drawn.sketch->labels(), text, &Label::text) == 1;
+        };
+        QVERIFY(states(alpha2 == 0.0 ? scale : QStringLiteral("%1, α₂ = %2 rad/s²").arg(scale, numberText(alpha2))));
     }
 
     /// With ω₂ = 0, the acceleration of A is a α₂ = 20 mm · 5 rad/s². θ₂ = 0: α₃ = −a α₂ / √(b² − c²) = −5/3 rad/s².
