@@ -217,7 +217,7 @@ QFont letterFont(int pixels)
 const QString kStyle =
     "h1 {font-size: x-large; margin-bottom: 2px} h2 {font-size: large; margin-top: 12px; margin-bottom: 4px} "
     "p {margin-top: 4px; margin-bottom: 4px} th, td {padding-right: 10px} td.unbroken {white-space: nowrap} "
-    ".note {color: #505050} .dense td, .dense th {font-size: small} "
+    ".note {color: #505050} .dense td, .dense th {font-size: small; padding-right: 4px} "
     ".numbers td, .numbers th {padding-right: 6px; white-space: nowrap}";
 
 void setText(QTextDocument &document, const QFont &font, const QString &html)

@@ -14,9 +14,9 @@
 #include "ui/text/parameter_text.h"
 #include "ui/text/subscripts.h"
 #include "ui/text/written_number.h"
+#include "ui/widgets/paragraph.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -45,14 +45,10 @@ QString heading(const QString &text)
     return element("h2", text);
 }
 
-/// Returns a paragraph in which no equation is broken at its sign or before its unit.
-QString paragraph(QString text)
+/// Returns a paragraph in which no equation is broken into lines.
+QString paragraph(const QString &text)
 {
-    static const QRegularExpression kBeforeUnit("(?<=[0-9]) (?=[a-z°])");
-    text.replace(" = ", "\u00a0=\u00a0").replace(kBeforeUnit, "\u00a0");
-    // A bar permits a break behind it, even before a space that does not.
-    text.replace("|c|", "|\u2060c|").replace("|\u00a0", "|\u2060\u00a0");
-    return text.isEmpty() ? QString() : element("p", text);
+    return text.isEmpty() ? QString() : element("p", withUnbrokenUnits(text));
 }
 
 QString note(const QString &text)

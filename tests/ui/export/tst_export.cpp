@@ -312,7 +312,7 @@ private slots:
             const double inTable = *row.cells.back().number;
             QVERIFY(std::abs(lines[1].split(',')[column].toDouble() - inTable) < 1e-12);
 
-            session.setReference(referenceIn({path("textbook.csv")})); // reads it back
+            session.setReference(referenceIn({path("textbook.csv")}));     // reads it back
             QCOMPARE(session.result()->comparison.size(), std::size_t(7)); // with θ₂
             for (const ChannelComparison &channel : session.result()->comparison) {
                 QVERIFY(channel.maxAbs && *channel.maxAbs < 1e-9);
@@ -336,6 +336,8 @@ private slots:
         const ReportText alone(contentWith(65.0, nullptr));
         QVERIFY(!alone.has("eference") && !alone.has("found in"));
         QVERIFY(ReportText(contentWith(60.0, referenceIn({kSample}))).has("within the rounding of the file"));
+        QVERIFY(
+            reportHtml(contentWith(60.0, referenceIn({kSample}))).contains("\u00a0±\u00a0")); // a line ended before it
     }
 
     void reportsTheTableWithItsSettings()
