@@ -229,7 +229,9 @@ void MechanismSketch::addDimensionsAndScales()
         for (qsizetype line = 0; line < lengths.size(); ++line) {
             addCornerLabel(static_cast<int>(line), 0.0, lengths[line]);
         }
-        addScales(static_cast<int>(lengths.size()));
+        if (hasScalesInCorner()) {
+            addScales(static_cast<int>(lengths.size()));
+        }
     }
 }
 
@@ -270,9 +272,21 @@ QLineF MechanismSketch::offsetDimension() const
     return {x, m_O2.y(), x, toPixels({0.0, mechanism().c()}).y()};
 }
 
+/// Returns whether so many lines in the upper left corner cover neither the slider's line nor the crank's circle, as
+/// they would in a very low drawing.
+bool MechanismSketch::isSpaceInCorner(qsizetype lines) const
+{
+    const double top = toPixels({0.0, std::max(mechanism().a(), mechanism().c())}).y(); // px, of circle and line
+    return cornerLineTop(static_cast<int>(lines)) < top;
+}
+
+bool MechanismSketch::hasScalesInCorner() const
+{
+    return m_legend == Legend::InCorner && isSpaceInCorner(lengthLines().size() + scaleCount());
+}
+
 /// Returns the lengths as they are written in the upper left corner: in one line if the button for the assembly leaves
-/// space for it, otherwise below each other. They are left out where they would cover the slider's line or the crank's
-/// circle, as in a very low drawing.
+/// space for it, otherwise below each other; none where there is no space.
 QStringList MechanismSketch::lengthLines() const
 {
     constexpr double kButton = 0.45; // largest fraction of the width that the button takes
@@ -287,14 +301,14 @@ QStringList MechanismSketch::lengthLines() const
     if (textSize(line, TextSize::Small).width() < (1.0 - kButton) * projection().size.width()) {
         lengths = QStringList(line);
     }
-    const double top = toPixels({0.0, std::max(mechanism().a(), mechanism().c())}).y(); // px, of circle and line
-    return cornerLineTop(static_cast<int>(lengths.size())) < top ? lengths : QStringList();
+    return isSpaceInCorner(lengths.size()) ? lengths : QStringList();
 }
 
 /// Returns the number of text lines in the upper left corner.
 int MechanismSketch::cornerLineCount() const
 {
-    return m_legend == Legend::InCorner ? static_cast<int>(lengthLines().size()) + scaleCount() : 0;
+    const int scales = hasScalesInCorner() ? scaleCount() : 0;
+    return m_legend == Legend::InCorner ? static_cast<int>(lengthLines().size()) + scales : 0;
 }
 
 } // namespace slidercrank

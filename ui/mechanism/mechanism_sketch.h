@@ -65,6 +65,8 @@ private:
     void addDimensionsAndScales();
     QLineF offsetDimension() const;
     int cornerLineCount() const;
+    bool isSpaceInCorner(qsizetype lines) const;
+    bool hasScalesInCorner() const; ///< whether the scales of the arrows, if any, are in the corner
     QStringList lengthLines() const;
     void addScales(int line);
     int scaleCount() const; ///< number of arrow scales in the legend

@@ -289,6 +289,10 @@ private slots:
         for (int i = 0; i < 24; ++i) {
             const Drawn drawn({}, i / 24.0, kFirst, {331.0, 178.0});
             QVERIFY(drawn.label("a = ").isNull());
+            MechanismSettings withArrows = kFirst;
+            withArrows.velocity = withArrows.acceleration = true;
+            QVERIFY(Drawn({}, i / 24.0, withArrows, {331.0, 178.0}).label("Scale").isNull()); // over the coupler
+            QVERIFY(!Drawn({}, i / 24.0, withArrows, {400.0, 400.0}).label("Scale").isNull());
             for (const char *letter : {"a", "b", "c"}) {
                 const QRectF box = drawn.label(letter);
                 for (const char *angle : {"θ₂", "θ₃"}) {
