@@ -19,7 +19,7 @@ class PolygonView : public QWidget
 public:
     explicit PolygonView(Session *session, QWidget *parent = nullptr);
 
-    QSize minimumSizeHint() const override { return {300, 120}; }
+    QSize minimumSizeHint() const override { return {300, 190}; } ///< px, of a legible polygon
 
 protected:
     void showEvent(QShowEvent *event) override;

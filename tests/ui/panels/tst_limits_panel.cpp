@@ -562,6 +562,33 @@ private slots:
         }
     }
 
+    /// A former defect: on a screen of 764×450 the polygons were 30 px high, with their names over each other.
+    void polygonsAreLegibleAtTheirSmallestSize()
+    {
+        Session session;
+        session.setParameters({.a = 35.56, .b = 101.6, .c = 25.4, .omega2 = 10.0});
+        session.setTime(0.25 * std::numbers::pi / 10.0);
+        session.setAlpha2(30.0);
+        PolygonView view(&session);
+        view.resize(view.minimumSizeHint().expandedTo({300, 0}));
+        view.show();
+        letTimePass(view);
+        const QImage picture = view.grab().toImage().convertToFormat(QImage::Format_RGB32);
+        const QRgb colour = seriesColours(view.palette()).error.rgb(); // of the parts of the acceleration polygon
+        int top = picture.height();
+        int bottom = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                if (picture.pixel(x, y) == colour) {
+                    top = std::min(top, y);
+                    bottom = std::max(bottom, y);
+                }
+            }
+        }
+        constexpr int kLegible = 40; // px
+        QVERIFY2(bottom - top >= kLegible, qPrintable(QString::number(bottom - top)));
+    }
+
     void designsInTheChosenUnits()
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
