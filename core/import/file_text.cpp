@@ -35,6 +35,9 @@ constexpr std::u16string_view kCentralCharacters =
     u"€?‚?„…†‡?‰Š‹ŚŤŽŹ?‘’“”•–—?™š›śťžź\u00A0ˇ˘Ł¤Ą¦§¨©Ş«¬\u00AD®Ż°±˛ł´µ¶·¸ąş»Ľ˝ľż"
     u"ŔÁÂĂÄĹĆÇČÉĘËĚÍÎĎĐŃŇÓÔŐÖ×ŘŮÚŰÜÝŢßŕáâăäĺćçčéęëěíîďđńňóôőö÷řůúűüýţ˙";
 
+/// KOI8-R from 0xC0: small letters, followed by the capital ones in the same order.
+constexpr std::u16string_view kKoi8Letters = u"юабцдефгхийклмнопярстужвьызшэщчъ";
+
 /// Returns whether at least half of the characters outside ASCII are valid UTF-8.
 bool isUtf8(std::string_view bytes)
 {
@@ -175,37 +178,55 @@ std::optional<std::size_t> findLowerByte(std::string_view bytes)
     return isUtf16 ? std::optional(lower) : std::nullopt;
 }
 
-/// The code pages of Windows that are told apart.
-enum class CodePage { Western, Central, Cyrillic };
+/// The encodings with one byte per character that are told apart: code pages of Windows, and KOI8-R.
+enum class CodePage { Western, Central, Cyrillic, Koi8 };
 
 bool isAsciiLetter(char c)
 {
     return lowerCase(c) >= 'a' && lowerCase(c) <= 'z';
 }
 
-/// Returns the code page of a text: the Cyrillic one if most letters outside ASCII follow each other; the one of
-/// Central Europe if one of the bytes of the Polish ł, ą and ż, which are ³, ¹ and ¿ in the Western one, is between
-/// letters.
+/// Returns the encoding of a text in Russian. KOI8-R has the small letters where Windows-1251 has the capital ones,
+/// which are rare; in a text of capital letters, the frequent ones decide.
+CodePage cyrillicPageOf(std::string_view bytes)
+{
+    constexpr char kFirstOfUpperHalf = '\xE0';
+    constexpr std::string_view kSmallInKoi8 = "\xC1\xC9";       // а, и
+    constexpr std::string_view kCapitalsInWindows = "\xC0\xC8"; // А, И
+    std::ptrdiff_t lowerHalf = 0; // number of letters there, minus those in the upper half
+    std::ptrdiff_t ofKoi8 = 0;    // number of letters that are frequent in KOI8-R, minus those in Windows-1251
+    for (const char c : bytes) {
+        if (static_cast<unsigned char>(c) >= kFirstLetter) {
+            lowerHalf += static_cast<unsigned char>(c) < static_cast<unsigned char>(kFirstOfUpperHalf) ? 1 : -1;
+            ofKoi8 += kSmallInKoi8.find(c) != kSmallInKoi8.npos ? 1 : 0;
+            ofKoi8 -= kCapitalsInWindows.find(c) != kCapitalsInWindows.npos ? 1 : 0;
+        }
+    }
+    return lowerHalf > 0 && ofKoi8 >= 0 ? CodePage::Koi8 : CodePage::Cyrillic;
+}
+
+/// Returns the encoding of a text: a Cyrillic one if most letters outside ASCII have no letter of ASCII beside them;
+/// that of Central Europe if one of the bytes of the Polish ł, ą and ż, which are ³, ¹ and ¿ in the Western one, is
+/// between letters.
 CodePage codePageOf(std::string_view bytes)
 {
-    std::size_t letters = 0; // outside ASCII
-    std::size_t pairs = 0;
+    std::ptrdiff_t apart = 0; // number of letters outside ASCII without a letter of ASCII beside them, minus the others
     bool isPolish = false;
     for (std::size_t i = 1; i + 1 < bytes.size(); ++i) {
-        const bool isOutside = static_cast<unsigned char>(bytes[i]) >= kFirstLetter;
-        const bool isPair = isOutside && static_cast<unsigned char>(bytes[i + 1]) >= kFirstLetter;
-        letters += isOutside ? 1 : 0;
-        pairs += isPair ? 1 : 0;
+        const bool isBesideAscii = isAsciiLetter(bytes[i - 1]) || isAsciiLetter(bytes[i + 1]);
+        if (static_cast<unsigned char>(bytes[i]) >= kFirstLetter) {
+            apart += isBesideAscii ? -1 : 1;
+        }
         isPolish = isPolish || (std::string_view("\xB3\xB9\xBF").find(bytes[i]) != std::string_view::npos &&
                                 isAsciiLetter(bytes[i - 1]) && isAsciiLetter(bytes[i + 1]));
     }
-    if (2 * pairs > letters) {
-        return CodePage::Cyrillic;
+    if (apart > 0) {
+        return cyrillicPageOf(bytes);
     }
     return isPolish ? CodePage::Central : CodePage::Western;
 }
 
-/// Returns the character of a byte outside ASCII. Of Windows-1251, only the letters are known.
+/// Returns the character of a byte outside ASCII. Of the Cyrillic encodings, only the letters are known.
 char16_t characterOf(unsigned char byte, CodePage page)
 {
     if (page == CodePage::Central) {
@@ -213,6 +234,12 @@ char16_t characterOf(unsigned char byte, CodePage page)
     }
     if (page == CodePage::Cyrillic && byte >= kFirstLetter) {
         return static_cast<char16_t>(u'\u0410' + byte - kFirstLetter);
+    }
+    if (page == CodePage::Koi8 && byte >= kFirstLetter) {
+        constexpr int kFromSmallToCapital = 0x20; // in Unicode
+        const std::size_t letter = byte - kFirstLetter;
+        const int shift = letter < kKoi8Letters.size() ? 0 : kFromSmallToCapital;
+        return static_cast<char16_t>(kKoi8Letters[letter % kKoi8Letters.size()] - shift);
     }
     return byte < 0xA0 ? kWesternCharacters[byte - 0x80U] : static_cast<char16_t>(byte);
 }

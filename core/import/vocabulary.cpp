@@ -16,8 +16,8 @@ namespace
 
 using Words = std::vector<std::string>;
 
-/// Letters outside ASCII and commands of LaTeX, and their plain spelling. Of the capital letters of Russian, only those
-/// that begin headings are here. Accents of their own (U+0300 …) follow the letter.
+/// Letters outside ASCII and commands of LaTeX, and their plain spelling. Accents of their own (U+0300 …) follow the
+/// letter.
 const Spellings kLetterSpellings{
     {"ő", "o"},       {"ű", "u"},       {"ť", "t"},       {"ľ", "l"},       {"ď", "d"},       {"ň", "n"},
     {"á", "a"},       {"à", "a"},       {"ă", "a"},       {"å", "a"},       {"æ", "ae"},      {"č", "c"},
@@ -29,7 +29,11 @@ const Spellings kLetterSpellings{
     {"ò", "o"},       {"ô", "o"},       {"õ", "o"},       {"ö", "o"},       {"ú", "u"},       {"ù", "u"},
     {"ü", "u"},       {"ñ", "n"},       {"ł", "l"},       {"ś", "s"},       {"ż", "z"},       {"В", "в"},
     {"К", "к"},       {"О", "о"},       {"П", "п"},       {"С", "с"},       {"У", "у"},       {"Х", "х"},
-    {"Ш", "ш"},       {"Ё", "е"},       {"ё", "е"},       {"İ", "I"},       {"Á", "A"},       {"À", "A"},
+    {"Ш", "ш"},       {"А", "а"},       {"Б", "б"},       {"Г", "г"},       {"Д", "д"},       {"Е", "е"},
+    {"Ж", "ж"},       {"З", "з"},       {"И", "и"},       {"Й", "й"},       {"Л", "л"},       {"М", "м"},
+    {"Н", "н"},       {"Р", "р"},       {"Т", "т"},       {"Ф", "ф"},       {"Ц", "ц"},       {"Ч", "ч"},
+    {"Щ", "щ"},       {"Ъ", "ъ"},       {"Ы", "ы"},       {"Ь", "ь"},       {"Э", "э"},       {"Ю", "ю"},
+    {"Я", "я"},       {"Ё", "е"},       {"ё", "е"},       {"İ", "I"},       {"Á", "A"},       {"À", "A"},
     {"Â", "A"},       {"Ä", "A"},       {"Ã", "A"},       {"Å", "A"},       {"É", "E"},       {"È", "E"},
     {"Ê", "E"},       {"Í", "I"},       {"Ó", "O"},       {"Ö", "O"},       {"Ô", "O"},       {"Ø", "O"},
     {"Ú", "U"},       {"Ü", "U"},       {"Ñ", "N"},       {"Ç", "C"},       {"Č", "C"},       {"Ć", "C"},

@@ -124,6 +124,15 @@ const std::vector<Layout> kLayouts{
     {"Datum;Uhrzeit;x\n3.5.24;12:00:00.5;85,0\n3.5.24;12:00:01.5;84,0\n3.5.24;12:00:02.5;80,0\n", "- time R4_x"},
     {"\"A\"\t\"B\"\n\"Time\"\t\".model.SLIDER.CM_Position.X\"\n\"(sec)\"\t\"(mm)\"\n0\t85\n1\t84\n2\t80\n",
      "time R4_x"}, // Adams
+    {"\xC2\xF0\xE5\xEC\xFF, \xF1;x, \xEC\xEC\n0;85\n1;84\n2;80\n", "time R4_x"},               // Windows-1251
+    {"t, \xF1;x, \xEC\xEC;v, \xEC\xEC/\xF1\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"}, // Windows-1251
+    {"t, \xD3;x, \xCD\xCD;v, \xCD\xCD/\xD3\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"}, // KOI8-R
+    {"\xF7\xD2\xC5\xCD\xD1, \xD3;\xF0\xC5\xD2\xC5\xCD\xC5\xDD\xC5\xCE\xC9\xC5 "
+     "\xD0\xCF\xCC\xDA\xD5\xCE\xC1, \xCD\xCD\n0;85\n1;84\n2;80\n",
+     "time R4_x"}, // KOI8-R
+    {"\xC2\xD0\xC5\xCC\xDF;\xCF\xCE\xCB\xCE\xC6\xC5\xCD\xC8\xC5 \xCF\xCE\xCB\xC7\xD3\xCD\xC0\n"
+     "0;85\n1;84\n2;80\n",
+     "time R4_x"}, // Windows-1251 in capital letters
     // Each column is described in a line.
     {"# Column 1: t [s]\n# Column 2: slider position [mm]\n# Column 3: slider velocity [mm/s]\n0 85 1\n1 84 2\n2 80 "
      "3\n",
