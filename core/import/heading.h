@@ -20,6 +20,7 @@ struct CellForm {
     std::string_view unit{};  ///< after the number in each cell
     bool isClock = false;     ///< the cells contain times of a clock
     bool hasDate = false;     ///< before the time of the clock
+    double missing = kNone;   ///< the number that stands for a missing value: -9999
 };
 
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".

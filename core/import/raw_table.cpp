@@ -7,6 +7,7 @@
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace slidercrank
@@ -45,7 +46,10 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
             continue;
         }
         RawColumn &column = columns[cells];
-        const CellNumber number = parseCell(column, cell, file.layout.decimalSign);
+        CellNumber number = parseCell(column, cell, file.layout.decimalSign);
+        if (number.value == column.cells.missing) {
+            number = {};
+        }
         column.values[row] = number.fault ? kUnreadable : number.value;
         if (!std::isnan(number.value)) {
             column.rounding.observe(number.places, number.value);
@@ -84,6 +88,28 @@ std::size_t countStatisticsAbove(const TableFile &file)
 {
     const auto first = std::ranges::find_if_not(file.rows, [&file](const Line &row) { return isStatistic(file, row); });
     return static_cast<std::size_t>(first - file.rows.begin());
+}
+
+/// Finds the number that loggers and scientific formats write for a missing value. It is farther from the other values
+/// of the column than these are from each other. Returns NaN if there is none.
+double findMissingValue(const RawColumn &column)
+{
+    constexpr std::array<double, 12> kMissingValues{-999.0, -9999.0, -99999.0,   -999999.0,
+                                                    9999.0, 99999.0, 999999.0,   1e20,
+                                                    1e30,   -1e30,   9.96921e36, 9.969209968386869e36};
+    const ValueRange all = rangeOf(column.values);
+    for (const double extreme : {all.low, all.high}) {
+        ValueRange others;
+        if (std::ranges::count(kMissingValues, extreme) > 0) {
+            std::ranges::for_each(column.values,
+                                  [&](double value) { others.include(value == extreme ? kNone : value); });
+        }
+        const double distance = std::max(others.low - extreme, extreme - others.high);
+        if (others.count > 0 && distance > others.width()) {
+            return extreme;
+        }
+    }
+    return kNone;
 }
 
 /// Turns the numbers of all rows before `begin` and from `end` on into gaps: they are no data, and their digits say
@@ -179,7 +205,12 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
     const std::size_t begin = countStatisticsAbove(file);
     const std::size_t end =
         file.width > 0 ? countRowsAboveFooter(file, table.columnsOf(file).front()) : file.rows.size();
-    if (begin > 0 || end < file.rows.size()) {
+    bool hasMissingValues = false;
+    for (RawColumn &column : table.columnsOf(file)) {
+        column.cells.missing = findMissingValue(column);
+        hasMissingValues = hasMissingValues || !std::isnan(column.cells.missing);
+    }
+    if (begin > 0 || end < file.rows.size() || hasMissingValues) {
         keepRows(table, file, begin, end);
     }
 }

@@ -316,6 +316,23 @@ private slots:
         }
     }
 
+    /// Loggers and scientific formats write a number for a missing value, far from all others.
+    void readsNoNumberIntoAMissingValue()
+    {
+        for (const char *const missing : {"-9999", "-999.00", "1e30", "9.96921E+36", "999999"}) {
+            const Outcome outcome =
+                read(QByteArray("t,x,v\n0,85,1\n1,@,2\n2,80.5,@\n3,84,4\n4,@,5\n").replace("@", missing));
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->time.size() == 5 && data->skippedCount == 0, missing);
+            const std::vector<double> &x = data->find(kX)->values;
+            QVERIFY2(std::isnan(x[1]) && x[2] == 80.5 && std::isnan(x[4]), missing);
+            QVERIFY2(std::isnan(data->find({R4x, Order::Velocity})->values[2]), missing);
+            QCOMPARE(data->find(kX)->rounding.stepAt(80.0), 0.1);
+        }
+        const Outcome fast = read("t,x,v\n0,85,-9000\n1,84,-9999\n2,80,3000\n3,84,9999\n");
+        QCOMPARE(std::get<ReferenceData>(fast).find({R4x, Order::Velocity})->values,
+                 (std::vector{-9000.0, -9999.0, 3000.0, 9999.0}));
+    }
     void cutsNoPartOfACell()
     {
         const Outcome outcome = read("t,load,x\n0,12 % ,85\n1,50%,84\n2,#N/A,80\n");
