@@ -20,9 +20,24 @@ constexpr std::string_view kGaps = "nan -nan na n/a n.a. null none - -- --- | #n
 
 constexpr char kApostrophe = '\'';
 
-/// Minus signs, Fortran's exponents, and the characters that only separate thousands.
-const Spellings kNumberSpellings{{"\u2212", "-"}, {"\u2019", "'"}, {" ", "'"}, {"\u00A0", "'"},
-                                 {"\u2009", "'"}, {"\u202F", "'"}, {"D", "e"}, {"d", "e"}};
+/// Minus signs, powers of ten, the characters that only separate thousands, and the marks of formulas in LaTeX.
+const Spellings kNumberSpellings{{"\u2212", "-"}, {"\u2019", "'"}, {" ", "'"},  {"\u00A0", "'"}, {"\u2009", "'"},
+                                 {"\u202F", "'"}, {"D", "e"},      {"d", "e"},  {"×10", "e"},    {"·10", "e"},
+                                 {"⋅10", "e"},    {"*10^", "e"},   {"*^", "e"}, {"$", ""}};
+
+/// The exponent of a power of ten.
+const Spellings kExponentSpellings{{"^", ""},  {"⁻", "-"}, {"⁺", "+"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
+                                   {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"}};
+
+/// Returns a number with plain signs, the letter e before its exponent, and apostrophes between thousands.
+std::string withPlainSpelling(std::string_view number)
+{
+    std::string plain = kNumberSpellings.replacedIn(number);
+    if (const std::size_t exponent = plain.find('e'); exponent != plain.npos) {
+        plain.replace(exponent, plain.npos, kExponentSpellings.replacedIn(plain.substr(exponent)));
+    }
+    return plain;
+}
 
 /// Parses an optional minus sign, digits with at most one point, and an optional exponent.
 CellNumber parsePlain(std::string_view text)
@@ -66,7 +81,7 @@ CellNumber parsePlain(std::string_view text)
 std::string withoutSeparators(std::string_view text)
 {
     const bool isBracketed = text.starts_with('(') && text.ends_with(')');
-    std::string plain = kNumberSpellings.replacedIn(isBracketed ? text.substr(1, text.size() - 2) : text);
+    std::string plain = withPlainSpelling(isBracketed ? text.substr(1, text.size() - 2) : text);
     plain.erase(plain.find_last_not_of(kApostrophe) + 1);
     plain.erase(0, plain.find_first_not_of(kApostrophe));
     const bool isSigned = plain.starts_with('-') || plain.starts_with('+');
@@ -234,7 +249,7 @@ CellNumber parseClock(std::string_view text)
 
 bool looksNumeric(std::string_view text)
 {
-    const std::string plain = kNumberSpellings.replacedIn(text);
+    const std::string plain = withPlainSpelling(text);
     return std::ranges::any_of(plain, isDigit) && !plain.starts_with('e') &&
            plain.find_first_not_of("0123456789+-.,eE'") == plain.npos;
 }

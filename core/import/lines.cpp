@@ -113,6 +113,36 @@ std::string_view withoutBars(std::string_view line)
     return hasBars ? trimmed(text.substr(1, text.size() - 2)) : line;
 }
 
+/// Returns whether every closing bracket in a text has an opening one before it.
+bool areBracketsOpened(std::string_view text)
+{
+    int depth = 0;
+    return std::ranges::all_of(text, [&depth](char c) {
+        const bool opens = c == '[' || c == '(' || c == '{';
+        const bool closes = c == ']' || c == ')' || c == '}';
+        depth += (opens ? 1 : 0) - (closes ? 1 : 0);
+        return depth >= 0;
+    });
+}
+
+/// Returns a row of a list or matrix in the source of a program without its brackets: "{0.1, 85}," and "('t', 'x'),",
+/// or "0.1 85;" between blanks. A line of brackets alone becomes empty.
+std::string_view withoutBrackets(std::string_view line)
+{
+    const std::string_view text = trimmed(line);
+    const std::size_t begin = std::min(text.find_first_not_of("[({"), text.size());
+    const std::size_t end = std::max(text.find_last_not_of(" ;,])}") + 1, begin);
+    const std::string_view inner = trimmed(text.substr(begin, end - begin));
+    if (inner.empty()) {
+        return inner;
+    }
+    const std::string_view after = text.substr(end);
+    const bool isEnclosed = begin > 0 && after.find_first_of("])}") != after.npos && areBracketsOpened(inner);
+    const bool areNames = (inner[0] == '\'' || inner[0] == '"') && inner.back() == inner[0];
+    const bool hasSemicolon = after == ";" && isData(inner) && inner.find_first_of(";,") == inner.npos;
+    return (isEnclosed && (isData(inner) || areNames)) || hasSemicolon ? inner : line;
+}
+
 /// Returns a line of Arduino's serial monitor without the time of its receipt: "12:03:04.013 -> 0.01, 85".
 std::string_view withoutTimeOfReceipt(std::string_view line)
 {
@@ -155,7 +185,7 @@ std::vector<Line> splitLines(std::string_view text)
             ++number;
             const std::string_view printed = lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest);
             const std::string_view inner = withoutBorders(withoutTimeOfReceipt(printed));
-            const std::string_view line = areBordered ? withoutBars(inner) : inner;
+            const std::string_view line = withoutBrackets(areBordered ? withoutBars(inner) : inner);
             if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
             }
@@ -175,16 +205,16 @@ std::vector<Line> splitLines(std::string_view text)
 
 bool isData(std::string_view line)
 {
-    constexpr std::size_t kMaxSigns = 3; // before the first digit: a quotation mark, a sign and a decimal sign
+    constexpr std::size_t kMaxSigns = 3; // before the first digit: a quotation mark or "$", a sign and a decimal sign
     const std::string_view text = trimmed(line);
-    const std::size_t digit = text.find_first_not_of("+-.,\"");
+    const std::size_t digit = text.find_first_not_of("+-.,\"$");
     if (digit == text.npos || !isDigit(text[digit]) || digit > kMaxSigns) {
         return false;
     }
     const std::string_view rest = text.substr(std::min(text.find_first_not_of("0123456789", digit), text.size()));
-    const bool mayNumberHeadings = // "1. Time (s)"
-        rest.starts_with(". ") || rest.starts_with(") ") || rest.starts_with(": ");
-    return !mayNumberHeadings || isDigit(trimmed(rest.substr(2))[0]);
+    const bool mayNumberHeadings = // "1. Time (s)", "1:time"
+        rest.starts_with(". ") || ((rest.starts_with(')') || rest.starts_with(':')) && rest.size() > 1);
+    return !mayNumberHeadings || isDigit(trimmed(rest.substr(1))[0]);
 }
 
 bool isRemark(std::string_view line)

@@ -124,6 +124,13 @@ const std::vector<Layout> kLayouts{
     {"Datum;Uhrzeit;x\n3.5.24;12:00:00.5;85,0\n3.5.24;12:00:01.5;84,0\n3.5.24;12:00:02.5;80,0\n", "- time R4_x"},
     {"\"A\"\t\"B\"\n\"Time\"\t\".model.SLIDER.CM_Position.X\"\n\"(sec)\"\t\"(mm)\"\n0\t85\n1\t84\n2\t80\n",
      "time R4_x"}, // Adams
+    // Rows in the source of a program.
+    {"{{\"t\", \"x\"},\n {0., 85.},\n {1., 84.},\n {2., 80.}}\n", "time R4_x"},
+    {"% t [s], x [mm], v [mm/s]\nA = [\n0 85 1;\n1 84 2;\n2 80 3;\n];\n", "time R4_x R4_x_diff"},
+    {"// t, x\nconst double motion[][2] = {\n  {0.0, 85.0},\n  {1.0, 84.0},\n  {2.0, 80.0},\n};\n", "time R4_x"},
+    {"$t$ & $x$ \\\\\n$0$ & $85$ \\\\\n$1$ & $84$ \\\\\n$2$ & $80$ \\\\\n", "time R4_x"},
+    {"t;x\n0;8,5·10^1\n1·10^0;8,4·10^1\n2·10⁰;8,0·10¹\n", "time R4_x"},
+    {"t,x\n0,0.85*^2\n1,0.84×10^+02\n2,800×10⁻¹\n", "time R4_x"},
     {"\xC2\xF0\xE5\xEC\xFF, \xF1;x, \xEC\xEC\n0;85\n1;84\n2;80\n", "time R4_x"},               // Windows-1251
     {"t, \xF1;x, \xEC\xEC;v, \xEC\xEC/\xF1\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"}, // Windows-1251
     {"t, \xD3;x, \xCD\xCD;v, \xCD\xCD/\xD3\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"}, // KOI8-R
