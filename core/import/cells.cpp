@@ -167,6 +167,22 @@ Cells splitCells(std::string_view line, char delimiter)
     return cells;
 }
 
+Cells splitBehindBrackets(std::string_view line)
+{
+    Cells cells;
+    std::string_view rest = trimmed(line);
+    while (!rest.empty()) {
+        std::size_t end = rest.find_first_of(")]");
+        while (end < rest.size() && end + 1 < rest.size() && !isBlank(rest[end + 1])) { // "x(t) (mm)", "(m/(s))"
+            end = rest.find_first_of(")]", end + 1);
+        }
+        end = std::min(end, rest.size() - 1);
+        cells.push_back(rest.substr(0, end + 1));
+        rest = trimmed(rest.substr(end + 1));
+    }
+    return cells;
+}
+
 Cells splitAtBlanks(std::string_view line, std::size_t least)
 {
     Cells cells;

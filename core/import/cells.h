@@ -43,6 +43,9 @@ using Cells = std::vector<std::string_view>;
 /// Returns the texts of all cells of a line, without the empty ones at the end.
 Cells splitCells(std::string_view line, char delimiter);
 
+/// Splits a line behind the brackets at the end of each heading: "Crank angle (deg) Position (mm)" has two cells.
+Cells splitBehindBrackets(std::string_view line);
+
 /// Splits a line at runs of at least `least` blanks outside brackets. Text in brackets belongs to the name before it:
 /// "Time (s)   P[X] ( mm )" has two cells.
 Cells splitAtBlanks(std::string_view line, std::size_t least);

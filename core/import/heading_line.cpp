@@ -81,7 +81,7 @@ bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isM
 
 /// How well the cells of a line suit the row of numbers. The greater rank is better; the members are compared in order.
 struct Rank {
-    bool isLikeRow = false; ///< as many cells as in the row, between the same delimiters and with a time
+    bool isLikeRow = false; ///< as many cells as in the row, between the same delimiters
     std::size_t known = 0;
     bool hasCountOfRow = false;
     std::size_t cells = 0;
@@ -92,7 +92,7 @@ struct Rank {
 Rank rankOf(const HeadingCandidate &names, const NumberRow &row)
 {
     const bool hasCount = row.hasCountOf(names.cells);
-    const bool isLikeRow = hasCount && names.delimiter == row.delimiter && names.delimiter != ' ' && names.times > 0;
+    const bool isLikeRow = hasCount && names.delimiter == row.delimiter && names.delimiter != ' ';
     return {isLikeRow, names.known(), hasCount, names.cells.size()};
 }
 
@@ -125,7 +125,8 @@ std::vector<HeadingCandidate> waysToSplit(std::string_view line)
     for (const char delimiter : kDelimiters) {
         ways.push_back(countNames(splitCells(line, delimiter), delimiter));
     }
-    for (const Cells &cells : {splitCells(line, ' '), splitAtBlanks(line, 2), splitAtBlanks(line, 1)}) {
+    for (const Cells &cells :
+         {splitCells(line, ' '), splitAtBlanks(line, 2), splitAtBlanks(line, 1), splitBehindBrackets(line)}) {
         ways.push_back(countNames(cells, ' '));
     }
     return ways;

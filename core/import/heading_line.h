@@ -33,7 +33,7 @@ HeadingCandidate countNames(Cells cells, char delimiter);
 std::span<const std::string_view> headingsBeforeRemark(const Cells &headings);
 
 /// Returns the cells into which a line can be split, with the numbers of names among them: at each delimiter, at all
-/// blanks, at two or more blanks outside brackets, and at all blanks outside brackets.
+/// blanks, at two or more blanks outside brackets, at all blanks outside brackets, and behind all brackets.
 std::vector<HeadingCandidate> waysToSplit(std::string_view line);
 
 /// Splits a line into cells that may be headings. The delimiter of the row of numbers is chosen if it makes as many

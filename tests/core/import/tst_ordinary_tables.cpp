@@ -131,6 +131,9 @@ const std::vector<Layout> kLayouts{
     {"$t$ & $x$ \\\\\n$0$ & $85$ \\\\\n$1$ & $84$ \\\\\n$2$ & $80$ \\\\\n", "time R4_x"},
     {"t;x\n0;8,5·10^1\n1·10^0;8,4·10^1\n2·10⁰;8,0·10¹\n", "time R4_x"},
     {"t,x\n0,0.85*^2\n1,0.84×10^+02\n2,800×10⁻¹\n", "time R4_x"},
+    // Headings between blanks end with their units.
+    {"Crank angle (deg) Slider position (mm) Slider velocity (mm/s)\n0 85 1\n90 84 2\n180 80 3\n",
+     "angle R4_x R4_x_diff"},
     {"\xC2\xF0\xE5\xEC\xFF, \xF1;x, \xEC\xEC\n0;85\n1;84\n2;80\n", "time R4_x"},               // Windows-1251
     {"t, \xF1;x, \xEC\xEC;v, \xEC\xEC/\xF1\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"}, // Windows-1251
     {"t, \xD3;x, \xCD\xCD;v, \xCD\xCD/\xD3\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"}, // KOI8-R
