@@ -43,9 +43,26 @@ bool areOfSmallUnit(const RawColumn &column)
            std::ranges::all_of(column.values, isWhole);
 }
 
-/// Time stamps of a clock, or in s, ms, µs or ns since 1970, count from the first row.
+/// Returns whether time stamps without a unit are in days, as spreadsheets count them from 1900 and MATLAB from the
+/// year 0: dates from 2000 to 2100, in steps too short for seconds that began so long ago.
+bool areDays(const RawColumn &column)
+{
+    constexpr double kFirstDay = 36'526.0;  // 1 January 2000, in spreadsheets
+    constexpr double kCentury = 36'525.0;   // days
+    constexpr double kYearZero = 693'960.0; // what MATLAB counts more
+    constexpr double kLongestStep = 1e-4;   // nine seconds
+    const ValueRange range = rangeOf(column.values);
+    const auto isInCentury = [&range](double origin) {
+        return range.low >= origin + kFirstDay && range.high < origin + kFirstDay + kCentury;
+    };
+    return column.use.unit.empty() && (isInCentury(0.0) || isInCentury(kYearZero)) &&
+           range.width() < kLongestStep * static_cast<double>(range.count);
+}
+
+/// Time stamps of a clock, in s, ms, µs or ns since 1970, or in days since a date, count from the first row.
 void countFromFirstRow(RawColumn &column)
 {
+    constexpr double kDay = 86'400.0;     // s
     constexpr double kHalfDay = 43'200.0; // s: a clock may have twelve hours
     constexpr double kHour = 3'600.0;     // s: a clock without a date that starts below shows the time since the start
     constexpr double kEarliestSecond = 1.2e9; // since 1970: in 2008
@@ -54,12 +71,13 @@ void countFromFirstRow(RawColumn &column)
         column.values = unwrapped(std::move(column.values), kHalfDay);
     }
     const double first = rangeOf(column.values).low;
-    double scale = 1.0; // number of units in a second
+    const bool isInDays = areDays(column);
+    double scale = isInDays ? 1.0 / kDay : 1.0; // number of units in a second
     while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * scale) {
         scale *= 1000.0;
     }
     const bool isSince1970 = first >= kEarliestSecond && first < kInfinity;
-    if (isSince1970 || (column.cells.isClock && (column.cells.hasDate || first >= kHour))) {
+    if (isInDays || isSince1970 || (column.cells.isClock && (column.cells.hasDate || first >= kHour))) {
         column.origin = first / scale;
         column.factor /= scale;
         const double step = column.rounding.infer(column.factor, true).finestStep();
@@ -91,8 +109,8 @@ bool isNameOpen(const RawColumn &column)
 }
 
 /// Returns whether an unused column may be the time although its name leaves that open: its values only rise, and it
-/// has a unit of time or none. Whole numbers without a unit may instead be row numbers, if the heading is empty or says
-/// so, or degrees, if they reach 180.
+/// has a unit of time or none. Whole numbers without a unit may instead be row numbers, if they count the rows or the
+/// heading is empty or says so, or degrees, if they reach 180.
 bool mayBeTime(const RawColumn &column)
 {
     constexpr double kHalfTurn = 180.0;
@@ -102,7 +120,8 @@ bool mayBeTime(const RawColumn &column)
         return false;
     }
     const bool areWhole = std::ranges::all_of(values, [](double value) { return value == std::rint(value); });
-    const bool mayBeRowNumbers = column.use.heading.empty() || column.meaning.reason == ColumnReason::RowNumber;
+    const bool mayBeRowNumbers =
+        column.use.heading.empty() || column.meaning.reason == ColumnReason::RowNumber || countsRows(column);
     const bool mayBeDegrees = values.back() >= kHalfTurn;
     return !areWhole || !column.use.unit.empty() || (!mayBeRowNumbers && !mayBeDegrees);
 }
@@ -110,8 +129,15 @@ bool mayBeTime(const RawColumn &column)
 /// Returns whether the column may be the crank angle by its name and values.
 bool mayBeCrankAngle(const RawColumn &column)
 {
-    return column.meaning.kind == Kind::Quantity && column.meaning.channel == Channel{Theta3, Order::Position} &&
+    const Channel channel = column.meaning.channel;
+    return column.meaning.kind == Kind::Quantity && channel.order == Order::Position && isAngle(channel.coordinate) &&
            isTurningAngle(column);
+}
+
+/// Returns whether the column, which may be at any place, is the crank angle by its name and values.
+bool turnsLikeCrank(const RawColumn &column)
+{
+    return mayBeCrankAngle(column) && makesHalfTurn(column);
 }
 
 /// Returns whether a person chose theta2 for the column, which is the crank angle where there is no time.
@@ -152,7 +178,8 @@ bool mayLead(const RawColumn &column, bool hasCrankAngle)
 /// 3. else the first column that may lead, if its name is unknown and its values only rise: the time,
 /// 4. else the column that is named as the crank angle,
 /// 5. else the first column that may lead and is not of words, if it is an angle that does not change its direction, as
-///    in "theta, x, v".
+///    in "theta, x, v",
+/// 6. else the only column of an angle that makes half a turn without changing its direction, as in "x, v, angle".
 void guessAbscissa(RawTable &table, const TableFile &file)
 {
     const std::span<RawColumn> columns = table.columnsOf(file);
@@ -178,6 +205,8 @@ void guessAbscissa(RawTable &table, const TableFile &file)
         setAbscissa(table, *named, ColumnRole::CrankAngle, named->meaning.reason);
     } else if (leadingNumbers && mayBeCrankAngle(*leadingNumbers)) {
         setAbscissa(table, *leadingNumbers, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
+    } else if (std::ranges::count_if(columns, turnsLikeCrank) == 1) {
+        setAbscissa(table, *findElement(columns, turnsLikeCrank), ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     }
 }
 

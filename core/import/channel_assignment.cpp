@@ -64,12 +64,17 @@ bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
            areEqual(column.values, other.values, step);
 }
 
-/// Returns whether the column is the crank angle once more, in a different unit or of a second table beside the first.
-bool repeatsCrankAngle(RawTable &table, const RawColumn &column)
+/// Returns whether the column is a second crank angle: in a different unit, or of a second table beside the first, where
+/// an angle with the same heading turns in one direction.
+bool isSecondCrankAngle(RawTable &table, const RawColumn &column)
 {
     const RawColumn *const abscissa = table.abscissa();
-    return abscissa && abscissa->use.role == ColumnRole::CrankAngle && column.meaning.channel == kCrankAngle &&
-           areEqual(column.values, abscissa->values, std::max(stepOf(column), stepOf(*abscissa)));
+    if (!abscissa || abscissa->use.role != ColumnRole::CrankAngle) {
+        return false;
+    }
+    const bool isLikeAbscissa =
+        column.use.heading == abscissa->use.heading && !findReversal(unwrapped(column.finiteValues()));
+    return column.use.channel == kCrankAngle || isLikeAbscissa;
 }
 
 /// Returns whether the column may be a length by its name, but has no unit and counts the rows.
@@ -109,8 +114,8 @@ void measureAtA(RawColumn &column)
 }
 
 /// Returns the columns that could be channels according to their names and units, in the default unit and with the
-/// channel that they would be. Sets the reason of columns with unsuitable units, and of a second crank angle. Throws if
-/// the unit of a column with the exact name of a channel is unsuitable.
+/// channel that they would be. Sets the reason of columns with unsuitable units. Throws if the unit of a column with
+/// the exact name of a channel is unsuitable.
 std::vector<RawColumn *> findCandidates(RawTable &table)
 {
     std::vector<RawColumn *> candidates;
@@ -128,10 +133,6 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
             continue;
         }
         convert(column, *unit);
-        if (repeatsCrankAngle(table, column)) {
-            column.use.reason = ColumnReason::LikeOther;
-            continue;
-        }
         column.use.channel = meaning.channel;
         if (meaning.isAtB) {
             measureAtA(column);
@@ -180,6 +181,8 @@ void assignChannels(RawTable &table)
     removeWords(candidates);
     removeRepeated(candidates);
     assignBodies(table, candidates);
+    removeColumns(candidates, ColumnReason::LikeOther,
+                  [&table](const RawColumn &column) { return isSecondCrankAngle(table, column); });
     for (RawColumn *const column : candidates) {
         assignChannel(table, *column, candidates);
     }

@@ -3,6 +3,7 @@
 
 #include "core/import/crank_angles.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace slidercrank
@@ -31,6 +32,14 @@ bool isTurningAngle(const RawColumn &column)
     constexpr double kTurn = 360.0;
     const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
     return unit && !isConstant(column) && !findReversal(unwrapped(column.finiteValues(), kTurn / unit->factor));
+}
+
+bool makesHalfTurn(const RawColumn &column)
+{
+    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
+    std::vector<double> degrees = unit ? column.finiteValues() : std::vector<double>();
+    std::ranges::for_each(degrees, [&](double &value) { value = unit->toDefault(value); });
+    return angularWidth(std::move(degrees)) > kLargestSwing;
 }
 
 bool isNearlyConstant(const RawColumn &column)

@@ -26,6 +26,9 @@ bool countsRows(const RawColumn &column);
 /// Returns whether the column only rises or only falls as an angle that is limited to one turn.
 bool isTurningAngle(const RawColumn &column);
 
+/// Returns whether the column, which has not been converted yet, may be an angle that spans more than half a turn.
+bool makesHalfTurn(const RawColumn &column);
+
 /// Returns whether at least ten values differ by no more than 1 % of the largest, which is not 0.
 bool isNearlyConstant(const RawColumn &column);
 

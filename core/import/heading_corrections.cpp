@@ -45,20 +45,6 @@ void moveToY(std::span<RawColumn> columns)
     }
 }
 
-/// Returns the values in degrees of a column that has not been converted; empty if its unit is not that of an angle.
-std::vector<double> degreesOf(const RawColumn &column)
-{
-    const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
-    std::vector<double> degrees = unit ? column.finiteValues() : std::vector<double>();
-    std::ranges::for_each(degrees, [&](double &value) { value = unit->toDefault(value); });
-    return degrees;
-}
-
-bool makesHalfTurn(const RawColumn &column)
-{
-    return angularWidth(degreesOf(column)) > kLargestSwing;
-}
-
 /// Takes "α", which may also be an angular acceleration, as an angle if it makes half a turn.
 void decideAlpha(std::span<RawColumn> columns)
 {

@@ -64,8 +64,8 @@ constexpr std::string_view kStatistics =
     "mean average avg media medio promedio mittelwert durchschnitt moyenne moyen gemiddelde srednia max maximum maximo "
     "massimo maksimum min minimum minimo minimal minimaal sum suma summe somme soma rms median mediana std stdev";
 constexpr std::string_view kStatisticCompanions = "value valor valeur valore wert waarde of de";
-constexpr std::string_view kRowNumbers =
-    "n i no nr num index row id fila frame paso step sample count counter point node nodo element elemento";
+constexpr std::string_view kRowNumbers = "n i no nr num index row id fila frame slice image imagen bild scan paso step "
+                                         "sample count counter point node nodo element elemento";
 constexpr std::string_view kRowNumberCompanions =
     "data of de der measurement messung messpunkt medicion medida mesure misura medicao pomiar";
 

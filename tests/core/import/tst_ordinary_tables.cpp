@@ -134,6 +134,8 @@ const std::vector<Layout> kLayouts{
     // Headings between blanks end with their units.
     {"Crank angle (deg) Slider position (mm) Slider velocity (mm/s)\n0 85 1\n90 84 2\n180 80 3\n",
      "angle R4_x R4_x_diff"},
+    // Days since 1900, as in spreadsheets.
+    {"Time;x\n45363,40000000;85\n45363,40001157;84\n45363,40002315;80\n", "time R4_x"},
     {"\xC2\xF0\xE5\xEC\xFF, \xF1;x, \xEC\xEC\n0;85\n1;84\n2;80\n", "time R4_x"},               // Windows-1251
     {"t, \xF1;x, \xEC\xEC;v, \xEC\xEC/\xF1\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"}, // Windows-1251
     {"t, \xD3;x, \xCD\xCD;v, \xCD\xCD/\xD3\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"}, // KOI8-R
@@ -178,6 +180,7 @@ const std::vector<Layout> kLayouts{
      "angle R4_x R4_x_diff"}, // merged cells
     {"Case;Time;Slider;\n;[s];x [mm];v [mm/s]\nopen;0;85;1\nopen;1;84;2\nopen;2;80;3\n", "- time R4_x R4_x_diff"},
     {"No.|Crank angle|Slider|Notes\n|[deg]|Position [mm]|\n1|0|85|\n2|90|84|\n3|180|80|\n", "- angle R4_x -"},
+    {"angle;position;angle\ndeg;mm;deg\n0;85;22\n90;84;5\n180;80;22\n", "angle R4_x theta3"},
     // Remarks in brackets that are no units.
     {"t (s);x (exp)\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"t (s);x (abs)\n0;85\n1;84\n2;80\n", "time R4_x"},
@@ -342,6 +345,25 @@ private slots:
         const Outcome fast = read("t,x,v\n0,85,-9000\n1,84,-9999\n2,80,3000\n3,84,9999\n");
         QCOMPARE(std::get<ReferenceData>(fast).find({R4x, Order::Velocity})->values,
                  (std::vector{-9000.0, -9999.0, 3000.0, 9999.0}));
+    }
+
+    /// A first column of unknown name that counts the rows is no time.
+    void readsNoTimeIntoRowNumbers()
+    {
+        const Outcome outcome = read("Stichprobe;x;v\n1;85;1\n2;84;2\n3;80;3\n");
+        const ReadError *const error = std::get_if<ReadError>(&outcome);
+        QVERIFY(error && error->fault.kind == Kind::NoTime && error->advice.front().role == ColumnRole::Time);
+        QCOMPARE(rolesOf(std::get<ReferenceData>(read("Stichprobe;x\n0.5;85\n1;84\n1.5;80\n")).layout),
+                 std::string("time? R4_x?"));
+    }
+
+    /// A table that continues beside itself is no motion with two crank angles.
+    void refusesATableInTwoParts()
+    {
+        const Outcome outcome = read("θ (°);x (mm);;θ (°);x (mm)\n0;85;;180;45\n60;80;;240;50\n120;60;;300;70\n"
+                                     "180;45;;360;85\n");
+        const ReadError *const error = std::get_if<ReadError>(&outcome);
+        QVERIFY(error && error->fault.kind == Kind::NoCertainChannel && error->fault.column == ColumnReason::LikeOther);
     }
     void cutsNoPartOfACell()
     {
