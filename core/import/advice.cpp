@@ -141,7 +141,7 @@ std::string withoutDigits(std::string heading)
 /// 4. else the first one with a suitable unit or none.
 ///
 /// `notColumn`: index of a column that is not chosen. Returns nothing if there is no such column. Of several points, it
-/// is the last one, as programs number them from the crank to the slider.
+/// is the last one, as programs number them from the crank to the slider. The other quantities of that point follow.
 std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t notColumn)
 {
     const auto isFree = [&](const RawColumn &column) {
@@ -170,8 +170,20 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
                              withoutDigits(other.use.heading) == withoutDigits(column->use.heading);
         column = isPoint ? &other : column;
     }
-    const Channel channel = likelyChannel(*column);
-    return {choiceFor(table, *column, ColumnRole::Channel, channel, likelyUnit(*column, ColumnRole::Channel, channel))};
+    const auto choice = [&](const RawColumn &chosen) {
+        const Channel channel = likelyChannel(chosen);
+        return choiceFor(table, chosen, ColumnRole::Channel, channel, likelyUnit(chosen, ColumnRole::Channel, channel));
+    };
+    std::vector<ColumnChoice> choices{choice(*column)};
+    for (const RawColumn &other : columns) {
+        const bool isOfSamePoint = !column->meaning.owner.empty() && other.meaning.owner == column->meaning.owner;
+        if (isOfSamePoint && isOpen(other) && std::ranges::none_of(choices, [&](const ColumnChoice &earlier) {
+                return earlier.channel == likelyChannel(other);
+            })) {
+            choices.push_back(choice(other));
+        }
+    }
+    return choices;
 }
 
 /// Returns the choices that ignore a second time and the columns behind it, which were sampled at it. If nothing is

@@ -415,6 +415,7 @@ private slots:
         QCOMPARE(adviceIn("stage,R4_x\n0,80\n90,70\n180,60\n270,50\n"), std::string("stage=angle ;"));
         QCOMPARE(adviceIn("p [gon],foo\n0,80\n90,70\n170,60\n"), std::string("foo=R4_x ;"));
         QCOMPARE(adviceIn("time,J3_x,J4_x\n0,80,7\n1,70,8\n"), std::string("J4_x=R4_x ;")); // the last joint
+        QCOMPARE(adviceIn("time,J3_x,J4_x,J4_vx\n0,80,7,1\n1,70,8,2\n"), std::string("J4_x=R4_x ;J4_vx=R4_x_diff ;"));
         QCOMPARE(adviceIn("time,load [N],foo\n0,80,7\n1,70,8\n"), std::string("foo=R4_x ;"));
         QCOMPARE(adviceIn("time,crank speed [1/s]\n0,6\n1,7\n"), std::string("crank speed [1/s]=theta2_diff rad/s;"));
         QCOMPARE(adviceIn("Date,Open,High\nMay,80,9\nJune,90,8\n"), std::string("Open=time ;High=R4_x ;")); // no time
