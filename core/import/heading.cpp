@@ -532,10 +532,12 @@ bool splitUnitAlone(std::string_view text, const Unit &unit, Heading &heading)
 Heading parseHeading(std::string_view cell)
 {
     static const Spellings kQuotedCharacters{{"\"\"", "\""}, {"\r\n", " "}, {"\n", " "}};
-    static const Spellings kLatexMarkup{{"$", ""},    {"\\mathrm", ""}, {"\\text", ""}, {"\\rm", ""},
-                                        {"\\si", ""}, {"\\unit", ""},   {"\\left", ""}, {"\\right", ""}};
+    // Commands of LaTeX, and the wide brackets of Chinese and Japanese.
+    static const Spellings kMarkup{{"$", ""},      {"\\mathrm", ""}, {"\\text", ""},  {"\\rm", ""},   {"\\si", ""},
+                                   {"\\unit", ""}, {"\\left", ""},   {"\\right", ""}, {"\\frac", ""}, {"}{d", "/d"},
+                                   {"（", "("},    {"）", ")"},      {"［", "["},     {"］", "]"},    {"／", "/"}};
     Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
-    const std::string text = withoutEnclosure(kLatexMarkup.replacedIn(heading.use.heading));
+    const std::string text = withoutEnclosure(kMarkup.replacedIn(heading.use.heading));
     heading.name = text;
     if (text.size() > kLongestName) {
         return heading;

@@ -413,10 +413,10 @@ NameMeaning meaningOfWords(std::string_view name, const NamePath &path, int deri
         return {.reason = isOfCrankEnd(name) ? ColumnReason::CrankPin : ColumnReason::UnknownName};
     }
     if (isAboutZ && !reading->body && unit.empty()) { // "Z_AngVel", of any body
-        return {.reason = ColumnReason::UnknownBody};
+        reading->isUnknownBody = true;
     }
     if (isElement(name)) {
-        reading->isUnknownBody = true;
+        reading->isUnknownBody = reading->axis == ' '; // "X(3)" is the x of a node
         reading->unknown.point = name.substr(name.rfind('('));
     }
     return meaningOfReading(*reading, path, unit);

@@ -17,8 +17,18 @@ namespace
 using Words = std::vector<std::string>;
 
 /// Parts of names that programs with m, rad and s give: OpenSim, MuJoCo, Gazebo and ROS.
-constexpr std::array<std::string_view, 9> kNamesInSi{"_tx",        "qpos",       "qvel",   "qacc",   "_joint_pos",
-                                                     "_joint_vel", "_joint_acc", ".pose.", ".twist."};
+constexpr std::array<std::string_view, 10> kNamesInSi{"_tx",           "qpos",        "qvel",       "qacc",
+                                                      "_joint_pos",    "_joint_vel",  "_joint_acc", "joint_states",
+                                                      "pose.position", "twist.linear"};
+
+/// Returns whether a part of a path only says which quantity follows: "position", "linear".
+bool isOfQuantity(std::string_view part)
+{
+    return std::ranges::all_of(wordsOf(part), [](const std::string &word) {
+        const WordMeaning *const entry = findWord(word, WordUse::Word);
+        return entry && !entry->body && (entry->order || isAmong(word, "linear angular"));
+    });
+}
 
 /// Returns the mark between a quantity and its owner: "@", a hyphen, or a colon behind the quantity, as in
 /// "slider_pos:MECHANISM" of Creo.
@@ -84,6 +94,7 @@ NamePath splitPath(std::string_view name)
         }
     };
     NamePath path;
+    std::string_view owner; // of the part that begins
     std::size_t begin = 0;
     char lastSeparator = ' ';
     for (std::size_t i = 0; i <= name.size(); ++i) {
@@ -92,8 +103,9 @@ NamePath splitPath(std::string_view name)
             continue;
         }
         if (i > begin) {
-            path.owner = begin == 0 ? std::string() : std::string(name.substr(0, begin - 1));
+            path.owner = owner;
             path.parts.push_back(name.substr(begin, i - begin));
+            owner = isOfQuantity(path.parts.back()) ? owner : name.substr(0, i);
         }
         begin = i + 1;
         lastSeparator = isEnd ? lastSeparator : name[i];

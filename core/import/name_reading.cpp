@@ -28,6 +28,10 @@ bool merge(NameReading &reading, const WordMeaning &entry)
     reading.order = std::max(reading.order, entry.order);
     reading.axis = entry.axis != ' ' ? entry.axis : reading.axis;
     reading.isCentre = reading.isCentre || entry.isCentre;
+    if (entry.body && std::exchange(reading.isBodyNumbered, false)) {
+        reading.body.reset();
+        reading.isFrame = false;
+    }
     return merge(reading.dimension, entry.dimension) && merge(reading.body, entry.body);
 }
 
@@ -40,35 +44,49 @@ enum class Entries {
     All
 };
 
-/// Includes the number of a link after a symbol: the crank is link 2, the coupler 3 and the slider 4. Returns false if
-/// the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1").
+/// Includes the number of the link whose angle it is: 1 is the frame, 2 the crank and 3 the coupler. A word for the
+/// body goes before the number: in "coupler angle φ2", the links are numbered from the crank. Returns false for other
+/// numbers.
+bool includeLinkOfAngle(NameReading &reading, std::string_view digits)
+{
+    if (reading.body) {
+        return true;
+    }
+    reading.isBodyNumbered = true;
+    reading.isFrame = digits == "1";
+    if (digits == "2") {
+        reading.body = Body::Crank;
+    } else if (digits == "3") {
+        reading.body = Body::Coupler;
+    }
+    return isAmong(digits, "1 2 3");
+}
+
+/// Includes the number of a link after a symbol. A length is the slider's, link 4, or that of an unknown point. Returns
+/// false if the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1").
 bool includeNumber(NameReading &reading, std::string_view digits, Entries entries)
 {
     if (!reading.hasSymbol || entries == Entries::WithoutSymbols) {
         return true;
     }
-    const bool isAngle = reading.dimension == Dimension::Angle;
     reading.isBodyNamed = true;
-    if (digits == "4" && !isAngle) {
+    if (reading.symbol == "q") { // a generalized coordinate, which may be numbered from 0
+        reading.isUnknownBody = reading.dimension != Dimension::Angle;
+        reading.joints = digits;
+        return true;
+    }
+    if (reading.dimension == Dimension::Angle) {
+        return includeLinkOfAngle(reading, digits);
+    }
+    if (digits == "4") {
         reading.joints.clear(); // "x14", of link 4 to the frame 1
         return merge(reading.body, std::optional(Body::Slider));
     }
-    reading.isUnknownBody = !isAngle;
-    const bool isCoordinate = reading.symbol == "q"; // generalized
-    if (isCoordinate || (reading.axis != ' ' && !reading.body && isAmong(digits, "1 2 3"))) {
+    reading.isUnknownBody = true;
+    if (reading.axis != ' ' && !reading.body && isAmong(digits, "1 2 3")) {
         reading.joints = digits; // "y3"
     }
-    if (isCoordinate) {
-        return true; // which may be numbered from 0
-    }
-    reading.isFrame = digits == "1";
-    std::optional<Body> link;
-    if (digits == "2") {
-        link = Body::Crank;
-    } else if (digits == "3") {
-        link = Body::Coupler;
-    }
-    return isAmong(digits, "1 2 3") && (!isAngle || merge(reading.body, link));
+    return isAmong(digits, "1 2 3");
 }
 
 /// Returns whether a symbol can stand for a quantity of that order, as in "velocity v" or "crank angle α".
@@ -123,13 +141,13 @@ bool isNameOfJoint(const Words &words, std::size_t at)
            findWord(words[at + 1], WordUse::Label) && words[at + 2].size() == 1;
 }
 
-/// Returns what a word means as an index of the symbol or quantity before it: "x_s", "velocity B", "ω_BC". Null if it
-/// is no index, as the Bp of "xBp".
-const WordMeaning *indexNamed(const NameReading &before, std::string_view word)
+/// Returns whether an index may belong to the symbol or quantity before it: "x_s", "velocity B", "ω_BC", but not the Bp
+/// of "xBp".
+bool mayBeIndex(const NameReading &before, std::string_view index)
 {
-    const bool isOfLink = word.size() > 1 && before.dimension == Dimension::Angle;
-    const bool mayFollow = before.hasSymbol || isOfLink || (before.order && isAmong(word, "b c"));
-    return mayFollow && (word.size() == 1 || isOfLink) ? findWord(word, WordUse::Index) : nullptr;
+    const bool isOfLink = index.size() > 1 && before.dimension == Dimension::Angle;
+    const bool mayFollow = before.hasSymbol || isOfLink || (before.order && isAmong(index, "b c"));
+    return mayFollow && (index.size() == 1 || isOfLink);
 }
 
 /// Includes an index. Returns false if it is the second one, or contradicts the words before.
@@ -166,18 +184,24 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
         reading.isOrderNamed = reading.isOrderNamed || entry->order;
         return merge(reading, *entry);
     }
-    const bool followsLabel = std::exchange(reading.isLabelled, !reading.hasSymbol && findWord(word, WordUse::Label));
+    const bool isLabel = findWord(word, WordUse::Label);
+    const bool followsLabel = std::exchange(reading.isLabelled, !reading.hasSymbol && isLabel);
     if (followsLabel && word.size() == 1 && !isAmong(word, "x y")) {
         return includeJoint(reading, word);
     }
-    const WordMeaning *const filler = findWord(word, WordUse::Filler);
-    if (reading.isLabelled || filler) {
-        return !filler || merge(reading, *filler);
-    }
-    if (const WordMeaning *const index = indexNamed(reading, word)) {
+    const WordMeaning *const index = findWord(word, WordUse::Index);
+    if (followsLabel && index) { // "link BC angle"
         return includeIndex(reading, word, *index);
     }
-    if (reading.hasSymbol && findWord(word, WordUse::AmbiguousLetter)) {
+    const WordMeaning *const filler = findWord(word, WordUse::Filler);
+    const bool isLabelOfPath = isLabel && entries == Entries::WithoutSymbols; // "Crank_Joint.Rz.q"
+    if (reading.isLabelled || isLabelOfPath || filler) {
+        return !filler || merge(reading, *filler);
+    }
+    if (index && mayBeIndex(reading, word)) {
+        return includeIndex(reading, word, *index);
+    }
+    if (reading.hasSymbol && entries == Entries::All && findWord(word, WordUse::AmbiguousLetter)) {
         reading.doubt = word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
         reading.joints = word == "p" ? word : std::string_view(reading.joints);
         return true;

@@ -135,7 +135,7 @@ constexpr std::array<NamedUnit, 33> kUnits{{
     {"yd yard yards", {Dimension::Length, 0, 914.4}},
     {"g", {Dimension::Length, 2, 9806.65}},
     {"deg gr град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados gradi "
-     "grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw degkw degv",
+     "grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw degkw owk degowk degv",
      {Dimension::Angle, 0, 1.0}},
     {"dps", {Dimension::Angle, 1, 1.0}},
     {"ips", {Dimension::Length, 1, 25.4}},
@@ -149,7 +149,8 @@ constexpr std::array<NamedUnit, 33> kUnits{{
     {"mrad", {Dimension::Angle, 0, 1e-3 * kDegreesPerRadian}},
     {"pirad", {Dimension::Angle, 0, 180.0}},
     {"gon gons gradian gradians grads", {Dimension::Angle, 0, 0.9}},
-    {"rev revs revolution revolutions turn turns r u об tr tour tours giri vuelta vueltas umdrehungen obr omw varv "
+    {"rev revs revolution revolutions turn turns r u об tr tour tours giri vuelta vueltas umdrehung umdrehungen obr "
+     "omw varv "
      "omdr",
      {Dimension::Angle, 0, 360.0}},
     {"rpm", {Dimension::Angle, 1, 6.0}},

@@ -80,7 +80,8 @@ constexpr std::nullopt_t kOpen = std::nullopt;
 constexpr std::array kRows{
     // Quantities.
     WordMeaning{Word,
-                "position posicion posizione posicao posicio positie polozenie lage pos displacement disp posn "
+                "position posicion posizione posizioni posicao posicoes posicio positie polozenie lage pos "
+                "displacement disp posn "
                 "displ desloc degistirme despl depl spost versch lvdt encoder transducer "
                 "transductor potentiometer wegaufnehmer laser pot poti sonar ultrasonic dist location "
                 "ubicacion avance avanzamento avanco ascissa abscissa abscisa yol yolu reading lectura "
@@ -108,12 +109,12 @@ constexpr std::array kRows{
                 "ускорение 加速度",
                 kOpen, Acceleration},
     WordMeaning{Word,
-                "angle angulo angolo rotation rot rotacion rotazione rotacao giro orientation winkel hoek kat "
+                "angle ang angulo angolo rotation rot rotacion rotazione rotacao giro orientation winkel hoek kat "
                 "vinkel uhel unghi aci acisi inclination inclinacion neigung revolutions revolution szog "
                 "kulma uhol 각도 угол 角度 转角",
                 Angle, Position},
     WordMeaning{Word,
-                "ang angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe "
+                "angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe "
                 "katowy uhlova uhlove unghiulara угловая угловое угловой 角",
                 Angle},
     WordMeaning{Word, "gyroscope gyro giroscopio gyroskop", Angle, Velocity},
@@ -131,9 +132,9 @@ constexpr std::array kRows{
                 "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
                 "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
                 "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
-                "kluky klukoveho 크랭크 кривошип 曲柄 クランク link_2 glied_2 eslabon_2 barra_2 membro_2",
+                "kluky klukoveho 크랭크 кривошип 曲柄 曲轴 クランク link_2 glied_2 eslabon_2 barra_2 membro_2",
                 kOpen, kOpen, Crank},
-    WordMeaning{Word, "ca cad kw kurbelw atdc drehwinkel", Angle, Position, Crank},
+    WordMeaning{Word, "ca cad kw owk kurbelw atdc drehwinkel", Angle, Position, Crank},
     WordMeaning{Word,
                 "coupler coup rod conrod connecting biela bielle biella bielei acoplador pleuel pleuelstange koppel "
                 "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
@@ -143,8 +144,8 @@ constexpr std::array kRows{
     WordMeaning{Word,
                 "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera "
                 "deslizador deslizante corredora corredissa embolo carro carrito cursore cursor pattino "
-                "coulisseau coulissant surgu abtrieb glissiere crosshead block bloque kolben "
-                "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak wodzik крейцкопф "
+                "coulisseau coulissant surgu abtrieb glissiere crosshead block bloque kolben output salida sortie "
+                "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak wodzik крейцкопф uscita saida "
                 "tlok tloka kolv kolven sliden glid gliden piestu smykadla patina "
                 "culisei 슬라이더 피스톤 pist pistu wrist gudgeon ram plunger corsoio corredica pistonului stempel "
                 "stemplets dugattyu manta mannan luisti ariete stossel ползун поршень поршня 滑块 活塞 "
@@ -171,7 +172,8 @@ constexpr std::array kRows{
     WordMeaning{Symbol, ".v", Length, Velocity},
     WordMeaning{Symbol, ".a", kOpen, Acceleration},
     WordMeaning{Symbol, ".phi .q", Angle, Position},
-    WordMeaning{Symbol, ".w", Angle, Velocity},
+    WordMeaning{Symbol, ".w .w[3] .w_a[3]", Angle, Velocity},
+    WordMeaning{Symbol, ".z[3] .z_a[3]", Angle, Acceleration},
     WordMeaning{Symbol, ".r_0[1] .r[1] .s[1]", Length, Position, kOpen, 'x'},
     WordMeaning{Symbol, ".r_0[2] .r[2]", Length, Position, kOpen, 'y'},
     WordMeaning{Symbol, ".v_0[1] .v[1]", Length, Velocity, kOpen, 'x'},
@@ -199,7 +201,7 @@ constexpr std::array kRows{
                 kOpen, Acceleration},
     WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
     WordMeaning{Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
-                        "component comp field out output instantaneous relative measured z open crossed o pin obrotu "
+                        "component comp field out instantaneous relative measured z open crossed o pin obrotu "
                         "поворота повороту"},
     WordMeaning{OtherQuantity,
                 "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
@@ -212,7 +214,8 @@ constexpr std::array kRows{
                 "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
                 "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
                 "drift backlash holgura level count limit tilt"},
-    WordMeaning{Label, "body part joint pin gelenk point punkt punto node marker of de del von du di do"},
+    WordMeaning{Label,
+                "body part joint link barra eslabon pin gelenk point punkt punto node marker of de del von du di do"},
 };
 
 } // namespace vocabulary

@@ -126,6 +126,7 @@ const std::vector<Layout> kLayouts{
      "time R4_x"}, // Adams
     // Rows in the source of a program.
     {"{{\"t\", \"x\"},\n {0., 85.},\n {1., 84.},\n {2., 80.}}\n", "time R4_x"},
+    {"[('t', 'x (mm)', 'v'),\n(0.0, 85.0, 1.0),\n(1.0, 84.0, 2.0),\n(2.0, 80.0, 3.0)]\n", "time R4_x R4_x_diff"},
     {"% t [s], x [mm], v [mm/s]\nA = [\n0 85 1;\n1 84 2;\n2 80 3;\n];\n", "time R4_x R4_x_diff"},
     {"// t, x\nconst double motion[][2] = {\n  {0.0, 85.0},\n  {1.0, 84.0},\n  {2.0, 80.0},\n};\n", "time R4_x"},
     {"$t$ & $x$ \\\\\n$0$ & $85$ \\\\\n$1$ & $84$ \\\\\n$2$ & $80$ \\\\\n", "time R4_x"},
@@ -357,6 +358,18 @@ private slots:
                  std::string("time? R4_x?"));
     }
 
+    /// Spreadsheets count days from 1900, and MATLAB from the year 0.
+    void countsDaysFromTheFirstRow()
+    {
+        for (const char *const day : {"45363", "739323"}) {
+            const Outcome outcome = read(QByteArray("Time;x\n@,40000000;85\n@,40001157;84\n").replace("@", day));
+            const std::vector<double> &time = std::get<ReferenceData>(outcome).time;
+            QVERIFY2(time[0] == 0.0 && std::abs(time[1] - 1.0) < 1e-3, day); // 1.157e-5 days
+        }
+        const Outcome seconds = read("Time;x\n45363;85\n45364;84\n");
+        QCOMPARE(std::get<ReferenceData>(seconds).time, (std::vector{45363.0, 45364.0}));
+    }
+
     /// A table that continues beside itself is no motion with two crank angles.
     void refusesATableInTwoParts()
     {
@@ -365,6 +378,7 @@ private slots:
         const ReadError *const error = std::get_if<ReadError>(&outcome);
         QVERIFY(error && error->fault.kind == Kind::NoCertainChannel && error->fault.column == ColumnReason::LikeOther);
     }
+
     void cutsNoPartOfACell()
     {
         const Outcome outcome = read("t,load,x\n0,12 % ,85\n1,50%,84\n2,#N/A,80\n");
