@@ -125,6 +125,14 @@ bool areBracketsOpened(std::string_view text)
     });
 }
 
+/// Returns a line that is quoted as a whole, such as "0.1,85" in quotation marks, without them.
+std::string_view withoutQuotes(std::string_view line)
+{
+    const std::string_view text = trimmed(line);
+    const bool isQuoted = text.size() > 2 && text[0] == '"' && text.find('"', 1) == text.size() - 1;
+    return isQuoted && text.find_first_of(kDelimiters) != text.npos ? text.substr(1, text.size() - 2) : line;
+}
+
 /// Returns a row of a list or matrix in the source of a program without its brackets: "{0.1, 85}," and "('t', 'x'),",
 /// or "0.1 85;" between blanks. A line of brackets alone becomes empty.
 std::string_view withoutBrackets(std::string_view line)
@@ -185,7 +193,7 @@ std::vector<Line> splitLines(std::string_view text)
             ++number;
             const std::string_view printed = lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest);
             const std::string_view inner = withoutBorders(withoutTimeOfReceipt(printed));
-            const std::string_view line = withoutBrackets(areBordered ? withoutBars(inner) : inner);
+            const std::string_view line = withoutBrackets(withoutQuotes(areBordered ? withoutBars(inner) : inner));
             if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
             }
