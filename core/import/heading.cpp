@@ -37,9 +37,10 @@ bool suits(const NameMeaning &meaning, const std::string &unit)
 std::string_view withoutPreposition(std::string_view unit, std::string_view name)
 {
     const std::string whole(unit);
-    const bool hasPreposition = unit.starts_with("in ") || unit.starts_with("en ");
+    const std::size_t end = std::min(unit.find(' '), unit.size());
+    const bool hasPreposition = end < unit.size() && isAmong(unit.substr(0, end), "in en em w v в");
     const bool isInches = hasPreposition && parseUnit(unit) && suits(meaningOf(name, whole), whole);
-    return trimmed(unit.substr(hasPreposition && !isInches ? 3 : 0));
+    return trimmed(unit.substr(hasPreposition && !isInches ? end : 0));
 }
 
 /// Returns the unit before a remark: "deg" of "deg CCW from +x". Returns the text if it is a unit or has none.
@@ -69,11 +70,11 @@ bool isRemarkInBrackets(std::string_view content)
 }
 
 /// Returns whether brackets that begin at `begin` belong to the name: it has a meaning with them, as "x(B)", or they
-/// contain an index, as in "P[3.1]".
+/// contain an index, as in "P[3.1]" and "x_{1}".
 bool areBracketsOfName(std::string_view text, std::size_t begin, std::string_view content)
 {
     const NameMeaning whole = meaningOf(text, {});
-    const bool isIndex = (text[begin] == '[' && looksNumeric(content)) || (begin == 1 && content == "A"); // "x(A)"
+    const bool isIndex = looksNumeric(content) || (begin == 1 && content == "A"); // "x(A)"
     return isIndex || (whole.kind != Kind::Nothing && !whole.hasUnknownWords);
 }
 
@@ -241,9 +242,13 @@ bool isOfPiston(const Heading &heading)
 /// Returns whether the name is that of a displacement and no differential: "DX" of Adams, or "dx" beside "vx".
 bool isDisplacement(const Heading &heading, std::span<const Heading> row)
 {
-    const std::string symbol = lastPartOf(heading);
-    const auto isVelocity = [&symbol](const Heading &other) {
-        return lowered(lastPartOf(other)) == 'v' + lowered(symbol).substr(1);
+    const auto lastWordOf = [](const Heading &named) {
+        const std::string part = lastPartOf(named);
+        return part.substr(part.rfind(' ') + 1); // "DX" of "Slider DX"
+    };
+    const std::string symbol = lastWordOf(heading);
+    const auto isVelocity = [&](const Heading &other) {
+        return lowered(lastWordOf(other)) == 'v' + lowered(symbol).substr(1);
     };
     return isAmong(symbol, "DX DY") || (symbol.starts_with('d') && std::ranges::any_of(row, isVelocity));
 }
@@ -532,10 +537,11 @@ bool splitUnitAlone(std::string_view text, const Unit &unit, Heading &heading)
 Heading parseHeading(std::string_view cell)
 {
     static const Spellings kQuotedCharacters{{"\"\"", "\""}, {"\r\n", " "}, {"\n", " "}};
-    // Commands of LaTeX, and the wide brackets of Chinese and Japanese.
+    // Commands of LaTeX, the wide brackets of Chinese and Japanese, and the quotation marks of word processors.
     static const Spellings kMarkup{{"$", ""},      {"\\mathrm", ""}, {"\\text", ""},  {"\\rm", ""},   {"\\si", ""},
                                    {"\\unit", ""}, {"\\left", ""},   {"\\right", ""}, {"\\frac", ""}, {"}{d", "/d"},
-                                   {"（", "("},    {"）", ")"},      {"［", "["},     {"］", "]"},    {"／", "/"}};
+                                   {"（", "("},    {"）", ")"},      {"［", "["},     {"］", "]"},    {"／", "/"},
+                                   {"“", ""},      {"”", ""}};
     Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
     const std::string text = withoutEnclosure(kMarkup.replacedIn(heading.use.heading));
     heading.name = text;

@@ -135,7 +135,8 @@ constexpr std::array<NamedUnit, 33> kUnits{{
     {"yd yard yards", {Dimension::Length, 0, 914.4}},
     {"g", {Dimension::Length, 2, 9806.65}},
     {"deg gr град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados gradi "
-     "grau graus graden grader grade grad grd stopnie stopni derece ca cad degca cadeg kw degkw owk degowk degv",
+     "grau graus graden grader grade grad grd stopnie stopni stopniach градусах градусов градусы derece ca cad degca "
+     "cadeg kw degkw owk degowk degv",
      {Dimension::Angle, 0, 1.0}},
     {"dps", {Dimension::Angle, 1, 1.0}},
     {"ips", {Dimension::Length, 1, 25.4}},

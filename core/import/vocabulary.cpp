@@ -159,7 +159,7 @@ constexpr std::array kRows{
     WordMeaning{Symbol, "q"}, // a generalized coordinate
     WordMeaning{Symbol, "v", kOpen, Velocity},
     WordMeaning{Symbol, "a", kOpen, Acceleration},
-    WordMeaning{Symbol, "theta th tita phi fi psi psiz beta", Angle},
+    WordMeaning{Symbol, "theta th teta tita phi fi psi psiz beta", Angle},
     WordMeaning{Symbol, "omega om w", Angle, Velocity},
     WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
     WordMeaning{Symbol, "px", Length, Position, kOpen, 'x'},

@@ -134,6 +134,7 @@ const std::vector<Layout> kLayouts{
     {"t,x\n0,0.85*^2\n1,0.84×10^+02\n2,800×10⁻¹\n", "time R4_x"},
     // Each row is quoted as a whole.
     {"\"t,x,v\"\n\"0,85,1\"\n\"1,84,2\"\n\"2,80,3\"\n", "time R4_x R4_x_diff"},
+    {"“t”;“x (mm)”;“v”\n0;85;1\n1;84;2\n2;80;3\n", "time R4_x R4_x_diff"},
     // Headings between blanks end with their units.
     {"Crank angle (deg) Slider position (mm) Slider velocity (mm/s)\n0 85 1\n90 84 2\n180 80 3\n",
      "angle R4_x R4_x_diff"},
