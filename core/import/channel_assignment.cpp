@@ -64,8 +64,8 @@ bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
            areEqual(column.values, other.values, step);
 }
 
-/// Returns whether the column is a second crank angle: in a different unit, or of a second table beside the first, where
-/// an angle with the same heading turns in one direction.
+/// Returns whether the column is a second crank angle: in a different unit, or of a second table beside the first,
+/// where an angle with the same heading turns in one direction.
 bool isSecondCrankAngle(RawTable &table, const RawColumn &column)
 {
     const RawColumn *const abscissa = table.abscissa();

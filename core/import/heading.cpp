@@ -26,6 +26,8 @@ using Doubt = NameMeaning::Doubt;
 /// Units that are also words, symbols or primes: "min" is a minimum, r1 a length.
 constexpr std::string_view kAlsoWords = "min h r r1 u g gr ' '' ?";
 
+constexpr std::string_view kPixels = "px pixel pixels";
+
 /// Returns whether a quantity or time can have the unit.
 bool suits(const NameMeaning &meaning, const std::string &unit)
 {
@@ -58,7 +60,7 @@ std::string_view unitBeforeRemark(std::string_view text)
 /// Returns whether the content of brackets is a unit that suits no quantity: "(%)", "(×π rad)", "(px)".
 bool isUnitOfNoQuantity(std::string_view content)
 {
-    return wordsOf(content).empty() || content.starts_with("×") || isAmong(content, "px pixel pixels");
+    return wordsOf(content).empty() || content.starts_with("×") || isAmong(content, kPixels);
 }
 
 /// Returns whether the content of round brackets, which is no known unit, is a remark: "(filtered)", "(exp)".
@@ -149,9 +151,13 @@ bool beginsWord(std::string_view text, std::size_t at)
 }
 
 /// Returns the unit that the text behind a name denotes, "m/s2" also if it lacks the slash. It has to suit the name;
-/// but behind a name without a meaning, "ticks_ms", it may be a unit of time. Returns nullopt otherwise.
+/// but behind a name without a meaning, "ticks_ms", it may be a unit of time. Pixels are no unit of a channel. Returns
+/// nullopt otherwise.
 std::optional<std::string> unitBehind(std::string_view name, std::string_view text)
 {
+    if (isAmong(text, kPixels)) {
+        return std::string(text);
+    }
     const std::array units{std::string(text), withSlash(text)};
     for (const std::string &unit : units) {
         const NameMeaning meaning = parseUnit(unit) ? meaningOf(name, unit) : NameMeaning();
