@@ -30,6 +30,13 @@ bool isOfQuantity(std::string_view part)
     });
 }
 
+/// Returns whether a text is only the symbol of a quantity: the "s" of "Displacement: s".
+bool isSymbol(std::string_view text)
+{
+    const Words words = wordsOf(text);
+    return words.size() == 1 && findWord(words[0], WordUse::Symbol);
+}
+
 /// Returns the mark between a quantity and its owner: "@", a hyphen, or a colon behind the quantity, as in
 /// "slider_pos:MECHANISM" of Creo.
 std::string_view markOfOwner(std::string_view name)
@@ -39,7 +46,7 @@ std::string_view markOfOwner(std::string_view name)
     }
     const std::size_t colon = name.find(':');
     const bool isBehindQuantity = colon != name.npos && namesQuantity(wordsOf(name.substr(0, colon))) &&
-                                  !namesQuantity(wordsOf(name.substr(colon + 1)));
+                                  !namesQuantity(wordsOf(name.substr(colon + 1))) && !isSymbol(name.substr(colon + 1));
     return isBehindQuantity ? ":" : " - ";
 }
 

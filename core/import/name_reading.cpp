@@ -105,15 +105,18 @@ bool includeJoint(NameReading &reading, std::string_view letter)
     return !index || merge(reading, *index);
 }
 
-/// Returns whether a name begins with a joint before a symbol: "B vx", "C_x". A is the crank pin, see name_meaning.h.
+/// Returns whether a name begins with a joint before a symbol or quantity: "B vx", "C_x", "B velocity". A is the crank
+/// pin, see name_meaning.h.
 bool beginsWithJoint(const Words &words)
 {
     if (words.size() < 2 || !isAmong(words[0], "b c")) {
         return false;
     }
-    const std::string first = words[1].substr(0, 1);
-    const bool hasAxis = words[1].size() == 2 && (words[1][1] == 'x' || words[1][1] == 'y');
-    return findWord(first, WordUse::Symbol) && (words[1].size() == 1 || hasAxis);
+    const std::string_view second = words[1];
+    const WordMeaning *const word = findWord(second, WordUse::Word);
+    const bool hasAxis = second.ends_with('x') || second.ends_with('y');
+    const bool isSymbol = findWord(second.substr(0, 1), WordUse::Symbol) && second.size() <= (hasAxis ? 2U : 1U);
+    return isSymbol || (word && word->order && !word->body);
 }
 
 /// Includes the joint after "at": "velocity at B", but an angle there is that of the coupler, "θ3 at B".
@@ -190,26 +193,22 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
         return includeJoint(reading, word);
     }
     const WordMeaning *const index = findWord(word, WordUse::Index);
-    if (followsLabel && index) { // "link BC angle"
+    if (index && (followsLabel || mayBeIndex(reading, word))) { // "link BC angle", "ω_BC"
         return includeIndex(reading, word, *index);
     }
-    const WordMeaning *const filler = findWord(word, WordUse::Filler);
-    const bool isLabelOfPath = isLabel && entries == Entries::WithoutSymbols; // "Crank_Joint.Rz.q"
-    if (reading.isLabelled || isLabelOfPath || filler) {
-        return !filler || merge(reading, *filler);
+    if (const WordMeaning *const filler = findWord(word, WordUse::Filler)) {
+        return merge(reading, *filler);
     }
-    if (index && mayBeIndex(reading, word)) {
-        return includeIndex(reading, word, *index);
+    const bool isOfBody = entries == Entries::WithoutSymbols; // a part of a path that names the body
+    if (reading.isLabelled || (isOfBody && (isLabel || isAmong(word, "px py")))) {
+        return true; // "Crank_Joint.Rz.q", and the prismatic joint of "Slider Joint.Px.v"
     }
-    if (reading.hasSymbol && entries == Entries::All && findWord(word, WordUse::AmbiguousLetter)) {
+    if (!isOfBody && reading.hasSymbol && findWord(word, WordUse::AmbiguousLetter)) {
         reading.doubt = word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
         reading.joints = word == "p" ? word : std::string_view(reading.joints);
         return true;
     }
-    if (entries == Entries::WithoutSymbols && isAmong(word, "px py")) {
-        return true; // the prismatic joint of "Slider Joint.Px.v"
-    }
-    const WordMeaning *const symbol = entries == Entries::All ? findWord(word, WordUse::Symbol) : nullptr;
+    const WordMeaning *const symbol = isOfBody ? nullptr : findWord(word, WordUse::Symbol);
     if (symbol && (symbol->axis != ' ' || (!reading.hasSymbol && isOfOrder(*symbol, reading.order)))) {
         return includeSymbol(reading, word, *symbol);
     }

@@ -136,7 +136,7 @@ constexpr std::array<NamedUnit, 33> kUnits{{
     {"g", {Dimension::Length, 2, 9806.65}},
     {"deg gr град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados gradi "
      "grau graus graden grader grade grad grd stopnie stopni stopniach градусах градусов градусы derece ca cad degca "
-     "cadeg kw degkw owk degowk degv",
+     "cadeg kw degkw owk degowk degv degпкв degПКВ",
      {Dimension::Angle, 0, 1.0}},
     {"dps", {Dimension::Angle, 1, 1.0}},
     {"ips", {Dimension::Length, 1, 25.4}},
