@@ -31,7 +31,9 @@ bool isTurningAngle(const RawColumn &column)
 {
     constexpr double kTurn = 360.0;
     const std::optional<Unit> unit = column.unitAs(ColumnRole::CrankAngle);
-    return unit && !isConstant(column) && !findReversal(unwrapped(column.finiteValues(), kTurn / unit->factor));
+    const std::vector<double> angles =
+        unit ? unwrapped(column.finiteValues(), kTurn / unit->factor) : std::vector<double>();
+    return rangeOf(angles).width() > 0.0 && !findReversal(angles);
 }
 
 bool makesHalfTurn(const RawColumn &column)

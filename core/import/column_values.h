@@ -23,7 +23,8 @@ bool isConstant(const RawColumn &column);
 /// Returns whether the values are 0, 1, 2, … or 1, 2, 3, …
 bool countsRows(const RawColumn &column);
 
-/// Returns whether the column only rises or only falls as an angle that is limited to one turn.
+/// Returns whether the column only rises or only falls as an angle that is limited to one turn. The number of the turn
+/// does not.
 bool isTurningAngle(const RawColumn &column);
 
 /// Returns whether the column, which has not been converted yet, may be an angle that spans more than half a turn.

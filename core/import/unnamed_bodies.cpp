@@ -166,12 +166,14 @@ void findBodiesOfPoses(std::vector<RawColumn *> &candidates)
     }
 }
 
-/// Returns whether an angle or a rate without a body does not change. It would be taken for that of the coupler, which
-/// does change, but may be that of the slider.
+/// Returns whether an angle or a rate without a body does not change, apart from whole turns. It would be taken for
+/// that of the coupler, which does change, but may be that of the slider, or the number of the turn.
 bool isRestingAngle(const RawColumn &column)
 {
-    return isOfUnnamedBody(&column) && column.use.channel.coordinate == Theta3 && isConstant(column) &&
-           column.values.size() >= kFewestTellingRows;
+    const bool isPosition = column.use.channel.order == Order::Position;
+    return isOfUnnamedBody(&column) && column.use.channel.coordinate == Theta3 &&
+           column.values.size() >= kFewestTellingRows &&
+           (isConstant(column) || (isPosition && angularWidth(column.finiteValues()) == 0.0));
 }
 
 /// Returns whether the column is a length of a point that only has a letter, a number or an unknown name.

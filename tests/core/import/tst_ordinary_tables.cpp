@@ -593,6 +593,22 @@ private slots:
         QCOMPARE(rolesIn("time,p [deg],R4_x\n0,0,7\n1,90,8\n2,0,7\n"), std::string("time - R4_x"));
     }
 
+    /// The number of the turn is no angle.
+    void readsNoAngleIntoTheNumberOfTheTurn()
+    {
+        QByteArray text = "Rev;θ;x\n";
+        for (int row = 0; row < 24; ++row) {
+            const double angle = 30.0 * (row % 12);
+            text += QByteArray::number(row / 12) + ';' + QByteArray::number(angle) + ';' +
+                    QByteArray::number(85.0 + 20.0 * std::cos(angle * M_PI / 180.0)) + '\n';
+        }
+        const Outcome outcome = read(text);
+        const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+        QVERIFY2(data, described(outcome).c_str());
+        QCOMPARE(rolesOf(data->layout), std::string("- angle? R4_x?"));
+        QCOMPARE(data->crank->degrees.back(), 690.0);
+    }
+
     /// x, y and θ of one body: the crank turns, the slider does not, and the rest is the coupler.
     void findsTheBodyOfAPosition()
     {
