@@ -76,7 +76,8 @@ bool isRemarkInBrackets(std::string_view content)
 bool areBracketsOfName(std::string_view text, std::size_t begin, std::string_view content)
 {
     const NameMeaning whole = meaningOf(text, {});
-    const bool isIndex = looksNumeric(content) || (begin == 1 && content == "A"); // "x(A)"
+    const bool isPoint = begin == 1 && content == "A"; // "x(A)"
+    const bool isIndex = isPoint || isDigits(content) || (text[begin] == '[' && looksNumeric(content));
     return isIndex || (whole.kind != Kind::Nothing && !whole.hasUnknownWords);
 }
 

@@ -396,11 +396,11 @@ std::optional<std::string> derivativeOfDifferences(std::string_view name)
     return derivative != name && (isCall || isQuotient) ? std::optional(std::move(derivative)) : std::nullopt;
 }
 
-/// Returns whether a name is that of the magnitude of a vector: "|v|", "abs(v)".
+/// Returns whether a name is that of the magnitude of a vector: "|v|", "abs(v)", "Absolute".
 bool isMagnitude(std::string_view name)
 {
     const bool isBetweenBars = name.size() > 2 && name.front() == '|' && name.back() == '|';
-    return isBetweenBars || name.find("abs(") != name.npos;
+    return isBetweenBars || name.find("abs(") != name.npos || isAmong(lowered(name), "absolute magnitude total norm");
 }
 
 /// Returns the meaning of a name of several words, which are read together.

@@ -80,7 +80,7 @@ constexpr std::nullopt_t kOpen = std::nullopt;
 constexpr std::array kRows{
     // Quantities.
     WordMeaning{Word,
-                "position posicion posizione posizioni posicao posicoes posicio positie polozenie lage pos "
+                "position positions posicion posizione posizioni posicao posicoes posicio positie polozenie lage pos "
                 "displacement disp posn "
                 "displ desloc degistirme despl depl spost versch lvdt encoder transducer "
                 "transductor potentiometer wegaufnehmer laser pot poti sonar ultrasonic dist location "
