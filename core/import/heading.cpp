@@ -185,7 +185,8 @@ void splitAtEnd(std::string_view text, Heading &heading)
         const std::string_view name = trimmed(text.substr(0, at));
         const std::string_view printed = withoutPreposition(end, name);
         const bool isClear = text[at] == '/' || text[at] == ',' || printed.size() < end.size();
-        if (printed.empty() || (!isClear && isAmong(lowered(printed), kAlsoWords))) {
+        const bool isInput = printed == "in" && meaningOf(name, "in").hasUnknownWords; // "theta_in" is an angle
+        if (printed.empty() || (!isClear && (isInput || isAmong(lowered(printed), kAlsoWords)))) {
             continue;
         }
         if (const std::optional<std::string> unit = unitBehind(name, printed)) {

@@ -132,14 +132,14 @@ constexpr std::array kRows{
                 "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
                 "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
                 "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
-                "kluky klukoveho 크랭크 кривошип 曲柄 曲轴 クランク link_2 glied_2 eslabon_2 barra_2 membro_2",
+                "kluky klukoveho 크랭크 кривошип 曲柄 曲轴 クランク link_2 glied_2 eslabon_2 barra_2 bar_2 membro_2",
                 kOpen, kOpen, Crank},
     WordMeaning{Word, "ca cad kw owk kurbelw atdc drehwinkel", Angle, Position, Crank},
     WordMeaning{Word,
                 "coupler coup rod conrod connecting biela bielle biella bielei acoplador pleuel pleuelstange koppel "
                 "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
                 "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki kiertokangen шатун "
-                "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3",
+                "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3 bar_3",
                 kOpen, kOpen, Coupler},
     WordMeaning{Word,
                 "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera "
@@ -149,7 +149,7 @@ constexpr std::array kRows{
                 "tlok tloka kolv kolven sliden glid gliden piestu smykadla patina "
                 "culisei 슬라이더 피스톤 pist pistu wrist gudgeon ram plunger corsoio corredica pistonului stempel "
                 "stemplets dugattyu manta mannan luisti ariete stossel ползун поршень поршня 滑块 活塞 "
-                "スライダ スライダー ピストン link_4 glied_4 eslabon_4",
+                "スライダ スライダー ピストン link_4 glied_4 eslabon_4 barra_4 bar_4",
                 kOpen, kOpen, Slider},
     WordMeaning{Word, "schwenkwinkel obliquity", Angle, Position, Coupler},
     // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
