@@ -137,8 +137,9 @@ std::string withoutDigits(std::string heading)
 ///
 /// 1. the first one whose heading leaves its meaning open and which does not only rise, as the crank angle does,
 /// 2. else the first one whose heading leaves its meaning open,
-/// 3. else the first one that does not turn like the crank and has a suitable unit or none,
-/// 4. else the first one with a suitable unit or none.
+/// 3. else the first one with a suitable unit or none that does not only rise,
+/// 4. else the first one with a suitable unit or none that does not turn like the crank,
+/// 5. else the first one with a suitable unit or none.
 ///
 /// `notColumn`: index of a column that is not chosen. Returns nothing if there is no such column. Of several points, it
 /// is the last one, as programs number them from the crank to the slider. The other quantities of that point follow.
@@ -150,16 +151,17 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
                column.use.reason != ColumnReason::CrankPin;
     };
     const auto isOpen = [&](const RawColumn &other) { return isFree(other) && leavesOpen(other.use.reason); };
-    const auto isOpenAndReturns = [&](const RawColumn &other) {
-        return isOpen(other) && findReversal(other.values).has_value();
-    };
+    const auto returns = [](const RawColumn &other) { return findReversal(other.values).has_value(); };
+    const auto isOpenAndReturns = [&](const RawColumn &other) { return isOpen(other) && returns(other); };
     const auto hasUnit = [&](const RawColumn &other) {
         return isFree(other) && (other.use.unit.empty() || parseUnit(other.use.unit) ||
                                  other.meaning.kind >= NameMeaning::Kind::Quantity);
     };
+    const auto hasUnitAndReturns = [&](const RawColumn &other) { return hasUnit(other) && returns(other); };
     const auto isOfOthers = [&](const RawColumn &other) { return hasUnit(other) && !makesTurn(other); };
     const RawColumn *column = findElement(columns, isOpenAndReturns);
     column = column ? column : findElement(columns, isOpen);
+    column = column ? column : findElement(columns, hasUnitAndReturns);
     column = column ? column : findElement(columns, isOfOthers);
     column = column ? column : findElement(columns, hasUnit);
     if (!column) {

@@ -436,6 +436,8 @@ private slots:
         QCOMPARE(adviceIn("time,load [N],foo\n0,80,7\n1,70,8\n"), std::string("foo=R4_x ;"));
         QCOMPARE(adviceIn("time,crank speed [1/s]\n0,6\n1,7\n"), std::string("crank speed [1/s]=theta2_diff rad/s;"));
         QCOMPARE(adviceIn("Date,Open,High\nMay,80,9\nJune,90,8\n"), std::string("Open=time ;High=R4_x ;")); // no time
+        QCOMPARE(adviceIn("Time,Untitled,Untitled 1\n0,0,80\n1,90,70\n2,180,75\n"), // LabVIEW: the first one only rises
+                 std::string("Untitled 1=R4_x ;"));
         QCOMPARE(adviceIn("time,q1,q2\n0,0,80\n1,1,70\n2,2,75\n"), std::string("q2=R4_x ;")); // q1 only rises
         // What stands behind a second time was sampled at it.
         QCOMPARE(adviceIn("t,x,,t,v\n0,80,,1,7\n2,70,,3,8\n"), std::string("#4=ignored ;v=ignored ;"));
