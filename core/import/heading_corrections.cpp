@@ -56,11 +56,22 @@ void decideAlpha(std::span<RawColumn> columns)
     }
 }
 
-/// Returns whether the name is θ1, θ2 or θ3, or a derivative.
+/// Returns whether the name is θ1, θ2 or θ3, or a derivative, without a word for the body.
 bool isOfNumberedLink(const RawColumn &column)
 {
-    const Coordinate coordinate = column.meaning.channel.coordinate;
-    return namesChannel(column.meaning) && (coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3);
+    const NameMeaning &meaning = column.meaning;
+    const Coordinate coordinate = meaning.channel.coordinate;
+    return namesChannel(meaning) && (meaning.kind == Kind::ChannelName || meaning.isNumberedLink) &&
+           (coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3);
+}
+
+/// Returns whether the column is the angle of the link with the number 1, which makes half a turn.
+bool isCrankWithNumberOne(const RawColumn &column)
+{
+    const Channel channel = column.meaning.channel;
+    return namesChannel(column.meaning) && channel.order == Order::Position &&
+           (channel.coordinate == Theta1 || (channel.coordinate == Theta2 && column.meaning.isFirstLink)) &&
+           makesHalfTurn(column);
 }
 
 /// Returns the angle of the link with the next number.
@@ -72,14 +83,11 @@ Coordinate angleOfNextLink(Coordinate angle)
     return angle == Theta2 ? Theta3 : Theta4;
 }
 
-/// Renumbers the angles of the links if the crank has the number 1, and θ1 makes half a turn. Otherwise a θ1 that
-/// changes is not the angle of the frame, and of an unknown body.
+/// Renumbers the angles of the links if the crank has the number 1. Otherwise a θ1 that changes is not the angle of the
+/// frame, and of an unknown body.
 void renumberLinks(std::span<RawColumn> columns)
 {
-    const bool isCrankFirst = std::ranges::any_of(columns, [](const RawColumn &column) {
-        return namesChannel(column.meaning) && column.meaning.channel == Channel{Theta1, Order::Position} &&
-               makesHalfTurn(column);
-    });
+    const bool isCrankFirst = std::ranges::any_of(columns, isCrankWithNumberOne);
     for (RawColumn &column : columns) {
         NameMeaning &meaning = column.meaning;
         if (!isOfNumberedLink(column)) {

@@ -203,6 +203,8 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
                         .doubt = doubtOf(name, unit, isAngle, isOfUnknown),
                         .hasUnknownWords = name.unknown.isAny() || isOfUnknown || isCoordinateOfAnyKind,
                         .namesAxis = name.axis != ' ',
+                        .isNumberedLink = name.isBodyNumbered,
+                        .isFirstLink = name.link == "1",
                         .isAtB = name.isAtB && order == Order::Position};
     if (path.isInSi && unitText.empty()) {
         meaning.reason = ColumnReason::PathInSi;

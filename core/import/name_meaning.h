@@ -45,8 +45,10 @@ struct NameMeaning {
     std::string symbol{}; ///< that stands for the quantity or its position: "psi" in "ψ̇"; empty: a word does
     Doubt doubt = Doubt::None;
     bool hasUnknownWords = false;
-    bool namesAxis = false; ///< x or y, as in "vx"
-    bool isAtB = false;     ///< the angle of the coupler is measured at B, half a turn from that at A
+    bool namesAxis = false;      ///< x or y, as in "vx"
+    bool isNumberedLink = false; ///< the number of a link names the body, and no word: "θ3"
+    bool isFirstLink = false;    ///< the name has the number 1 of a link: "θ1", "crank angle φ1"
+    bool isAtB = false;          ///< the angle of the coupler is measured at B, half a turn from that at A
 };
 
 /// Returns whether the name denotes a channel, and not only a quantity of an unnamed body.

@@ -28,10 +28,6 @@ bool merge(NameReading &reading, const WordMeaning &entry)
     reading.order = std::max(reading.order, entry.order);
     reading.axis = entry.axis != ' ' ? entry.axis : reading.axis;
     reading.isCentre = reading.isCentre || entry.isCentre;
-    if (entry.body && std::exchange(reading.isBodyNumbered, false)) {
-        reading.body.reset();
-        reading.isFrame = false;
-    }
     return merge(reading.dimension, entry.dimension) && merge(reading.body, entry.body);
 }
 
@@ -43,24 +39,6 @@ enum class Entries {
     WithoutSymbols, ///< in the part of a path that only names the body: "x" is no position there
     All
 };
-
-/// Includes the number of the link whose angle it is: 1 is the frame, 2 the crank and 3 the coupler. A word for the
-/// body goes before the number: in "coupler angle φ2", the links are numbered from the crank. Returns false for other
-/// numbers.
-bool includeLinkOfAngle(NameReading &reading, std::string_view digits)
-{
-    if (reading.body) {
-        return true;
-    }
-    reading.isBodyNumbered = true;
-    reading.isFrame = digits == "1";
-    if (digits == "2") {
-        reading.body = Body::Crank;
-    } else if (digits == "3") {
-        reading.body = Body::Coupler;
-    }
-    return isAmong(digits, "1 2 3");
-}
 
 /// Includes the number of a link after a symbol. A length is the slider's, link 4, or that of an unknown point. Returns
 /// false if the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1").
@@ -76,7 +54,8 @@ bool includeNumber(NameReading &reading, std::string_view digits, Entries entrie
         return true;
     }
     if (reading.dimension == Dimension::Angle) {
-        return includeLinkOfAngle(reading, digits);
+        reading.link = digits;
+        return isAmong(digits, "1 2 3") || reading.body;
     }
     if (digits == "4") {
         reading.joints.clear(); // "x14", of link 4 to the frame 1
@@ -388,6 +367,22 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
     return true;
 }
 
+/// Sets the body whose angle the number of a link denotes: 1 is the frame, 2 the crank and 3 the coupler. A word for
+/// the body goes before the number: in "coupler angle φ2", the links are numbered from the crank.
+void setBodyOfLink(NameReading &reading)
+{
+    if (reading.body || reading.link.empty()) {
+        return;
+    }
+    reading.isBodyNumbered = true;
+    reading.isFrame = reading.link == "1";
+    if (reading.link == "2") {
+        reading.body = Body::Crank;
+    } else if (reading.link == "3") {
+        reading.body = Body::Coupler;
+    }
+}
+
 } // namespace
 
 std::optional<NameReading> readName(const NamePath &path, int derivatives, const Words &lastWords)
@@ -406,6 +401,7 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
             return std::nullopt;
         }
     }
+    setBodyOfLink(reading);
     const bool hasBoth = !reading.body || reading.body == Body::Coupler || reading.isCentre; // an angle and lengths
     const Dimension ofBody = reading.body == Body::Crank ? Dimension::Angle : Dimension::Length;
     return hasBoth || merge(reading.dimension, std::optional(ofBody)) ? std::optional(reading) : std::nullopt;

@@ -34,17 +34,18 @@ struct NameReading {
     int derivatives = 0;
     bool hasSymbol = false;
     bool hasIndex = false;
-    bool isOrderNamed = false;   ///< by a word such as "velocity"
-    bool isBodyNamed = false;    ///< by a word or number, and not only by an index such as B
-    bool isLabelled = false;     ///< the next letter is that of a joint
-    bool isCentre = false;       ///< it names the centre of mass
-    bool isBodyNumbered = false; ///< the number of its link names the body, and no word
-    bool isFrame = false;        ///< it has the number 1, as the frame if the links are numbered from there
-    bool isUnknownBody = false;  ///< it has an index that denotes none of the three bodies
-    bool isAtB = false;          ///< the angle of the coupler is measured at B: "θ3 at B"
+    bool isOrderNamed = false;  ///< by a word such as "velocity"
+    bool isBodyNamed = false;   ///< by a word or number, and not only by an index such as B
+    bool isLabelled = false;    ///< the next letter is that of a joint
+    bool isCentre = false;      ///< it names the centre of mass
+    bool isFrame = false;       ///< it has the number 1, as the frame if the links are numbered from there
+    bool isUnknownBody = false; ///< it has an index that denotes none of the three bodies
+    bool isAtB = false;         ///< the angle of the coupler is measured at B: "θ3 at B"
     NameMeaning::Doubt doubt = NameMeaning::Doubt::None;
     std::string symbol{};
-    std::string joints{}; ///< the ends of a link: "bc" in "ω_BC"
+    std::string joints{};        ///< the ends of a link: "bc" in "ω_BC"
+    std::string link{};          ///< number of the link whose angle it is: "3" in "θ3"
+    bool isBodyNumbered = false; ///< this number names the body, and no word
 
     UnknownWords unknown{};
 };

@@ -204,18 +204,17 @@ constexpr std::array kRows{
                 "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
                 "component comp field out act actual instantaneous relative measured z open crossed o pin obrotu "
                 "поворота повороту"},
-    WordMeaning{
-        OtherQuantity,
-        "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
-        "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
-        "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint set cmd "
-        "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
-        "сила 力 torque par couple coppia moment momento drehmoment pressure presion pression "
-        "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
-        "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
-        "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
-        "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
-        "drift backlash holgura level count limit tilt"},
+    WordMeaning{OtherQuantity,
+                "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
+                "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
+                "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint cmd "
+                "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
+                "сила 力 torque par couple coppia moment momento drehmoment pressure presion pression "
+                "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
+                "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
+                "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
+                "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
+                "drift backlash holgura level count limit tilt"},
     WordMeaning{Label,
                 "body part joint link barra eslabon pin gelenk point punkt punto node marker of de del von du di do"},
 };
