@@ -39,10 +39,11 @@ bool suits(const NameMeaning &meaning, const std::string &unit)
 std::string_view withoutPreposition(std::string_view unit, std::string_view name)
 {
     const std::string whole(unit);
-    const std::size_t end = std::min(unit.find(' '), unit.size());
-    const bool hasPreposition = end < unit.size() && isAmong(unit.substr(0, end), "in en em w v в");
-    const bool isInches = hasPreposition && parseUnit(unit) && suits(meaningOf(name, whole), whole);
-    return trimmed(unit.substr(hasPreposition && !isInches ? end : 0));
+    const std::size_t end = std::min(unit.find_first_of(" _"), unit.size());
+    const bool hasPreposition = end + 1 < unit.size() && isAmong(unit.substr(0, end), "in en em w v в");
+    const NameMeaning meaning = hasPreposition && parseUnit(unit) ? meaningOf(name, whole) : NameMeaning();
+    const bool isInches = !meaning.hasUnknownWords && suits(meaning, whole);
+    return trimmed(unit.substr(hasPreposition && !isInches ? end + 1 : 0));
 }
 
 /// Returns the unit before a remark: "deg" of "deg CCW from +x". Returns the text if it is a unit or has none.
@@ -152,9 +153,9 @@ bool beginsWord(std::string_view text, std::size_t at)
 }
 
 /// Returns the unit that the text behind a name denotes, "m/s2" also if it lacks the slash. It has to suit the name;
-/// but behind a name without a meaning, "ticks_ms", it may be a unit of time. Pixels are no unit of a channel. Returns
-/// nullopt otherwise.
-std::optional<std::string> unitBehind(std::string_view name, std::string_view text)
+/// but behind a name without a meaning, "ticks_ms", it may be a unit of time, which may only be a letter if the
+/// separator between them is clear, as in "Messzeit / s". Pixels are no unit of a channel. Returns nullopt otherwise.
+std::optional<std::string> unitBehind(std::string_view name, std::string_view text, bool isClear)
 {
     if (isAmong(text, kPixels)) {
         return std::string(text);
@@ -166,7 +167,7 @@ std::optional<std::string> unitBehind(std::string_view name, std::string_view te
             return unit;
         }
     }
-    const bool isTimeOfUnknown = text.size() > 1 && !text.ends_with(')') &&
+    const bool isTimeOfUnknown = (text.size() > 1 || isClear) && !text.ends_with(')') &&
                                  parseColumnUnit(units[0], ColumnRole::Time, {}) &&
                                  meaningOf(name, units[0]).kind == Kind::Nothing;
     return isTimeOfUnknown ? std::optional(units[0]) : std::nullopt;
@@ -186,10 +187,10 @@ void splitAtEnd(std::string_view text, Heading &heading)
         const std::string_view printed = withoutPreposition(end, name);
         const bool isClear = text[at] == '/' || text[at] == ',' || printed.size() < end.size();
         const bool isInput = printed == "in" && meaningOf(name, "in").hasUnknownWords; // "theta_in" is an angle
-        if (printed.empty() || (!isClear && (isInput || isAmong(lowered(printed), kAlsoWords)))) {
+        if (printed.empty() || printed[0] == '/' || (!isClear && (isInput || isAmong(lowered(printed), kAlsoWords)))) {
             continue;
         }
-        if (const std::optional<std::string> unit = unitBehind(name, printed)) {
+        if (const std::optional<std::string> unit = unitBehind(name, printed, isClear)) {
             heading.name = name;
             heading.use.unit = *unit;
             return;
@@ -494,7 +495,8 @@ std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
         return symbol && symbol->dimension == Dimension::Angle && symbol->order > Order::Position;
     };
     if (meaning.channel.order != Order::Position && isAngle(meaning.channel.coordinate) &&
-        meaning.doubt != Doubt::IsAngle && std::ranges::any_of(wordsOf(heading.name), isAngularRate)) {
+        meaning.doubt != Doubt::IsAngle &&
+        (isAngularRate(meaning.symbol) || std::ranges::any_of(wordsOf(heading.name), isAngularRate))) {
         return "rad" + perTime;
     }
     const auto isPosition = [&](const Heading &other) {
@@ -526,6 +528,14 @@ std::string withoutEnclosure(std::string text)
     return isOfPandas ? kPandasSeparators.replacedIn(text.substr(2, text.size() - 4)) : text;
 }
 
+/// Returns the text without the number of the measurement that PASCO writes behind a heading: " Run #1".
+std::string withoutRun(std::string text)
+{
+    const std::size_t run = text.rfind(" Run #");
+    const bool isAtEnd = run != text.npos && isDigits(text.substr(run + 6));
+    return isAtEnd ? std::string(trimmed(text.substr(0, text.find_last_not_of(" ,", run) + 1))) : text;
+}
+
 /// Sets name and unit of a heading that is only a unit: "millis", "Degrees", "Inches from TDC". Returns false for
 /// others and for "mm", which may be in a line of units.
 bool splitUnitAlone(std::string_view text, const Unit &unit, Heading &heading)
@@ -551,7 +561,7 @@ Heading parseHeading(std::string_view cell)
                                    {"（", "("},    {"）", ")"},      {"［", "["},     {"］", "]"},    {"／", "/"},
                                    {"“", ""},      {"”", ""}};
     Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
-    const std::string text = withoutEnclosure(kMarkup.replacedIn(heading.use.heading));
+    const std::string text = withoutRun(withoutEnclosure(kMarkup.replacedIn(heading.use.heading)));
     heading.name = text;
     if (text.size() > kLongestName) {
         return heading;

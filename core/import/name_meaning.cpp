@@ -22,12 +22,13 @@ using Doubt = NameMeaning::Doubt;
 
 /// Beginnings of remarks about the sensor (", Ch P1" of PASCO), about the abscissa, and about the origin: "piston
 /// position from TDC".
-constexpr std::array<std::string_view, 23> kRemarkBeginnings{
+constexpr std::array<std::string_view, 26> kRemarkBeginnings{
     " vs ",          " vs. ",         " versus ",          ", Ch ",       " from ",
     " since ",       " relative to ", " with respect to ", " after ",     " ab ",
     " vom ",         " nach ",        " desde ",           " respecto a", " depuis ",
     " par rapport ", " à partir ",    " rispetto al ",     " dal ",       " vanaf ",
-    " od ",          " a partir ",    " Ref. Coordinate"}; // the last one of SolidWorks
+    " od ",          " a partir ",    " Ref. Coordinate",  "_from_",      "_desde_",
+    "_depuis_"}; // the last one of SolidWorks
 
 /// Greek letters that denote other angles than the coupler's, such as the transmission angle.
 constexpr std::string_view kOtherAngles = "gamma delta lambda";

@@ -90,8 +90,9 @@ NamePath splitPath(std::string_view name)
     const bool isLatex = name.starts_with('\\') || name.find_first_of("{^$") != name.npos;
     const auto isSeparator = [&](std::size_t i) {
         const bool isBeforeName = i + 1 < name.size() && !isBlank(name[i + 1]); // "Slider Joint.Px.v"
+        const bool isBehindBlank = i > 0 && isBlank(name[i - 1]);
         switch (name[i]) {
-        case '/':
+        case '/': return isBeforeName || !isBehindBlank; // "Motor current / A" has a unit
         case ':':
         case '|': return true;
         case '.': return (!hasBlank || isBeforeName) && !isBeforeIndex(name, i);

@@ -208,6 +208,7 @@ constexpr std::array kRows{
                 "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
                 "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
                 "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint cmd "
+                "current corriente courant corrente strom "
                 "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
                 "сила 力 torque par couple coppia moment momento drehmoment pressure presion pression "
                 "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
