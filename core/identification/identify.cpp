@@ -26,11 +26,38 @@ namespace slidercrank
 namespace
 {
 
-/// Fits the mirror image of a fit that has the simplest reading.
-Fit fitSimplestImage(const Observations &observations, Fit fit, const Parameters &given)
+/// A mirror image of a geometry, with the drive of its crank and all columns that it explains.
+struct ExtendedImage {
+    ObservedFit observed; ///< before the columns are added
+    Drive drive;
+    FurtherColumns further;
+};
+
+ExtendedImage extendImage(ObservedFit geometry, const Model &image, const Parameters &given)
 {
-    fit.model = findMirrorImages(observations, fit, given).front();
-    return fitModel(observations, fit.model, fit.columns, fit.unknowns);
+    Fit &fit = geometry.fit;
+    fit = fitModel(geometry.searched, image, fit.columns, fit.unknowns);
+    const Drive drive = findDrive(geometry.wholeFile, fit.model);
+    ObservedFit observed = withDriveOfFile(std::move(geometry), drive);
+    FurtherColumns further = withFurtherColumns(observed.searched, observed.fit, drive, given);
+    return {.observed = std::move(observed), .drive = drive, .further = std::move(further)};
+}
+
+/// Extends the mirror image with the simplest reading, or the next one that explains more columns: the same angles are
+/// those of both assemblies, whose other motions differ.
+ExtendedImage extendBestImage(const ObservedFit &geometry, const Parameters &given)
+{
+    const std::vector<Model> images = rankMirrorImages(geometry.searched, geometry.fit, given);
+    ExtendedImage best = extendImage(geometry, images.front(), given);
+    if (geometry.searched.containOnlyAngles(geometry.fit.columns)) {
+        for (std::size_t i = 1; i < images.size() && !best.further.leftOut.empty(); ++i) {
+            ExtendedImage next = extendImage(geometry, images[i], given);
+            if (next.further.leftOut.size() < best.further.leftOut.size()) {
+                best = std::move(next);
+            }
+        }
+    }
+    return best;
 }
 
 /// Adds θ2 to the columns that are left out if the file contains it but the observations do not, because it has gaps or
@@ -60,11 +87,9 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGe
     if (!geometry.fit.isFinite()) {
         return findings;
     }
-    ObservedFit current = withBestAbscissa({std::move(wholeFile), std::move(searched), geometry.fit});
-    current.fit = fitSimplestImage(current.searched, std::move(current.fit), given);
-    findings.drive = findDrive(current.wholeFile, current.fit.model);
-    current = withDriveOfFile(std::move(current), findings.drive);
-    FurtherColumns further = withFurtherColumns(current.searched, current.fit, findings.drive, given);
+    auto [current, drive, further] =
+        extendBestImage(withBestAbscissa({std::move(wholeFile), std::move(searched), geometry.fit}), given);
+    findings.drive = drive;
     findings.leftOut = std::move(further.leftOut);
     leaveOutUnusedAngle(findings.leftOut, data, current.wholeFile);
     findings.speeds = std::move(further.speeds);

@@ -221,7 +221,7 @@ bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
 
 } // namespace
 
-std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given)
+std::vector<Model> rankMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given)
 {
     std::vector<Model> images{fit.model, mirroredInX(fit.model, observations)};
     images.push_back(mirroredInY(images[0], observations));
@@ -233,6 +233,12 @@ std::vector<Model> findMirrorImages(const Observations &observations, const Fit 
     }
     std::ranges::stable_sort(images, {},
                              [&](const Model &model) { return rankImage(observations, fit, model, given); });
+    return images;
+}
+
+std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given)
+{
+    std::vector<Model> images = rankMirrorImages(observations, fit, given);
     std::erase_if(images,
                   [&, best = images.front()](const Model &model) { return !haveSameReading(fit, model, best); });
     return images;

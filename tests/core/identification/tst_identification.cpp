@@ -345,6 +345,33 @@ private slots:
         }
     }
 
+    /// θ3 at B in the crossed assembly is that of the open one with the opposite sign: only the velocity of the slider
+    /// tells them apart.
+    void findsTheAssemblyFromTheVelocityBesideTheCouplerAngle()
+    {
+        for (const Branch branch : {Branch::Open, Branch::Crossed}) {
+            const Parameters p{
+                .a = 45.0, .b = 158.0, .c = 10.0, .omega2 = kOrdinary.omega2, .theta20 = 0.0, .branch = branch};
+            std::string text = "theta2 [deg],theta3 [deg],R4_x_diff [mm/s]\n";
+            for (int degrees = 0; degrees <= 360; degrees += 15) {
+                const auto value = [&](Channel channel) {
+                    return static_cast<double>(textbookValue(p, channel, degrees / kDegreesPerRadian));
+                };
+                std::array<char, 80> line{};
+                std::snprintf(line.data(), line.size(), "%d,%.3f,%.3f\n", degrees,
+                              value(kTheta3) * kDegreesPerRadian + 180.0, value(kSliderSpeed));
+                text += line.data();
+            }
+            Parameters given;
+            given.omega2 = p.omega2;
+            const Identification found = identified(std::get<ReferenceData>(readReferenceData(text)), given);
+            QCOMPARE(found.outcome, Outcome::Identified);
+            QVERIFY(found.leftOut.empty());
+            QCOMPARE(found.parameters.branch, branch);
+            QVERIFY(std::abs(found.parameters.b / found.parameters.a - p.b / p.a) < 1e-3);
+        }
+    }
+
     /// Nothing predicts the velocities of a crank with a ripple: of a false size, nothing is said.
     void doesNotFindLengthsFromVelocitiesOfAnUnevenCrank()
     {
