@@ -3490,8 +3490,8 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>El mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
     </message>
     <message>
-        <source>The result exceeds the range of floating-point numbers.</source>
-        <translation>El resultado excede el intervalo de los números de coma flotante.</translation>
+        <source>The crank angle is too large for Newton-Raphson, because its θ₂ has 16 digits: choose the closed form, a smaller ω₂, or times nearer to 0.</source>
+        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson, porque su θ₂ tiene 16 cifras: elija la forma cerrada, un ω₂ menor o instantes más cercanos a 0.</translation>
     </message>
     <message>
         <source>From the position %1 s before</source>

@@ -171,7 +171,9 @@ QString statusSentence(Status status, const NewtonOptions &options)
                                "larger tolerance.",
                                nullptr, options.maxIterations);
     case Status::NotAssemblable: return NewtonPages::tr("The mechanism cannot be assembled: the coupler is too short.");
-    case Status::NotFinite: return NewtonPages::tr("The result exceeds the range of floating-point numbers.");
+    case Status::NotFinite: // kLargestDrive; the closed form has no such limit
+        return NewtonPages::tr("The crank angle is too large for Newton-Raphson, because its θ₂ has 16 digits: choose "
+                               "the closed form, a smaller ω₂, or times nearer to 0.");
     }
     return {};
 }
