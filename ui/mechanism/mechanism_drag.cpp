@@ -28,8 +28,16 @@ std::optional<Parameter> draggedLength(DrawnPart part, bool withShift)
     case G3:
     case Coupler: return Parameter::B;
     case Guide: return Parameter::C;
-    default: return std::nullopt;
+    case Background:
+    case Ground:
+    case Slider:
+    case O2:
+    case B:
+    case OuterDeadCentre:
+    case InnerDeadCentre:
+    case ForbiddenArc: break;
     }
+    return std::nullopt;
 }
 
 Qt::CursorShape cursorOver(const MechanismScene &scene, DrawnPart part, bool withShift)
@@ -44,8 +52,16 @@ Qt::CursorShape cursorOver(const MechanismScene &scene, DrawnPart part, bool wit
     case Slider: return scene.mechanism().omega2() != 0.0 ? Qt::OpenHandCursor : Qt::ArrowCursor;
     case OuterDeadCentre:
     case InnerDeadCentre: return Qt::PointingHandCursor;
-    default: return Qt::ArrowCursor;
+    case Background:
+    case Ground:
+    case Crank:
+    case Coupler:
+    case O2:
+    case Guide:
+    case G3:
+    case ForbiddenArc: break;
     }
+    return Qt::ArrowCursor;
 }
 
 std::optional<MechanismDrag> MechanismDrag::begin(const MechanismScene &scene, DrawnPart part, bool withShift,

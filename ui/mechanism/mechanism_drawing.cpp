@@ -120,7 +120,7 @@ void MechanismDrawing::addDimension(QPointF from, QPointF to, const QColor &colo
 {
     const QPointF direction = unitVector(to - from);
     const double head = std::min(8.0, 0.4 * QLineF(from, to).length());
-    addLine(from, to, QPen(colour, 1.0));
+    addLine(from, to, QPen(colour, kHairline));
     addArrowHead(to, direction, head, colour);
     addArrowHead(from, -direction, head, colour);
 }

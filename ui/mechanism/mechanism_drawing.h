@@ -21,6 +21,20 @@ class QPainter;
 namespace slidercrank
 {
 
+/// Widths of lines, px.
+inline constexpr double kHairline = 1.0;      // dimensions, guides, frames
+inline constexpr double kGroundLine = 1.2;    // the ground, marks on the slider's line
+inline constexpr double kPathLine = 1.4;      // paths of points, outlines beside the linkage
+inline constexpr double kBodyOutline = 1.6;   // bodies, joints
+inline constexpr double kArrowLine = 2.0;     // velocities, accelerations
+inline constexpr double kForbiddenLine = 3.0; // the angles that the crank does not reach
+
+/// How much of its colour a body is filled with.
+inline constexpr double kBodyFill = 0.15;
+
+/// Half the width and the height of the support of O2, px.
+inline constexpr double kPivot = 17.0;
+
 /// The parts at which the user can point.
 enum class DrawnPart {
     Background,

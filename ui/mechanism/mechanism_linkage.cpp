@@ -24,7 +24,8 @@ namespace
 
 constexpr double kCrankWidth = 10.5;
 constexpr double kCouplerWidth = 8.0;
-constexpr double kJointRadius = 6.0; // covers the ends of the links
+constexpr double kJointRadius = 6.0;  // covers the ends of the links
+constexpr double kCentreRadius = 3.5; // the mark of G3
 
 QPainterPath sliderPath(QPointF centre)
 {
@@ -42,45 +43,12 @@ void MechanismSketch::addLinkage()
     if (!m_scene->result || std::isnan(m_scene->pose.motion.theta2)) {
         return; // no pose has been set
     }
-    const MechanismSettings &settings = m_scene->settings;
-    avoid(QRectF(m_O2 - QPointF(17.0, 0.0), QSizeF(34.0, 24.0))); // the ground below O2
-    avoid(rail());
-    if (cornerLineCount() > 0) {
-        constexpr double kUsualWidth = 240.0;
-        avoid(QRectF(0.0, 0.0, kUsualWidth, cornerLineTop(cornerLineCount())));
-    }
-    if (settings.dimensions) {
-        avoid(offsetDimension(), 24.0); // with its letter
-    }
-    for (const auto &[name, box] : deadCentreCaptions()) { // over the coupler, which may pass them
-        constexpr double kOpacity = 0.6;
-        m_labels.push_back(
-            {.text = name, .box = box, .ink = m_muted, .paper = withAlpha(m_paper, kOpacity), .isSmall = true});
-        avoid(box);
-    }
+    avoidScenery();
     addModel();
     if (m_exists) {
-        if (settings.acceleration) {
-            addMotionArrows(m_scene->arrows(&PointMotion::acceleration), kLinkagePoints);
-        }
-        if (settings.showsVelocity()) { // the instant centre is shown with the velocities of A and B
-            static constexpr std::array kPins{LinkagePoint::A, LinkagePoint::B};
-            const std::span<const LinkagePoint> allPoints(kLinkagePoints);
-            addMotionArrows(m_scene->arrows(&PointMotion::velocity), settings.velocity ? allPoints : kPins);
-        }
-        if (settings.instantCentre) {
-            addInstantCentre();
-        }
-        if (settings.dimensions) {
-            addLengths();
-        }
-        if (settings.angles) {
-            addAngle("θ₂", {m_O2, m_A}, degreesFromZero(m_scene->pose.motion.theta2) / kDegreesPerRadian,
-                     kLargestCrankArc);
-            addCouplerAngle();
-        }
+        addMotion();
     }
-    if (settings.names) {
+    if (m_scene->settings.names) {
         addNames();
     }
     addGhost();
@@ -90,6 +58,56 @@ void MechanismSketch::addLinkage()
         if (!hasProblemInLegend()) {
             addAssemblyProblem();
         }
+    }
+}
+
+/// Keeps labels away from the ground, the rail, the legend and the dimension of the offset, and adds the captions of
+/// the dead centres.
+void MechanismSketch::avoidScenery()
+{
+    constexpr double kHeightOfGround = 24.0; // px, with the hatching
+    constexpr double kUsualLegendWidth = 240.0;
+    constexpr double kLetterOfOffset = 24.0; // px, beside its dimension
+    constexpr double kOpacityOfCaption = 0.6;
+    avoid(QRectF(m_O2 - QPointF(kPivot, 0.0), QSizeF(2.0 * kPivot, kHeightOfGround)));
+    avoid(rail());
+    if (cornerLineCount() > 0) {
+        avoid(QRectF(0.0, 0.0, kUsualLegendWidth, cornerLineTop(cornerLineCount())));
+    }
+    if (m_scene->settings.dimensions) {
+        avoid(offsetDimension(), kLetterOfOffset);
+    }
+    for (const auto &[name, box] : deadCentreCaptions()) { // over the coupler, which may pass them
+        m_labels.push_back({.text = name,
+                            .box = box,
+                            .ink = m_muted,
+                            .paper = withAlpha(m_paper, kOpacityOfCaption),
+                            .isSmall = true});
+        avoid(box);
+    }
+}
+
+/// Adds what moves with the linkage: arrows, the instant centre, lengths and angles.
+void MechanismSketch::addMotion()
+{
+    const MechanismSettings &settings = m_scene->settings;
+    if (settings.acceleration) {
+        addMotionArrows(m_scene->arrows(&PointMotion::acceleration), kLinkagePoints);
+    }
+    if (settings.showsVelocity()) { // the instant centre is shown with the velocities of A and B
+        static constexpr std::array kPins{LinkagePoint::A, LinkagePoint::B};
+        const std::span<const LinkagePoint> allPoints(kLinkagePoints);
+        addMotionArrows(m_scene->arrows(&PointMotion::velocity), settings.velocity ? allPoints : kPins);
+    }
+    if (settings.instantCentre) {
+        addInstantCentre();
+    }
+    if (settings.dimensions) {
+        addLengths();
+    }
+    if (settings.angles) {
+        addAngle("θ₂", {m_O2, m_A}, degreesFromZero(m_scene->pose.motion.theta2) / kDegreesPerRadian, kLargestCrankArc);
+        addCouplerAngle();
     }
 }
 
@@ -108,12 +126,12 @@ void MechanismSketch::addCouplerAngle()
 void MechanismSketch::addLink(QPointF from, QPointF to, double width, const QColor &colour, DrawnPart part)
 {
     addLine(from, to, QPen(colour, width, Qt::SolidLine, Qt::FlatCap), part);
-    addLine(from, to, QPen(faded(colour, 0.3), width - 3.0, Qt::SolidLine, Qt::FlatCap));
+    addLine(from, to, QPen(faded(colour, 0.3), width - 2.0 * kBodyOutline, Qt::SolidLine, Qt::FlatCap));
 }
 
 void MechanismSketch::addJoint(QPointF centre, const QColor &edge, DrawnPart part)
 {
-    addCircle(centre, kJointRadius, QPen(edge, 1.6), m_paper, part);
+    addCircle(centre, kJointRadius, QPen(edge, kBodyOutline), m_paper, part);
 }
 
 void MechanismSketch::addModel()
@@ -123,7 +141,7 @@ void MechanismSketch::addModel()
     addCircle(m_A, kAroundPin, Qt::NoPen, Qt::transparent, A);
     if (m_exists) {
         const QPainterPath slider = sliderPath(m_B);
-        add(slider, QPen(m_ink, 1.5), faded(m_ink, 0.15), Slider);
+        add(slider, QPen(m_ink, kBodyOutline), faded(m_ink, kBodyFill), Slider);
         avoid(slider.boundingRect());
         avoid({m_O2, m_A}, kCrankWidth);
         avoid({m_A, m_B}, kCouplerWidth);
@@ -132,7 +150,7 @@ void MechanismSketch::addModel()
     addLink(m_O2, m_A, kCrankWidth, link, Crank);
     addJoint(m_O2, m_ink, O2);
     if (m_exists) {
-        addCircle(0.5 * (m_A + m_B), 3.5, QPen(m_ink, 1.2), m_ink, G3);
+        addCircle(0.5 * (m_A + m_B), kCentreRadius, QPen(m_ink, kHairline), m_ink, G3);
         addJoint(m_B, m_ink, B);
     }
     addJoint(m_A, m_exists ? m_ink : link, A);
@@ -145,7 +163,7 @@ void MechanismSketch::addMissingCoupler()
     if (!std::isfinite(pin.x())) {
         return;
     }
-    addCircle(m_A, projection().scale * mechanism().b(), QPen(m_colours.warning, 1.2, Qt::DashLine));
+    addCircle(m_A, projection().scale * mechanism().b(), QPen(m_colours.warning, kGroundLine, Qt::DashLine));
     const double nearest = pin.y() + std::copysign(mechanism().b(), mechanism().c() - pin.y());
     const QLineF gap(toPixels({pin.x(), nearest}), toPixels({pin.x(), mechanism().c()}));
     addDimension(gap.p1(), gap.p2(), m_colours.warning);
@@ -165,17 +183,25 @@ QString MechanismSketch::problemText() const
 /// Adds the reason why the mechanism cannot be assembled, in a box that hides what is below it.
 void MechanismSketch::addAssemblyProblem()
 {
-    constexpr double kMargin = 17.0; // px
+    constexpr double kMargin = 17.0;         // px, from the edges of the drawing
+    constexpr double kPadding = 9.0;         // px, around the text
+    constexpr double kRoundedCorner = 4.0;   // px
+    constexpr double kOpacity = 0.93;        // of the box
+    constexpr double kMinWidth = 160.0;      // px
+    constexpr double kShareOfDrawing = 0.45; // of its width
+    constexpr double kUnlimitedHeight = 1e4; // px
     const QString text = problemText();
-    const QRectF available(0.0, 0.0, std::max(160.0, 0.45 * projection().size.width()), 1e4);
+    const double width = std::max(kMinWidth, kShareOfDrawing * projection().size.width());
+    const QRectF available(0.0, 0.0, width, kUnlimitedHeight);
     const QSizeF extent = QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, text).size();
-    const double numbers = textSize({}).height(); // the numbers of the grid along the lower edge
-    const QRectF inside = QRectF(QPointF(), projection().size).adjusted(kMargin, kMargin, -kMargin, -kMargin - numbers);
+    const double heightOfGridNumbers = textSize({}).height(); // along the lower edge
+    const QRectF inside =
+        QRectF(QPointF(), projection().size).adjusted(kMargin, kMargin, -kMargin, -kMargin - heightOfGridNumbers);
     const QRectF box = m_scene->inFreeCorner(inside, extent);
     QPainterPath frame;
-    frame.addRoundedRect(box.adjusted(-9.0, -9.0, 9.0, 9.0), 4.0, 4.0);
+    frame.addRoundedRect(box.marginsAdded({kPadding, kPadding, kPadding, kPadding}), kRoundedCorner, kRoundedCorner);
     std::erase_if(m_labels, [&frame](const Label &label) { return frame.intersects(label.box); });
-    add(frame, QPen(m_colours.warning, 1.0), withAlpha(m_paper, 0.93));
+    add(frame, QPen(m_colours.warning, kHairline), withAlpha(m_paper, kOpacity));
     m_labels.push_back({.text = text,
                         .box = box.adjusted(0.0, 0.0, 1.0, 1.0),
                         .ink = m_ink,
@@ -199,7 +225,7 @@ QLineF MechanismSketch::addOutline(const ReferencePose &pose, const QPen &pen)
 void MechanismSketch::addMarked()
 {
     if (m_scene->marked.exists) {
-        addOutline(m_scene->marked, QPen(m_colours.cursor, 1.4, Qt::DashLine));
+        addOutline(m_scene->marked, QPen(m_colours.cursor, kPathLine, Qt::DashLine));
     }
 }
 
@@ -209,14 +235,13 @@ void MechanismSketch::addGhost()
     if (!ghost.exists) {
         return;
     }
-    constexpr double kOutlineWidth = 1.6;  // px
     constexpr double kOccupiedWidth = 2.0; // px, where labels do not stand
     constexpr double kLabelGap = 22.0;     // px from the slider
     const bool isFile = !m_scene->result->difference;
     const std::size_t pinnedCount = m_scene->result->pinned.size();
     const std::size_t lastPinned = std::max<std::size_t>(pinnedCount, 1) - 1; // the pinned motion that is drawn
     const QColor &colour = isFile ? m_colours.reference : m_colours.*kPinnedColours[lastPinned];
-    const QLineF coupler = addOutline(ghost, QPen(colour, kOutlineWidth));
+    const QLineF coupler = addOutline(ghost, QPen(colour, kBodyOutline));
     avoid(coupler, kOccupiedWidth);
     const QPointF awayFromCoupler(0.0, coupler.dy() > 0.0 ? 1.0 : -1.0);
     addLabelBeside(coupler.p2(), awayFromCoupler, kLabelGap, isFile ? tr("file") : tr("pinned"), colour,

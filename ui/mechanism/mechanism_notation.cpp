@@ -83,7 +83,7 @@ void MechanismSketch::addArrow(QPointF tail, QPointF tip, const ArrowScale &arro
     const QPointF direction = (tip - tail) / length;
     const double head = std::min(10.0, 0.6 * length);
     const QColor &colour = arrows.isOfVelocity() ? m_colours.errorOther : m_colours.error;
-    addLine(tail, tip - 0.9 * head * direction, QPen(colour, 2.0, line, Qt::FlatCap));
+    addLine(tail, tip - 0.9 * head * direction, QPen(colour, kArrowLine, line, Qt::FlatCap));
     addArrowHead(tip, direction, head, colour);
     if (!arrows.isOfVelocity()) {
         addArrowHead(tip - 0.3 * head * direction, direction, 0.5 * head, m_paper);
@@ -208,11 +208,11 @@ void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
     const QPointF pin = point == LinkagePoint::A ? m_A : m_B;
     const QPointF ray = unitVector(centre - pin);
     const double seen = std::min(QLineF(pin, centre).length(), projection().size.width() + projection().size.height());
-    addLine(pin, pin + seen * ray, QPen(m_muted, 1.0, Qt::DashLine));
+    addLine(pin, pin + seen * ray, QPen(m_muted, kHairline, Qt::DashLine));
     if (seen > kMark && velocity.length() > 0.0) {
         const QPointF along = kMark * unitVector({velocity.x, -velocity.y});
-        addLine(pin + kMark * ray, pin + kMark * ray + along, QPen(m_muted, 1.0));
-        addLine(pin + kMark * ray + along, pin + along, QPen(m_muted, 1.0));
+        addLine(pin + kMark * ray, pin + kMark * ray + along, QPen(m_muted, kHairline));
+        addLine(pin + kMark * ray + along, pin + along, QPen(m_muted, kHairline));
     }
 }
 
@@ -258,7 +258,7 @@ void MechanismSketch::addAngle(const QString &name, const QLineF &link, double a
     path.lineTo(base.p2());
     path.arcMoveTo(circle, 0.0);
     path.arcTo(circle, 0.0, std::fmod(kDegreesPerRadian * angle, kDegreesPerTurn));
-    add(path, QPen(faded(m_ink, kInk), 1.0));
+    add(path, QPen(faded(m_ink, kInk), kHairline));
     avoid(base, kBaseWidth);
     constexpr double kStep = 0.1; // rad; smaller than a letter
     for (double along = 0.0; along < std::abs(std::fmod(angle, kTurn)); along += kStep) {

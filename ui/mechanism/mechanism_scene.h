@@ -21,8 +21,8 @@ namespace slidercrank
 struct ArrowScale {
     PlaneVector PointMotion::*vector; ///< the vector that an arrow represents
     double length = 0.0;              ///< mm of the drawing
-    double amount = 0.0;              ///< the mm/s or mm/s² that this length represents; 0 if nothing moves
-    double largest = 0.0;             ///< arrows of larger amounts are shortened, mm/s or mm/s²
+    double amount = 0.0;  ///< speed (mm/s) or acceleration (mm/s²) of an arrow of this length; 0 if nothing moves
+    double largest = 0.0; ///< arrows of larger amounts are shortened, mm/s or mm/s²
 
     bool isOfVelocity() const { return vector == &PointMotion::velocity; }
 };

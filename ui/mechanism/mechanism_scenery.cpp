@@ -16,7 +16,6 @@ namespace
 
 constexpr double kBelowLine = 13.0; // from the slider's line to the rail
 constexpr double kHatch = 7.0;      // height of the hatching below a line of ground
-constexpr double kPivot = 17.0;     // half the width and the height of the support of O2
 
 } // namespace
 
@@ -95,20 +94,21 @@ void MechanismSketch::addGround(QPointF from, double to, DrawnPart part)
         path.moveTo(x, from.y());
         path.lineTo(x - kHatch, from.y() + kHatch);
     }
-    add(path, QPen(m_muted, 1.2), Qt::NoBrush, part);
+    add(path, QPen(m_muted, kGroundLine), Qt::NoBrush, part);
 }
 
 /// Adds the circle of the crank pin, with marks where the mechanism cannot be assembled.
 void MechanismSketch::addCrankCircle()
 {
+    constexpr double kCircleInk = 0.35; // share of the ink in its colour
     const double radius = projection().scale * mechanism().a();
-    addCircle(m_O2, radius, QPen(faded(m_ink, 0.35), 1.0, Qt::DashLine));
+    addCircle(m_O2, radius, QPen(faded(m_ink, kCircleInk), kHairline, Qt::DashLine));
     const QRectF circle = m_shapes.back().path.boundingRect();
     for (const CrankRange &range : forbiddenRanges(limits())) {
         QPainterPath arc;
         arc.arcMoveTo(circle, range.from * kDegreesPerRadian);
         arc.arcTo(circle, range.from * kDegreesPerRadian, (range.to - range.from) * kDegreesPerRadian);
-        add(arc, QPen(m_colours.warning, 3.0, Qt::SolidLine, Qt::FlatCap), Qt::NoBrush, ForbiddenArc);
+        add(arc, QPen(m_colours.warning, kForbiddenLine, Qt::SolidLine, Qt::FlatCap), Qt::NoBrush, ForbiddenArc);
     }
 }
 
@@ -129,12 +129,12 @@ void MechanismSketch::addGuide()
 {
     constexpr double kMark = 20.0; // px that a dead centre's mark rises above the line
     const double y = toPixels({0.0, mechanism().c()}).y();
-    addLine({0.0, y}, {projection().size.width(), y}, QPen(m_muted, 1.0, Qt::DashDotLine), Guide);
+    addLine({0.0, y}, {projection().size.width(), y}, QPen(m_muted, kHairline, Qt::DashDotLine), Guide);
     addGround(rail().topLeft(), rail().right(), Guide);
     for (const auto &[centre, part] : {std::pair(limits().outer, OuterDeadCentre), {limits().inner, InnerDeadCentre}}) {
         if (centre) {
             const double x = toPixels({centre->R4x, 0.0}).x();
-            addLine({x, y - kMark}, {x, y + kBelowLine}, QPen(m_muted, 1.2), part);
+            addLine({x, y - kMark}, {x, y + kBelowLine}, QPen(m_muted, kGroundLine), part);
         }
     }
 }
@@ -189,6 +189,7 @@ void MechanismSketch::addPath()
         return;
     }
     constexpr int kSteps = 180;
+    constexpr double kPathInk = 0.75; // share of the model's colour
     QPainterPath path;
     for (const CrankRange &range : limits().ranges) {
         QPolygonF points;
@@ -201,17 +202,18 @@ void MechanismSketch::addPath()
         }
         path.addPolygon(points);
     }
-    add(path, QPen(faded(m_colours.model, 0.75), 1.4));
+    add(path, QPen(faded(m_colours.model, kPathInk), kPathLine));
 }
 
 /// Adds the support of O2.
 void MechanismSketch::addPivot()
 {
+    constexpr double kHalfFoot = 11.0; // px, of the bracket
     const QPointF foot = m_O2 + QPointF(0.0, kPivot);
     addGround(foot - QPointF(kPivot, 0.0), foot.x() + kPivot, Ground);
     QPainterPath bracket;
-    bracket.addPolygon(QPolygonF{m_O2, foot - QPointF(11.0, 0.0), foot + QPointF(11.0, 0.0), m_O2});
-    add(bracket, QPen(m_ink, 1.4), faded(m_ink, 0.15), Ground);
+    bracket.addPolygon(QPolygonF{m_O2, foot - QPointF(kHalfFoot, 0.0), foot + QPointF(kHalfFoot, 0.0), m_O2});
+    add(bracket, QPen(m_ink, kPathLine), faded(m_ink, kBodyFill), Ground);
 }
 
 void MechanismSketch::addDimensionsAndScales()
@@ -219,7 +221,7 @@ void MechanismSketch::addDimensionsAndScales()
     const MechanismSettings &settings = m_scene->settings;
     if (settings.dimensions) {
         const QLineF offset = offsetDimension();
-        addLine(offset.p1(), m_O2, QPen(m_muted, 1.0));
+        addLine(offset.p1(), m_O2, QPen(m_muted, kHairline));
         addDimension(offset.p1(), offset.p2(), m_muted);
         avoid(offset, 2.0);
         addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, 3.0, "c", m_ink);

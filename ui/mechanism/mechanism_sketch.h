@@ -79,7 +79,9 @@ private:
 
     void addLink(QPointF from, QPointF to, double width, const QColor &colour, DrawnPart part);
     void addJoint(QPointF centre, const QColor &edge, DrawnPart part);
+    void avoidScenery();
     void addModel();
+    void addMotion();
     void addMissingCoupler();
     QString problemText() const;
     void addAssemblyProblem();

@@ -401,9 +401,10 @@ void MechanismView::paintEvent(QPaintEvent *)
         sketch->paintHighlight(painter, m_highlighted, sketch->colours().error);
     }
     if (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)) {
+        constexpr double kFocusFrame = 2.0; // px
         painter.resetTransform();
         painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(colour, 2.0));
+        painter.setPen(QPen(colour, kFocusFrame));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
     }
 }

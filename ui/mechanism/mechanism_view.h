@@ -68,7 +68,7 @@ public slots:
     /// Sets the rectangle (mm) in which the ghost moves, so that it stays in view. A null rectangle means no ghost.
     void setGhostBounds(const QRectF &bounds);
 
-    /// Marks a position of the linkage, or none.
+    /// Marks a position of the linkage. Removes the mark if `marked.exists` is false.
     void setMarked(const slidercrank::ReferencePose &marked);
 
     /// Highlights the part that an equation or a coordinate refers to.

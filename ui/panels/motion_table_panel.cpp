@@ -15,7 +15,6 @@
 #include "ui/text/quantity_text.h"
 #include "ui/text/record.h"
 #include "ui/text/subscripts.h"
-#include "ui/text/typed_value.h"
 #include "ui/text/word_list.h"
 #include "ui/text/written_number.h"
 #include "ui/widgets/formula.h"
@@ -353,7 +352,7 @@ void MotionTablePanel::showCurrentPosition()
             motionTableRow(m_settings, Mechanism(m_session->parameters()), m_session->alpha2(), currentPlace());
         row.cells.front().tone = Tone::Normal; // the time is no link here
         row.time.reset();                      // the row would link to its own time
-        m_currentRowTable->setRows({row, myValues()});
+        m_currentRowTable->setRows({row, judgeMyValues()});
         alignColumns();
     }
 }
@@ -401,35 +400,17 @@ QString MotionTablePanel::otherPositions() const
 
 /// Returns the row of the values that were typed at the current position, with their verdicts as colours. Also shows
 /// the conclusions from these values.
-TableRow MotionTablePanel::myValues()
+TableRow MotionTablePanel::judgeMyValues()
 {
     TableRow row{.cells = {{.text = tr("my values"), .tone = Tone::Muted}, {}},
                  .explanation = tr(
                      "Type values of your calculation: they are compared with the exact ones, each to its last digit")};
+    QStringList sentences;
+    std::vector<TypedValue> values = readMyValues(row, sentences);
+    const bool hasUnreadable = !sentences.isEmpty();
     const CrankPosition position{withCrankAt(Mechanism(m_session->parameters()), currentPlace().theta2),
                                  m_session->alpha2()};
-    const Units &units = notation().units;
-    std::vector<TypedValue> values;
-    QStringList sentences;
-    bool hasUnreadable = false; // a text that is no value
-    const TypedTexts *typedHere = textsAtCurrentPosition();
-    for (const OutputChannel &channel : m_settings.columns) {
-        TableCell &cell = row.cells.emplace_back();
-        if (!typedHere || !typedHere->byColumn.contains(columnName(channel))) {
-            continue;
-        }
-        cell.text = typedHere->byColumn.at(columnName(channel));
-        const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
-        const TypedValue typed = readTypedValue(number, channel, units);
-        if (typed.parsed.fault) {
-            hasUnreadable = true;
-            cell.tone = Tone::Bad;
-            sentences << QStringLiteral("%1: %2").arg(symbolOf(channel), faultText(typed));
-            continue;
-        }
-        values.push_back(typed);
-    }
-    values = inLikelyUnits(std::move(values), position, units);
+    values = inLikelyUnits(std::move(values), position, notation().units);
     std::vector<GivenValue> given(values.size());
     std::ranges::transform(values, given.begin(), &TypedValue::given);
     const CheckResult result = check(position, given);
@@ -444,10 +425,9 @@ TableRow MotionTablePanel::myValues()
             wrong << symbolOf(values[i].channel);
         }
     }
-    if (!typedHere && !m_myValues.empty()) {
+    if (!textsAtCurrentPosition() && !m_myValues.empty()) {
         sentences << otherPositions();
     }
-    m_judgement->setVisible(!sentences.isEmpty());
     const bool isIncomplete = wrong.isEmpty() && hasUnreadable; // then not "all values are right"
     if (!values.empty() && !isIncomplete) {
         sentences << explanationText(result, wrong);
@@ -456,8 +436,33 @@ TableRow MotionTablePanel::myValues()
         velocitiesJumpAt(position.mechanism, currentPlace().theta2)) {
         sentences << jumpSentence();
     }
+    m_judgement->setVisible(!sentences.isEmpty());
     m_judgement->setText(subscriptHtml(sentences.join(u' ')));
     return row;
+}
+
+/// Appends a cell for each column to a row, with the text that was typed at the current position, and returns the
+/// values. Appends a sentence for each text that is no value.
+std::vector<TypedValue> MotionTablePanel::readMyValues(TableRow &row, QStringList &sentences) const
+{
+    std::vector<TypedValue> values;
+    const TypedTexts *typedHere = textsAtCurrentPosition();
+    for (const OutputChannel &channel : m_settings.columns) {
+        TableCell &cell = row.cells.emplace_back();
+        if (!typedHere || !typedHere->byColumn.contains(columnName(channel))) {
+            continue;
+        }
+        cell.text = typedHere->byColumn.at(columnName(channel));
+        const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
+        const TypedValue typed = readTypedValue(number, channel, notation().units);
+        if (typed.parsed.fault) {
+            cell.tone = Tone::Bad;
+            sentences << QStringLiteral("%1: %2").arg(symbolOf(channel), faultText(typed));
+            continue;
+        }
+        values.push_back(typed);
+    }
+    return values;
 }
 
 /// Gives the columns of both tables the same widths.

@@ -8,11 +8,14 @@
 
 #include "ui/export/motion_table.h"
 #include "ui/text/notation.h"
+#include "ui/text/typed_value.h"
 
+#include <QStringList>
 #include <QTimer>
 #include <QWidget>
 
 #include <map>
+#include <vector>
 
 class QComboBox;
 class QHBoxLayout;
@@ -84,7 +87,8 @@ private:
     void typeValue(const OutputChannel &channel, const QString &text);
     const TypedTexts *textsAtCurrentPosition() const; ///< null if no values were typed at this position
     QString otherPositions() const;                   ///< says at which other crank angles values were typed
-    TableRow myValues();
+    TableRow judgeMyValues();
+    std::vector<TypedValue> readMyValues(TableRow &row, QStringList &sentences) const;
     void alignColumns();
     TablePlace currentPlace() const;
 

@@ -97,13 +97,13 @@ Response computeResponse(const Parameters &parameters, Parameter parameter, int 
         }
     }
     std::ranges::sort(response.values);
+    LimitValues noLimits;
+    noLimits.fill(kNone);
     for (const double value : response.values) {
         Parameters varied = parameters;
         valueOf(varied, parameter) = value;
         const bool isUsable = !stop.stop_requested() && !findFault(varied);
-        LimitValues none;
-        none.fill(kNone);
-        response.limits.push_back(isUsable ? limitValues(Mechanism(varied)) : none);
+        response.limits.push_back(isUsable ? limitValues(Mechanism(varied)) : noLimits);
     }
     return response;
 }
