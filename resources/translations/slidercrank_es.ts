@@ -1353,6 +1353,26 @@ Equipo: %1. Tiempo: %2 s.
         <translation>segundos</translation>
     </message>
     <message>
+        <source>feet</source>
+        <translation>pies</translation>
+    </message>
+    <message>
+        <source>minutes</source>
+        <translation>minutos</translation>
+    </message>
+    <message>
+        <source>microseconds</source>
+        <translation>microsegundos</translation>
+    </message>
+    <message>
+        <source>in seconds, but read in another unit</source>
+        <translation>en segundos, pero leído en otra unidad</translation>
+    </message>
+    <message>
+        <source>in millimetres, but read in another unit</source>
+        <translation>en milímetros, pero leído en otra unidad</translation>
+    </message>
+    <message>
         <source>in %1, but read as %2</source>
         <translation>en %1, pero leído como %2</translation>
     </message>

@@ -75,7 +75,10 @@ public:
         {Kind::LengthUnit, 10.0, QT_TR_NOOP("centimetres"), QT_TR_NOOP("millimetres")},
         {Kind::LengthUnit, 25.4, QT_TR_NOOP("inches"), QT_TR_NOOP("millimetres")},
         {Kind::LengthUnit, 1000.0, QT_TR_NOOP("metres"), QT_TR_NOOP("millimetres")},
-        {Kind::TimeUnit, 1000.0, QT_TR_NOOP("seconds"), QT_TR_NOOP("milliseconds")}};
+        {Kind::LengthUnit, 304.8, QT_TR_NOOP("feet"), QT_TR_NOOP("millimetres")},
+        {Kind::TimeUnit, 60.0, QT_TR_NOOP("minutes"), QT_TR_NOOP("seconds")},
+        {Kind::TimeUnit, 1000.0, QT_TR_NOOP("seconds"), QT_TR_NOOP("milliseconds")},
+        {Kind::TimeUnit, 1e6, QT_TR_NOOP("seconds"), QT_TR_NOOP("microseconds")}};
 };
 
 static_assert(isCompleteTable(ConventionText::kRows, Kind::Axis));
@@ -91,7 +94,9 @@ QString misreadUnitText(const Convention &convention)
                 .arg(ConventionText::tr(isLarger ? larger : smaller), ConventionText::tr(isLarger ? smaller : larger));
         }
     }
-    return {};
+    // A file may state a rarer unit; then the only other one that is tried is the default unit.
+    return convention.kind == Kind::TimeUnit ? ConventionText::tr("in seconds, but read in another unit")
+                                             : ConventionText::tr("in millimetres, but read in another unit");
 }
 
 /// Returns the sentence of a convention, with %1 to %4.
