@@ -119,12 +119,15 @@ struct Scale {
     double speed = 1.0;       ///< ω2, rad/s, if the model follows the angle in the file
 };
 
-/// The scale that the columns show; the given length and speed if no column shows them. `regressions`: the result of
-/// fitColumn() for each of `columns`.
+/// The scale that the columns show; if no column shows them, the given length, and the given speed unless it is 0.
+/// `regressions`: the result of fitColumn() for each of `columns`.
 Scale scaleOfColumns(const Observations &observations, const Indices &columns,
                      const std::vector<Regression> &regressions, const Model &model, const Parameters &given)
 {
-    Scale scale{.crankLength = given.a, .speed = given.omega2};
+    Scale scale{.crankLength = given.a};
+    if (given.omega2 != 0.0) { // derivatives of a crank at rest would show no size
+        scale.speed = given.omega2;
+    }
     for (std::size_t i = 0; i < columns.size(); ++i) { // θ3 first, which shows the speed without a length
         const ObservedColumn &column = observations.columns[columns[i]];
         const auto order = static_cast<double>(column.channel.order);

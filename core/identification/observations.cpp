@@ -252,10 +252,13 @@ void observeTableAngle(Observations &observations, const CrankAngles &crank)
 /// 125°: somebody chose them, and computed the other columns from them.
 bool areChosen(const Values &angle)
 {
-    constexpr double kParts = 6.0;       // of the distance: halves and thirds
-    constexpr double kArithmetic = 1e-9; // relative to the distance
+    constexpr double kPartsOfDistance = 6.0; // halves and thirds
+    constexpr double kArithmetic = 1e-9;     // relative to the distance
+    if (angle.size() < 2) {
+        return false;
+    }
     const double distance = angle[1] - angle[0];
-    const Values parts = angle * (kParts / distance);
+    const Values parts = angle * (kPartsOfDistance / distance);
     const Values advances = (angle.tail(angle.size() - 1) - angle.head(angle.size() - 1)) / distance;
     return (parts - parts.round()).abs().maxCoeff() < kArithmetic && (advances - 1.0).abs().maxCoeff() < kArithmetic;
 }

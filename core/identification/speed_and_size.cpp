@@ -121,12 +121,12 @@ Model atSpeed(const Observations &observations, const Fit &fit, double omega2)
 {
     Model model = fit.model;
     const Order order = orderOfLengths(observations, fit);
-    const double factorOfLengths = std::pow(omega2 / model.mechanism.omega2, static_cast<double>(order));
+    const double factorOfColumns = std::pow(omega2 / model.mechanism.omega2, static_cast<double>(order));
     model.mechanism.omega2 = omega2;
-    scaleLengths(model.mechanism, 1.0 / std::abs(factorOfLengths));
+    scaleLengths(model.mechanism, 1.0 / std::abs(factorOfColumns));
     for (const Index k : fit.columns) {
         if (observations.columns[k].channel.order == order) {
-            model.readings[k].factor *= std::copysign(1.0, factorOfLengths);
+            model.readings[k].factor *= std::copysign(1.0, factorOfColumns);
         }
     }
     return model;

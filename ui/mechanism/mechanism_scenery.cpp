@@ -274,8 +274,8 @@ QLineF MechanismSketch::offsetDimension() const
     return {x, m_O2.y(), x, toPixels({0.0, mechanism().c()}).y()};
 }
 
-/// Returns whether so many lines in the upper left corner cover neither the slider's line nor the crank's circle, as
-/// they would in a very low drawing.
+/// Returns whether a legend of `lines` in the upper left corner covers neither the slider's line nor the crank's
+/// circle. In a very low drawing it would.
 bool MechanismSketch::isSpaceInCorner(qsizetype lines) const
 {
     const double top = toPixels({0.0, std::max(mechanism().a(), mechanism().c())}).y(); // px, of circle and line

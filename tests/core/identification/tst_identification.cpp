@@ -339,9 +339,14 @@ private slots:
                               velocity);
                 text += line.data();
             }
-            const Identification found = identified(std::get<ReferenceData>(readReferenceData(text)));
-            QCOMPARE(found.outcome, Outcome::Identified);
-            QVERIFY(distance(found.parameters, p) < 1e-3 && found.conventions.empty());
+            const ReferenceData data = std::get<ReferenceData>(readReferenceData(text));
+            for (const double givenSpeed : {Parameters().omega2, 0.0}) {
+                Parameters given;
+                given.omega2 = givenSpeed;
+                const Identification found = identified(data, given);
+                QCOMPARE(found.outcome, Outcome::Identified);
+                QVERIFY(distance(found.parameters, p) < 1e-3 && found.conventions.empty());
+            }
         }
     }
 
@@ -455,6 +460,8 @@ private slots:
         QCOMPARE(identified(printedData(standing)).lack, Lack::NothingMoves);
         QCOMPARE(identified(printedData(Parameters(), printing)).lack, Lack::FewValues);
         QCOMPARE(identified(ReferenceData()).lack, Lack::FewValues);
+        const char *oneRow = "t [s],theta2 [deg],R4_x [mm]\n0,30,80\n1,40,\n2,50,\n";
+        QCOMPARE(identified(std::get<ReferenceData>(readReferenceData(oneRow))).lack, Lack::FewValues);
         printing.rows = 7; // five parameters fit seven numbers of six digits by chance
         QCOMPARE(identified(printedData(Parameters(), printing)).outcome, Outcome::Insufficient);
     }
