@@ -19,6 +19,7 @@
 #include "ui/text/theme.h"
 #include "ui/text/written_number.h"
 
+#include <QImage>
 #include <QRegularExpression>
 #include <QScopeGuard>
 #include <QTemporaryDir>
@@ -257,6 +258,24 @@ private slots:
         for (const char *what : {"mechanism", "figure", "polygons"}) {
             QCOMPARE(run(QStringLiteral("render --what %1 -o ").arg(what) + file).status, 0);
             QVERIFY2(!contentOf(file).contains("opacity=\"0\""), what);
+        }
+    }
+
+    /// A former defect: the comma at the end of a line of magnitudes was cut off.
+    void polygonsLeaveAMargin()
+    {
+        const QString file = path("x.png");
+        for (const char *options : {"--alpha2 0", "--alpha2 30", "--alpha2 3000", "--alpha2 30 --width 85mm"}) {
+            const QString mechanism = "render --what polygons --a 40 --b 120 --c 20 --omega2 60rpm --at-angle 60 ";
+            QCOMPARE(run(mechanism + options + " -o " + file).status, 0);
+            const QImage image(file);
+            QVERIFY(!image.isNull());
+            const int last = image.width() - 1;
+            for (int y = 0; y < image.height(); ++y) {
+                for (const int x : {0, 1, 2, last - 2, last - 1, last}) {
+                    QVERIFY2(image.pixel(x, y) == image.pixel(0, 0), options);
+                }
+            }
         }
     }
 

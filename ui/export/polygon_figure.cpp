@@ -169,13 +169,15 @@ private:
         }
     }
 
-    /// Returns the texts, separated by commas, in lines that are not wider than the area.
+    /// Returns the texts, separated by commas, in lines that leave a margin at both sides of the area.
     QStringList joinedLines(const QStringList &texts) const
     {
+        constexpr double kMargins = 1.0; // lines of text, both together
+        const double available = m_area.width() - kMargins * QFontMetricsF(m_painter.font()).height();
         QStringList lines(QString{});
         for (const QString &text : texts) {
             const QString longer = lines.last().isEmpty() ? text : lines.last() + ", " + text;
-            if (withSubscripts(longer, m_painter.font()).size().width() <= m_area.width()) {
+            if (lines.last().isEmpty() || withSubscripts(longer + ',', m_painter.font()).size().width() <= available) {
                 lines.last() = longer;
             } else {
                 lines.last() += ',';
