@@ -143,6 +143,7 @@ public:
           {"solve", "step-angle", "DEGREES",
            QT_TR_NOOP(
                "instead of --steps and --duration: a row for each step of this crank angle, over one revolution")},
+          {"render", "step-angle", "DEGREES", QT_TR_NOOP("step of the table in a report (15)")},
           {"solve", "at", "SECONDS", QT_TR_NOOP("instead of --steps and --duration: one row, for this time")},
           {"render", "at", "SECONDS", QT_TR_NOOP("the time that is drawn, and marked in the plots (--start)")},
           {"solve render", "at-angle", "DEGREES",
@@ -150,7 +151,8 @@ public:
           {"check", "at-angle", "DEGREES", QT_TR_NOOP("crank angle at which the values are checked (--theta20)")},
           {"check", "alpha2", "RAD_PER_S2", QT_TR_NOOP("crank acceleration (0)")},
           {"render", "alpha2", "RAD_PER_S2",
-           QT_TR_NOOP("crank acceleration in the values of a report and in polygons (0)")},
+           QT_TR_NOOP("crank acceleration in the values of a report, in polygons, and in the arrows that a scene draws "
+                      "(0)")},
           {"solve", "when", "CHANNEL=VALUE",
            QT_TR_NOOP("a row for each position of one revolution in which a quantity has this value: x=60, "
                       "theta3=10deg, v=-0.2m/s, or any channel")},

@@ -8,10 +8,12 @@
 #include "app/reference_files.h"
 #include "app/time_step_report.h"
 #include "core/identification/identification.h"
+#include "core/import/quantity.h"
 #include "ui/document/result.h"
 #include "ui/document/scene_link.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
+#include "ui/export/motion_table.h"
 #include "ui/export/polygon_figure.h"
 #include "ui/export/report.h"
 #include "ui/mechanism/mechanism_view.h"
@@ -235,10 +237,33 @@ void readTime(const OptionReader &options, RenderRequest &request)
 void readAcceleration(const OptionReader &options, RenderRequest &request)
 {
     request.scene.alpha2 = readCrankAcceleration(options);
-    if (request.subject != Subject::Report && request.subject != Subject::Polygons) {
-        options.refuse({"alpha2"}, CommandLine::tr("Only a report and polygons show an acceleration of the crank, and "
-                                                   "everything else is for a constant crank speed: remove %1."));
+    const bool hasArrows = request.subject == Subject::Mechanism && request.scene.mechanism.acceleration;
+    if (request.subject != Subject::Report && request.subject != Subject::Polygons && !hasArrows) {
+        options.refuse({"alpha2"},
+                       CommandLine::tr("Only a report, polygons and a scene with arrows of acceleration show an "
+                                       "acceleration of the crank, and everything else is for a constant crank speed: "
+                                       "remove %1."));
     }
+}
+
+/// Reads --step-angle: the step of the table in a report.
+void readTableStep(const OptionReader &options, RenderRequest &request)
+{
+    if (!options.has("step-angle")) {
+        return;
+    }
+    if (request.subject != Subject::Report) {
+        options.refuse({"step-angle"}, CommandLine::tr("Only a report contains a table: remove %1."));
+    }
+    if (request.scene.reference) {
+        options.refuse({"step-angle"}, CommandLine::tr("A report of a comparison contains no table: remove %1."));
+    }
+    constexpr double kSmallestStep = 1.0; // degrees: with more rows a report would state every 15°
+    constexpr double kLargestStep = 360.0;
+    MotionTableSettings table = request.scene.table.value_or(MotionTableSettings{.columns = usualTableChannels()});
+    table.step = TableStep::CrankAngle;
+    table.angleStep = options.number("step-angle", table.angleStep, kDegree, kSmallestStep, kLargestStep);
+    request.scene.table = table;
 }
 
 /// Reads the options about the size and the paper, and refuses options that do not suit the subject.
@@ -283,6 +308,7 @@ RenderRequest readRequest(const OptionReader &options)
     readPicture(options, request);
     readTime(options, request);
     readAcceleration(options, request);
+    readTableStep(options, request);
     options.refuseFiles();
     return request;
 }

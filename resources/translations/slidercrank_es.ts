@@ -1250,8 +1250,12 @@ Equipo: %1. Tiempo: %2 s.
         </translation>
     </message>
     <message>
-        <source>crank acceleration in the values of a report and in polygons (0)</source>
-        <translation>aceleración de la manivela en los valores de un informe y en los polígonos (0)</translation>
+        <source>crank acceleration in the values of a report, in polygons, and in the arrows that a scene draws (0)</source>
+        <translation>aceleración de la manivela en los valores de un informe, en los polígonos y en las flechas que una escena dibuja (0)</translation>
+    </message>
+    <message>
+        <source>step of the table in a report (15)</source>
+        <translation>paso de la tabla de un informe (15)</translation>
     </message>
     <message>
         <source>figure (all plots), mechanism, polygons (of velocity and acceleration), frames (the mechanism moving), report, or one plot: theta3, R4_x, theta3_diff, R4_x_diff, theta3_diff2, R4_x_diff2, error_position, error_velocity, error_acceleration (figure)</source>
@@ -1294,8 +1298,16 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--vary: &quot;%1&quot; no es un parámetro: elija a, b, c, omega2 o theta20.</translation>
     </message>
     <message>
-        <source>Only a report and polygons show an acceleration of the crank, and everything else is for a constant crank speed: remove %1.</source>
-        <translation>Solo el informe y los polígonos muestran una aceleración de la manivela; todo lo demás es para una velocidad constante: quite %1.</translation>
+        <source>Only a report, polygons and a scene with arrows of acceleration show an acceleration of the crank, and everything else is for a constant crank speed: remove %1.</source>
+        <translation>Solo el informe, los polígonos y una escena con flechas de aceleración muestran una aceleración de la manivela; todo lo demás es para una velocidad constante: quite %1.</translation>
+    </message>
+    <message>
+        <source>Only a report contains a table: remove %1.</source>
+        <translation>Solo un informe contiene una tabla: quite %1.</translation>
+    </message>
+    <message>
+        <source>A report of a comparison contains no table: remove %1.</source>
+        <translation>El informe de una comparación no contiene ninguna tabla: quite %1.</translation>
     </message>
     <message>
         <source>The velocities jump at %1 (rows: %2), where the coupler is perpendicular to the slider&apos;s line: velocities and accelerations there are those of one side only.</source>

@@ -292,7 +292,10 @@ private slots:
         }
         const QString report = folder.filePath("report.pdf");
         if (!QStandardPaths::findExecutable("pdftotext").isEmpty()) {
-            for (const auto &[option, value] : {std::pair("", "= 50.4690 in/s²"), {"--alpha2 5 ", "= 35.3947 in/s²"}}) {
+            for (const auto &[option, value] : {std::pair("", "= 50.4690 in/s²"),
+                                                {"--alpha2 5 ", "= 35.3947 in/s²"},
+                                                {"--step-angle 40 ", "Table, every 40°"},
+                                                {"", "Table, every 15°"}}) {
                 QCOMPARE(run(row + option + "--what report -o " + report).status, 0);
                 QProcess process;
                 process.start("pdftotext", {report, "-"});

@@ -233,6 +233,20 @@ private slots:
         QVERIFY(QString::fromUtf8(contentOf(path("s.svg"))).contains("a = 7.62 cm"));
     }
 
+    /// A crank at rest has no acceleration but that of α2, so that there is no arrow, and no scale of arrows, without.
+    void arrowsOfASceneIncludeTheAccelerationOfTheCrank()
+    {
+        Scene scene;
+        scene.parameters = {.a = 40.0, .b = 120.0, .c = 20.0, .omega2 = 0.0, .theta20 = 1.0};
+        scene.mechanism = {.acceleration = true};
+        QCOMPARE(writeScene(scene, path("rest.slidercrank")), std::nullopt);
+        const QString render = "render --what mechanism --scene " + path("rest.slidercrank") + " -o " + path("a.svg");
+        QCOMPARE(run(render).status, 0);
+        QVERIFY(!contentOf(path("a.svg")).contains("Scale"));
+        QCOMPARE(run(render + " --alpha2 30").status, 0);
+        QVERIFY(contentOf(path("a.svg")).contains("Scale"));
+    }
+
     /// θ3 at B by a pocket calculator: 180° + asin(3.5/8) = 205.9°.
     void picturesAreInTheChosenNotationAndUnits()
     {
