@@ -56,8 +56,13 @@ bool explainsBetter(const Observations &searched, const Fit &higher, const Fit &
     }
     if (isExact(searched, lowest)) {
         // The origins of `lowest` may be wrong nevertheless. Both geometries are fitted to all columns and compared.
-        const double misfitOfLowest = misfitOfRepeatedFit(searched, lowest, columns);
-        return misfitOfRepeatedFit(searched, higher, columns) + kSameMisfit < misfitOfLowest;
+        const Fit ofHigher = repeatFit(searched, higher, columns);
+        const bool areQuotients =
+            std::ranges::all_of(higher.columns, [&](Index k) { return searched.columns[k].isDifference; });
+        if (areQuotients && !isExact(searched, ofHigher)) {
+            return false; // `lowest` explains everything: its own columns, and the others as their difference quotients
+        }
+        return ofHigher.misfit + kSameMisfit < repeatFit(searched, lowest, columns).misfit;
     }
     // A filter may have changed the lower derivatives. Fitting the geometries again would adapt both to its errors.
     return misfitWithFreeOrigins(searched, higher, columns) < misfitWithFreeOrigins(searched, lowest, columns);

@@ -447,10 +447,10 @@ double misfitWithFreeOrigins(const Observations &observations, const Fit &geomet
     return fitModel(observations, start, columns, origins, kIterations).misfit;
 }
 
-double misfitOfRepeatedFit(const Observations &observations, const Fit &geometry, const Indices &columns)
+Fit repeatFit(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
     if (!geometry.isFinite()) {
-        return kInfinity;
+        return geometry;
     }
     Model start = withUsualFactors(observations, geometry, columns);
     Unknowns unknowns = geometry.unknowns;
@@ -461,7 +461,7 @@ double misfitOfRepeatedFit(const Observations &observations, const Fit &geometry
             unknowns.push_back(origin);
         }
     }
-    return fitModel(observations, std::move(start), columns, unknowns).misfit;
+    return fitModel(observations, std::move(start), columns, unknowns);
 }
 
 } // namespace slidercrank

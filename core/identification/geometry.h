@@ -34,8 +34,8 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
 /// geometry is not finite.
 double misfitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns);
 
-/// The misfit of a geometry in `columns`, if all of its unknowns and the origins of their positions are fitted again.
-/// Infinite if the geometry is not finite.
-double misfitOfRepeatedFit(const Observations &observations, const Fit &geometry, const Indices &columns);
+/// Fits all unknowns of a geometry, and the origins of the positions among `columns`, again to `columns`. Not finite if
+/// the geometry is not finite.
+Fit repeatFit(const Observations &observations, const Fit &geometry, const Indices &columns);
 
 } // namespace slidercrank

@@ -82,7 +82,7 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
 bool isLastColumnGenuine(const Observations &observations, const Fit &fit)
 {
     const Index place = std::ssize(fit.columns) - 1;
-    return !observations.columns[fit.columns[place]].isDifference || isNearRounding(observations, fit, place);
+    return !observations.columns[fit.columns[place]].isDifference || isWithinRounding(observations, fit, place);
 }
 
 /// Fits column k together with the columns of a fit, in the simplest reading with which a mechanism explains them all:

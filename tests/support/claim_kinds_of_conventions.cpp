@@ -405,6 +405,16 @@ std::vector<ClaimKind> tablesWithConventions()
                  .with(kSixColumns)
                  .differentiated(kDerivatives, 1);
          }},
+        {"finite differences of positions from another origin",
+         [](Random &random) {
+             return ClaimTable(random)
+                 .overTime(1.0, random.oneOf({24.0, 36.0, 72.0}))
+                 .with(random.oneOf<Channels>({{kSlider, kSliderSpeed}, kSliderColumns}))
+                 .decimals(3)
+                 .shifted({kSlider}, random.eitherSign(20.0, 200.0))
+                 .differentiated({kSliderSpeed, kSliderAcceleration}, 1)
+                 .conventions(1, 2); // of a crossed assembly, the open one with the opposite direction is found
+         }},
         {"two faults at once",
          [](Random &random) {
              ClaimTable table = ClaimTable(random).with(kSixColumns).conventions(2);

@@ -107,8 +107,8 @@ private slots:
         QVERIFY(found.leftOut.empty());
     }
 
-    /// A former defect: no mechanism was said to explain a table of 13 rows in which a minus sign was typed, or a decimal
-    /// point was not.
+    /// A former defect: no mechanism was said to explain a table of 13 rows in which a minus sign was typed, or a
+    /// decimal point was not.
     void namesTheLineOfATypingError()
     {
         constexpr double kStep = 30.0; // °
@@ -421,6 +421,44 @@ private slots:
         QVERIFY(found.possibleSpeeds.empty() && std::abs(found.parameters.omega2 - kSpeed) < 0.01);
         QCOMPARE(found.leftOut.size(), 1U);
         QCOMPARE(found.leftOut[0].reason, LeftOutColumn::Reason::FiniteDifferences);
+    }
+
+    /// Former defects: the quotients, whose values have more digits than the positions, decided about the geometry (a =
+    /// 23.87 ± 0.003 mm for 25 mm, or no mechanism), or were used because their values have large steps, too.
+    void differencesOverTheTimeDoNotChangeTheGeometry()
+    {
+        struct File {
+            double a, b, c;
+            int degrees, decimals;    // between rows; of x
+            bool areOfPrintedNumbers; // the quotients
+        };
+        for (const File &file : {File{25.0, 82.5, 0.0, 30, 1, true}, File{60.0, 300.0, -6.0, 10, 2, false},
+                                 File{20.0, 80.0, 0.0, 5, 2, true}, File{38.1, 152.4, -9.525, 5, 2, false},
+                                 File{40.0, 120.0, 20.0, 15, 2, false}}) {
+            const double start = sliderPosition(file.a, file.b, file.c, 0.0);
+            const double perMillimetre = std::pow(10.0, file.decimals);
+            const auto printed = [&](double degrees) { // from the start of the motion
+                const double x = sliderPosition(file.a, file.b, file.c, degrees * kDegree) - start;
+                return std::round(perMillimetre * x) / perMillimetre;
+            };
+            const auto position = [&](double degrees) {
+                return file.areOfPrintedNumbers ? printed(degrees)
+                                                : sliderPosition(file.a, file.b, file.c, degrees * kDegree);
+            };
+            std::string text = "t (s),x (mm),v (mm/s)\n";
+            for (int degrees = 0; degrees <= 360; degrees += file.degrees) { // one turn per second
+                const double quotient = 360.0 * (position(degrees + file.degrees) - position(degrees - file.degrees)) /
+                                        (2.0 * file.degrees);
+                std::array<char, 80> line{};
+                std::snprintf(line.data(), line.size(), "%.6f,%.*f,%.3f\n", degrees / 360.0, file.decimals,
+                              printed(degrees), quotient);
+                text += line.data();
+            }
+            const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
+            QCOMPARE(found.outcome, Outcome::Identified);
+            QVERIFY2(leavesOut(found, kSliderVelocity, Reason::FiniteDifferences), text.c_str());
+            QVERIFY2(std::abs(found.parameters.a - file.a) < 5.0 * found.standardError[0], text.c_str());
+        }
     }
 
     void roundsTheOriginOfTheAngleTogetherWithTheLengths()
