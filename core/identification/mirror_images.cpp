@@ -164,6 +164,7 @@ int countUnusualReadings(const Observations &observations, const Fit &fit, const
 struct ImageRank {
     int unusualReadingsAndAssembly; ///< unusualReadings, and one more for another assembly than the given one
     bool isOtherThanGiven;          ///< the assembly or c is not that of the given mechanism
+    bool isDisplacementNegated;     ///< although the direction is free, the positive one is likelier
     int unusualReadings; ///< countUnusualReadings(): the given assembly with one is preferred to the other without any
     double distance; ///< from the given mechanism: 0 … 1 for c, and kReversedCrank if it turns in the other direction
 
@@ -176,6 +177,9 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
     constexpr double kReversedCrank = 1.5; // more than the distance of the opposite c, which is 1
     const Parameters &m = model.mechanism;
     const int unusualReadings = countUnusualReadings(observations, fit, model);
+    const bool isFrameShifted = isSliderLineShifted(observations, model);
+    const bool isDisplacementNegated =
+        countSigns(observations, fit, model, isFrameShifted).lengths.isDisplacementNegated;
     const bool isGivenAssembly = m.branch == given.branch;
     const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
     const bool isReversed = m.omega2 * given.omega2 < 0.0;
@@ -183,6 +187,7 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
     const double distanceOfC = std::abs(m.c - given.c) / sumOfOffsets;
     return {.unusualReadingsAndAssembly = unusualReadings + (isGivenAssembly ? 0 : 1),
             .isOtherThanGiven = !(isGivenAssembly && isGivenC),
+            .isDisplacementNegated = isDisplacementNegated,
             .unusualReadings = unusualReadings,
             .distance = distanceOfC + (isReversed ? kReversedCrank : 0.0)};
 }

@@ -461,6 +461,29 @@ private slots:
         }
     }
 
+    /// A former defect: over the time, θ3 at B and a displacement were those of the crossed assembly at θ3 + 180°, with
+    /// the displacement in the opposite direction, as if a convention that is seldom used were simpler than a usual
+    /// one.
+    void aDisplacementBesideThetaAtBKeepsItsDirection()
+    {
+        for (const double origin : {30.0, 80.0, 150.0}) { // mm
+            std::string text = "t (s),theta3 (deg),x (mm)\n";
+            for (int degrees = 0; degrees <= 360; degrees += 10) { // one turn per second
+                const double angle = degrees * kDegree;
+                const double atB = 180.0 + std::asin((20.0 - 40.0 * std::sin(angle)) / 120.0) / kDegree;
+                std::array<char, 80> line{};
+                std::snprintf(line.data(), line.size(), "%.6f,%.2f,%.2f\n", degrees / 360.0, atB,
+                              sliderPosition(40.0, 120.0, 20.0, angle) - origin);
+                text += line.data();
+            }
+            const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
+            QVERIFY(hasLengths(found, 40.0, 120.0, 20.0));
+            QCOMPARE(found.parameters.branch, Branch::Open);
+            QVERIFY(hasFinding(found, HalfTurn, kCoupler));
+            QVERIFY(!hasFinding(found, Sign, kSlider));
+        }
+    }
+
     void roundsTheOriginOfTheAngleTogetherWithTheLengths()
     {
         const Identification found = identifyTable("crank angle (deg),x (mm)", 10.0, 37, [](double degrees) {
