@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/abscissa.h"
 
+#include "core/identification/residual_test.h"
 #include "core/identification/speed_and_size.h"
 
 #include "core/import/crank_angles.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace slidercrank
@@ -54,6 +56,20 @@ ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
     return current;
 }
 
+/// Whether the angle in the file explains the columns better than a constant speed does. Errors of the angle would make
+/// the fit over the angle the worse one. `overAngle`, `overTime`: fits of the same columns, in `overTime` with the
+/// angle.
+bool isAngleBetter(const Fit &overAngle, const ObservedFit &overTime)
+{
+    const auto isInterpolated = [&](Index k) { return overTime.searched.columns[k].isInterpolated; };
+    if (std::ranges::any_of(overAngle.columns, isInterpolated)) {
+        return false; // they suit the angle, which was interpolated or held like them, but not the time
+    }
+    const Fit byAngle = evaluateModel(overTime.searched, overAngle.model, overAngle.columns);
+    const Fit byTime = evaluateModel(overTime.searched, overTime.fit.model, overAngle.columns);
+    return !explainsAsWell(overTime.searched, byTime, byAngle);
+}
+
 /// Whether observe() has replaced the time stamps or angles that a model follows by those of an even grid, so that the
 /// printed ones are an alternative.
 bool wasAbscissaMadeEven(const Observations &observations, const Model &model)
@@ -93,16 +109,22 @@ ObservedFit withBestAbscissa(ObservedFit current)
     return current;
 }
 
-ObservedFit withDriveOfFile(ObservedFit current, const Drive &drive)
+DrivenFit withDriveOfFile(ObservedFit current, const Drive &drive)
 {
-    if (drive.kind == Drive::Kind::Constant) {
-        return withAngleAsColumn(std::move(current), drive);
-    }
     if (drive.kind == Drive::Kind::RunUp) {
         current.fit.model = atSpeed(current.searched, current.fit, drive.omega2);
         current.fit.model.alpha2 = drive.alpha2;
     }
-    return current;
+    if (drive.kind != Drive::Kind::Constant) {
+        return {std::move(current), drive};
+    }
+    ObservedFit overTime = withAngleAsColumn(current, drive);
+    if (isAngleBetter(current.fit, overTime)) {
+        Drive uneven = drive;
+        uneven.kind = Drive::Kind::Uneven;
+        return {std::move(current), uneven};
+    }
+    return {std::move(overTime), drive};
 }
 
 } // namespace slidercrank

@@ -20,8 +20,16 @@ struct ObservedFit {
 /// spaced ones: a program may have computed its values at rounded times.
 ObservedFit withBestAbscissa(ObservedFit current);
 
+/// A fit, and the drive that it uses.
+struct DrivenFit {
+    ObservedFit observed;
+    Drive drive;
+};
+
 /// Uses the drive of a file with the time and θ2. A constant speed predicts θ2, which becomes a column of a fit over
-/// the time. The speed and acceleration of a run-up are taken from the drive. Otherwise returns `current`.
-ObservedFit withDriveOfFile(ObservedFit current, const Drive &drive);
+/// the time. But if θ2 explains the other columns better than a constant speed does, what looked like errors of θ2 are
+/// changes of the speed: then the drive becomes uneven. The speed and acceleration of a run-up are taken from the
+/// drive. Otherwise returns `current`.
+DrivenFit withDriveOfFile(ObservedFit current, const Drive &drive);
 
 } // namespace slidercrank

@@ -119,14 +119,14 @@ Drive findDrive(const Observations &observations, const Model &model)
     const Values angles = model.angleFactor * observations.angle + model.mechanism.theta20;
     const double halfStep = std::abs(model.angleFactor) * observations.angleHalfStep;
     const Polynomial line = fitPolynomial(observations, angles, halfStep, kLineTerms);
-    if (line.explainsAngles) {
-        return {.kind = Drive::Kind::Constant, .theta20 = line.coefficients[0], .omega2 = line.coefficients[1]};
-    }
     const Polynomial parabola = fitPolynomial(observations, angles, halfStep, kParabolaTerms);
     const Index fromFirstToLastRow = observations.size() - 1;
-    const double meanSpeed = computeSlopes(angles, observations.time, fromFirstToLastRow)[0];
-    Drive drive = parabola.explainsAngles ? makeRunUp(parabola, observations.timeOrigin)
-                                          : Drive{.kind = Drive::Kind::Uneven, .omega2 = meanSpeed};
+    Drive drive{.kind = Drive::Kind::Uneven, .omega2 = computeSlopes(angles, observations.time, fromFirstToLastRow)[0]};
+    if (line.explainsAngles) {
+        drive = {.kind = Drive::Kind::Constant, .theta20 = line.coefficients[0], .omega2 = line.coefficients[1]};
+    } else if (parabola.explainsAngles) {
+        drive = makeRunUp(parabola, observations.timeOrigin);
+    }
     const Values speeds = computeSlopes(angles, observations.time, kSlopeStep);
     drive.minSpeed = speeds.minCoeff();
     drive.maxSpeed = speeds.maxCoeff();

@@ -27,7 +27,7 @@ struct Drive {
     double omega2 = kNone;  ///< rad/s; Uneven: the mean speed
     double alpha2 = 0.0;    ///< rad/s²
 
-    // RunUp, Uneven: the smallest and the largest speed in the file, rad/s.
+    // Constant, RunUp, Uneven: the smallest and the largest speed in the file, rad/s, with the errors of θ2.
     double minSpeed = kNone;
     double maxSpeed = kNone;
 

@@ -37,8 +37,8 @@ ExtendedImage extendImage(ObservedFit geometry, const Model &image, const Parame
 {
     Fit &fit = geometry.fit;
     fit = fitModel(geometry.searched, image, fit.columns, fit.unknowns);
-    const Drive drive = findDrive(geometry.wholeFile, fit.model);
-    ObservedFit observed = withDriveOfFile(std::move(geometry), drive);
+    const Drive driveOfAngle = findDrive(geometry.wholeFile, fit.model);
+    auto [observed, drive] = withDriveOfFile(std::move(geometry), driveOfAngle);
     FurtherColumns further = withFurtherColumns(observed.searched, observed.fit, drive, given);
     return {.observed = std::move(observed), .drive = drive, .further = std::move(further)};
 }
