@@ -97,15 +97,16 @@ bool namesAngleOrRate(const std::string &word)
 }
 
 /// Returns whether the name leaves open what the column contains: it has no meaning, or unknown words. "X_Value" leaves
-/// it open, but neither "J1_x", which is of an unknown body, nor "θ/θmax" does.
+/// it open, but neither "J1_x", which is of an unknown body, nor "θ/θmax", "t/T" and "% of cycle" do.
 bool isNameOpen(const RawColumn &column)
 {
     const NameMeaning &meaning = column.meaning;
     const bool isUnknown =
         meaning.kind == Kind::Nothing ||
         (meaning.kind == Kind::Quantity && meaning.hasUnknownWords && meaning.doubt == NameMeaning::Doubt::None);
-    return isUnknown && meaning.reason != ColumnReason::UnknownBody &&
-           std::ranges::none_of(wordsOf(column.name), namesAngleOrRate);
+    const std::vector<std::string> words = wordsOf(column.name);
+    return isUnknown && meaning.reason != ColumnReason::UnknownBody && meaning.reason != ColumnReason::UnknownUnit &&
+           !namesOtherQuantity(words) && std::ranges::none_of(words, namesAngleOrRate);
 }
 
 /// Returns whether an unused column may be the time although its name leaves that open: its values only rise, and it

@@ -4,6 +4,7 @@
 #include "core/import/cells.h"
 #include "core/import/column_values.h"
 #include "core/import/crank_angles.h"
+#include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
@@ -27,11 +28,13 @@ ColumnChoice choiceFor(const RawTable &table, const RawColumn &column, ColumnRol
     return {column.index, role, channel, std::move(unit), isUnique ? heading : '#' + std::to_string(column.index + 1)};
 }
 
-/// Returns whether the values only rise or only fall, so that they may be time stamps or crank angles.
+/// Returns whether the values only rise or only fall, so that they may be time stamps or crank angles, and the heading
+/// is none of another quantity, such as a ratio.
 bool mayBeAbscissa(const RawColumn &column)
 {
     const bool isFree = !column.isUsed() || column.use.channel == kCrankAngle;
-    return isFree && rangeOf(column.values).count == column.values.size() && column.values.size() > 1 &&
+    return isFree && !namesOtherQuantity(wordsOf(column.name)) && column.meaning.reason != ColumnReason::UnknownUnit &&
+           rangeOf(column.values).count == column.values.size() && column.values.size() > 1 &&
            (isTurningAngle(column) || (!isConstant(column) && !findReversal(column.values)));
 }
 

@@ -82,6 +82,20 @@ bool areBracketsOfName(std::string_view text, std::size_t begin, std::string_vie
     return isIndex || (whole.kind != Kind::Nothing && !whole.hasUnknownWords);
 }
 
+void splitAtEnd(std::string_view text, Heading &heading);
+
+/// Returns the unit behind a symbol that suits a name: "cm" of "x_B in cm", "d, cm" and "x/cm". Returns an empty text
+/// if there is none.
+std::string_view unitBehindSymbol(std::string_view text, std::string_view name)
+{
+    Heading heading;
+    splitAtEnd(text, heading);
+    const std::string &unit = heading.use.unit;
+    const NameMeaning meaning = unit.empty() || !beginsWithSymbol(heading) ? NameMeaning() : meaningOf(name, unit);
+    const bool isUnit = !meaning.hasUnknownWords && suits(meaning, unit) && text.ends_with(unit);
+    return isUnit ? text.substr(text.size() - unit.size()) : std::string_view();
+}
+
 /// Returns the unit in the brackets from `begin` to `end`, which may be empty or unknown; nullopt if what they contain
 /// is a part of the name or a remark. A remark may follow a unit that suits a known name: "Crank angle (deg,
 /// unwrapped)". An unknown unit is only at the end of the heading.
@@ -96,6 +110,9 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     const NameMeaning meaning = meaningOf(name, unit);
     if (unit.size() < content.size() && !meaning.hasUnknownWords && suits(meaning, unit)) {
         return content.substr(0, unit.size());
+    }
+    if (const std::string_view ofSymbol = unitBehindSymbol(content, name); !ofSymbol.empty()) {
+        return ofSymbol;
     }
     const bool isRemark = text[begin] == '<' || (text[begin] == '(' && isRemarkInBrackets(content));
     const bool isAtEnd = end + 1 == text.size();
@@ -556,10 +573,10 @@ Heading parseHeading(std::string_view cell)
 {
     static const Spellings kQuotedCharacters{{"\"\"", "\""}, {"\r\n", " "}, {"\n", " "}};
     // Commands of LaTeX, the wide brackets of Chinese and Japanese, and the quotation marks of word processors.
-    static const Spellings kMarkup{{"$", ""},      {"\\mathrm", ""}, {"\\text", ""},  {"\\rm", ""},   {"\\si", ""},
-                                   {"\\unit", ""}, {"\\left", ""},   {"\\right", ""}, {"\\frac", ""}, {"}{d", "/d"},
-                                   {"（", "("},    {"）", ")"},      {"［", "["},     {"］", "]"},    {"／", "/"},
-                                   {"“", ""},      {"”", ""}};
+    static const Spellings kMarkup{{"$", ""},      {"\\mathrm", ""}, {"\\text", ""}, {"\\rm", ""},    {"\\si", ""},
+                                   {"\\unit", ""}, {"\\,", " "},     {"\\left", ""}, {"\\right", ""}, {"\\frac", ""},
+                                   {"}{d", "/d"},  {"（", "("},      {"）", ")"},    {"［", "["},     {"］", "]"},
+                                   {"／", "/"},    {"“", ""},        {"”", ""}};
     Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
     const std::string text = withoutRun(withoutEnclosure(kMarkup.replacedIn(heading.use.heading)));
     heading.name = text;

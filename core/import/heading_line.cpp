@@ -16,9 +16,13 @@ namespace
 using Kind = NameMeaning::Kind;
 
 /// Returns whether a cell continues the heading in the cell before it, as the unit in "Time, s", the symbol with its
-/// unit in "Position, x (mm)" and the number of the measurement in "Position (m), Run #1" do.
+/// unit in "Position, x (mm)", the number of the measurement in "Position (m), Run #1" and the end of the brackets in
+/// "Crank angle (deg, CW)" do.
 bool continuesHeading(std::string_view before, std::string_view cell)
 {
+    if (std::ranges::count(before, '(') > std::ranges::count(before, ')')) {
+        return true;
+    }
     const Heading first = parseHeading(before);
     const Heading second = parseHeading(cell);
     const Channel channel = first.meaning.channel;

@@ -238,7 +238,7 @@ std::string_view withoutCommentMark(std::string_view line)
     const std::string_view text = trimmed(line);
     for (const std::string_view mark : {"#", "%", "//", "!", "--", "*"}) {
         const std::size_t end = text.starts_with(mark) ? text.find_first_not_of(mark[0]) : text.npos;
-        if (end != text.npos) {
+        if (end != text.npos && !text.starts_with("% of ")) { // "% of cycle" is a heading
             return trimmed(text.substr(end));
         }
     }

@@ -91,7 +91,8 @@ Coordinate coordinateOf(const NameReading &name, bool isAngle)
 bool isOfAngle(const NameReading &name, const std::optional<Unit> &unit, const NamePath &path)
 {
     const bool isAlone = !name.order && !name.hasSymbol && name.axis == ' ' && !name.derivatives; // "coupler"
-    const bool isOfCoupler = name.body == Body::Coupler && (isAlone || path.isInSi); // "/joint_states/rod/position"
+    const bool isCoordinate = isAlone || path.isInSi || name.symbol == "q"; // "/joint_states/rod/position", "q_rod"
+    const bool isOfCoupler = name.body == Body::Coupler && isCoordinate;
     const Dimension withoutUnit = isOfCoupler ? Dimension::Angle : Dimension::Length;
     return name.dimension.value_or(unit ? unit->dimension : withoutUnit) == Dimension::Angle;
 }
@@ -293,14 +294,20 @@ bool isRelative(std::string_view name)
            isAmong(name.substr(slash + 1), "A B C O A} B}") && lowerCase(name[slash - 1]) != name[slash - 1];
 }
 
-/// Returns whether a name is the ratio of two quantities with the same symbol: "omega3/omega2".
+/// Returns whether a name is the ratio of two quantities with the same symbol, "omega3/omega2", "t/T", or of a length
+/// to that of a link, "x/a".
 bool isRatio(std::string_view name)
 {
     const std::size_t slash = std::min(name.find('/'), name.size());
     const Words numerator = wordsOf(name.substr(0, slash));
     const Words denominator = wordsOf(name.substr(slash));
-    return !numerator.empty() && !denominator.empty() && numerator[0] == denominator[0] &&
-           findWord(numerator[0], WordUse::Symbol);
+    if (numerator.empty() || denominator.empty()) {
+        return false;
+    }
+    const bool areAlike = numerator[0] == denominator[0];
+    const bool isToLink = numerator.size() == 1 && isAmong(numerator[0], "x s d") && denominator.size() == 1 &&
+                          isAmong(denominator[0], "a b l r");
+    return isToLink || (areAlike && (findWord(numerator[0], WordUse::Symbol) || numerator[0] == "t"));
 }
 
 /// Returns whether a word names the z axis, as in "z", "vz" and "pz".
@@ -441,6 +448,11 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
         return *meaning;
     }
     derivatives += takeDerivatives(words);
+    const bool isAngularAcceleration =
+        !unit.empty() && parseColumnUnit(unit, ColumnRole::Channel, {Theta3, Order::Acceleration});
+    if (isAngularAcceleration && !words.empty() && words.front() == "a") { // "a3 (rad/s²)"
+        words.front() = "alpha";
+    }
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
@@ -463,8 +475,11 @@ std::string_view withoutOrigin(std::string_view name)
 
 NameMeaning meaningOf(std::string_view name, const std::string &unit)
 {
-    if (name.size() > kLongestName || isMagnitude(name) || isRelative(name) || isRatio(name)) {
+    if (name.size() > kLongestName || isMagnitude(name) || isRelative(name)) {
         return {};
+    }
+    if (isRatio(name)) {
+        return {.reason = ColumnReason::UnknownUnit};
     }
     if (const std::optional<std::string> derivative = derivativeOfDifferences(name)) {
         NameMeaning meaning = meaningOf(*derivative, unit);

@@ -46,16 +46,16 @@ const Spellings kLetterSpellings{
     {"ϑ", "theta"},   {"Θ", "theta"},   {"φ", "phi"},     {"ϕ", "phi"},     {"Φ", "phi"},     {"ψ", "psi"},
     {"Ψ", "psi"},     {"ω", "omega"},   {"Ω", "omega"},   {"α", "alpha"},   {"β", "beta"},    {"ε", "epsilon"},
     {"ϵ", "epsilon"}, {"ß", "ss"},      {"ˍtt", "'' "},   {"ˍt", "' "},     {"²", "2"},       {"³", "3"},
-    {"⁴", "4"},       {"ₓ", "x"},       {"₁", "1"},       {"₂", "2"},       {"₃", "3"},       {"₄", "4"},
-    {"n°", ""},       {"nº", ""},       {"°", ""},        {"aTDC", "atdc"}, {"der(", "dot "}, {"\\var", ""},
-    {"\\,", ""}};
+    {"⁴", "4"},       {"ₓ", "x"},       {"ᵦ", "b"},       {"₁", "1"},       {"₂", "2"},       {"₃", "3"},
+    {"₄", "4"},       {"n°", ""},       {"nº", ""},       {"°", ""},        {"aTDC", "atdc"}, {"der(", "dot "},
+    {"\\var", ""},    {"\\,", ""}};
 
 constexpr std::string_view kTimeWords =
     "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd denbora 시간 "
     "czas tid cas timp zaman sure epoch millis micros время 时间 時間 時刻 ido aika";
 constexpr std::string_view kTimeCompanions =
     "elapsed row sim simulation simulacion transcurrido de la since start date relative run "
-    "latest data set ch mechanism kin";
+    "latest data set ch mechanism kin current reference ref cycle";
 constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 constexpr std::string_view kTurnsPerSecond = "rps drehfrequenz crank_frequency rotation_frequency";
@@ -134,7 +134,7 @@ constexpr std::array kRows{
                 "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
                 "kluky klukoveho 크랭크 кривошип 曲柄 曲轴 クランク link_2 glied_2 eslabon_2 barra_2 bar_2 membro_2",
                 kOpen, kOpen, Crank},
-    WordMeaning{Word, "ca cad kw owk kurbelw atdc drehwinkel", Angle, Position, Crank},
+    WordMeaning{Word, "ca cad kw owk kurbelw atdc drehwinkel omega_t w_t", Angle, Position, Crank},
     WordMeaning{Word,
                 "coupler coup rod conrod connecting biela bielle biella bielei acoplador pleuel pleuelstange koppel "
                 "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
@@ -215,7 +215,8 @@ constexpr std::array kRows{
                 "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
                 "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
                 "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
-                "drift backlash holgura level count limit tilt"},
+                "drift backlash holgura level count limit tilt cycle ciclo zyklus percent percentage pct porcentaje "
+                "prozent pourcentage percentuale fraction"},
     WordMeaning{Label,
                 "body part joint link barra eslabon pin gelenk point punkt punto node marker of de del von du di do"},
 };
@@ -326,6 +327,11 @@ bool isRowNumber(const Words &words)
     const bool isUnnamed = words.size() == 2 && words[0] == "unnamed"; // "Unnamed: 0" of pandas
     return isUnnamed ||
            (!words.empty() && areAmong(words, kRowNumbers, kRowNumberCompanions) && !isDigits(words.back()));
+}
+
+bool namesOtherQuantity(const Words &words)
+{
+    return std::ranges::any_of(words, [](const std::string &word) { return findWord(word, WordUse::OtherQuantity); });
 }
 
 bool namesQuantity(const Words &words)

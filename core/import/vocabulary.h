@@ -70,6 +70,9 @@ bool namesStatistic(const std::vector<std::string> &words);
 /// Returns whether the words name the number of a row.
 bool isRowNumber(const std::vector<std::string> &words);
 
+/// Returns whether one of the words is that of a quantity which is no channel: "error", "force", "percent".
+bool namesOtherQuantity(const std::vector<std::string> &words);
+
 /// Returns whether a word names the quantity or its axis, and not only the body.
 bool namesQuantity(const std::vector<std::string> &words);
 

@@ -230,6 +230,7 @@ const std::vector<Layout> kLayouts{
      "time R4_x R4_x_diff"},
 };
 
+    {"Crank angle (deg, CW),Slider (mm)\n0,85\n90,84\n180,80\n", "angle R4_x"},
 struct RefusedFile {
     const char *name;
     Kind kind;
