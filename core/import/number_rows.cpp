@@ -58,7 +58,7 @@ NumberRow findFirstRow(Lines lines)
                     const std::size_t sizeOfNext = i + 1 < lines.size() ? sizeOfRow(lines[i + 1], delimiter) : 0;
                     size = std::max(countCells(lines[i].text, delimiter), sizeOfNext);
                 }
-                return {std::move(cells), delimiter, size, i};
+                return {std::move(cells), delimiter, size, i, lines[i].text};
             }
         }
     }

@@ -20,6 +20,7 @@ struct NumberRow {
     std::size_t sizeWithEmptyCells = 0; ///< number of cells of this row, or of the next one if it has more, with empty
                                         ///< ones at the end
     std::size_t line = 0;               ///< index among the lines of the file
+    std::string_view text{};            ///< of the line, which contains the cells
 
     bool isFound() const { return !cells.empty(); }
 

@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr double kUnreadable = kInfinity;
-constexpr std::size_t kFewestCells = 2; // in a row: other missing cells at the end are gaps
+constexpr std::size_t kFewestCells = 2; // in a row that is read
 
 CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign decimalSign)
 {
@@ -33,7 +33,7 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
 
 /// Reads row `row` of a file into the columns of that file, and their digits into the rounding. Cells that are no
 /// numbers become kUnreadable, missing cells at the end stay gaps. If the row has non-empty cells beyond the last
-/// column, or fewer than two cells, all its values become kUnreadable. Returns the number of cells.
+/// column, or too few cells, all its values become kUnreadable. Returns the number of cells.
 std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
 {
     const std::span<RawColumn> columns = table.columnsOf(file);
@@ -55,7 +55,7 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
             column.rounding.observe(number.places, number.value);
         }
     }
-    if (hasTooManyCells || cells < std::min(columns.size(), kFewestCells)) {
+    if (hasTooManyCells || cells < file.fewestCells) {
         std::ranges::for_each(columns, [row](RawColumn &column) { column.values[row] = kUnreadable; });
     }
     return cells;
@@ -69,8 +69,18 @@ bool isStatistic(const TableFile &file, const Line &row)
 }
 
 /// Returns the number of rows above the footer. The footer consists of the last rows whose first cell is a word
-/// ("Mean") or, if the whole first column contains words, the name of a statistic. If no row would remain, there is no
-/// footer.
+/// Returns the smallest number of cells of a row. Between spaces, a gap in the middle cannot be told from one at the
+/// end, so that a row with fewer cells than the longest one is skipped, unless most rows are such. `counts`: of the
+/// cells of each row.
+std::size_t fewestCellsOf(const TableFile &file, std::span<const std::size_t> counts)
+{
+    const std::size_t longest = counts.empty() ? 0 : std::min(std::ranges::max(counts), file.width);
+    const auto shorter = std::ranges::count_if(counts, [longest](std::size_t cells) { return cells < longest; });
+    const bool areGapsOpen = file.layout.delimiter == ' ' && 2 * shorter < std::ssize(counts);
+    return areGapsOpen ? longest : std::min(file.width, kFewestCells);
+}
+
+/// ("Mean") or, if the whole first column contains words, the name of a statistic. It has fewer rows than remain above.
 std::size_t countRowsAboveFooter(const TableFile &file, const RawColumn &first)
 {
     const auto isWord = [](double value) { return std::isinf(value); };
@@ -79,7 +89,7 @@ std::size_t countRowsAboveFooter(const TableFile &file, const RawColumn &first)
     while (end > 0 && (areWords ? isStatistic(file, file.rows[end - 1]) : isWord(first.values[end - 1]))) {
         --end;
     }
-    return end > 0 ? end : first.values.size();
+    return 2 * end > first.values.size() ? end : first.values.size();
 }
 
 /// Returns the number of rows at the beginning that begin with the name of a statistic. Rows that
@@ -192,16 +202,20 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
         column.use.file = table.files.size() - 1;
         column.values.assign(file.rows.size(), kNone);
     }
-    std::size_t cells = 0; // of the longest row
+    std::vector<std::size_t> counts(file.rows.size()); // of the cells
+    file.fewestCells = std::min(file.width, kFewestCells);
     for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        cells = std::max(cells, readRow(table, file, row));
+        counts[row] = readRow(table, file, row);
         const std::size_t done = row + 1;
         if ((done % kReportEvery == 0 || done == file.rows.size()) &&
             !progress(static_cast<double>(done) / static_cast<double>(file.rows.size()))) {
             throw ReadError{.fault = {ReadFault::Kind::Stopped}};
         }
     }
-    requireCellForEachHeading(table.columnsOf(file), file, cells);
+    requireCellForEachHeading(table.columnsOf(file), file, counts.empty() ? 0 : std::ranges::max(counts));
+    file.fewestCells = fewestCellsOf(file, counts);
+    const bool hasShortRows =
+        std::ranges::any_of(counts, [&file](std::size_t cells) { return cells < file.fewestCells; });
     const std::size_t begin = countStatisticsAbove(file);
     const std::size_t end =
         file.width > 0 ? countRowsAboveFooter(file, table.columnsOf(file).front()) : file.rows.size();
@@ -210,7 +224,7 @@ void readTable(const FileBytes &bytes, const std::function<bool(double part)> &p
         column.cells.missing = findMissingValue(column);
         hasMissingValues = hasMissingValues || !std::isnan(column.cells.missing);
     }
-    if (begin > 0 || end < file.rows.size() || hasMissingValues) {
+    if (begin > 0 || end < file.rows.size() || hasMissingValues || hasShortRows) {
         keepRows(table, file, begin, end);
     }
 }
@@ -238,7 +252,7 @@ SkippedRow findRowFault(RawTable &table, std::size_t row)
         i = faultOfFirst ? 0 : i; // the row was removed because of the word at its beginning
         fault = faultOfFirst.value_or(RowFault::NoTime);
     } else if (!fault) {
-        const bool hasTooFew = cells.size() < std::min(file.width, kFewestCells);
+        const bool hasTooFew = cells.size() < file.fewestCells;
         fault = hasTooFew ? RowFault::TooFewCells : RowFault::TooLarge; // once converted
     }
     return {line.number, i + 1, excerpt(cellAt(i)), *fault, column.use.file};

@@ -59,6 +59,7 @@ struct TableFile {
     std::vector<Line> rows{};    ///< refer to the bytes or to `converted`
     std::size_t firstColumn = 0; ///< in the table
     std::size_t width = 0;       ///< number of columns
+    std::size_t fewestCells = 0; ///< of a row; other missing cells are gaps at its end
     bool hasAbscissa = false;    ///< whether one of them contains the time stamps or crank angles
 };
 

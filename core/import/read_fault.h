@@ -53,6 +53,7 @@ struct ReadFault {
         NoCertainChannel, ///< the column with `heading` could be one, apart from `column`
         NoNumbers,        ///< below the headings
         NoRow,            ///< can be read; `row` is the reason for the first one
+        MostRows,         ///< cannot be read, although they have numbers; `row` as for NoRow
         NoValues,         ///< besides the time
         TimeNotRising,
         TimeStartsAgain, ///< another motion begins

@@ -132,6 +132,27 @@ ReadError errorOfRows(const TableFile &file, const SkippedRow &row)
                       .numbers = splitCells(line->text, file.layout.delimiter).size()}};
 }
 
+/// Throws if most rows with numbers cannot be read, as the few others hardly are what a person expects of the file.
+/// `used`: the rows that can be read.
+void requireMostRows(RawTable &table, const std::vector<std::size_t> &used)
+{
+    std::vector<std::size_t> unreadable;
+    for (std::size_t row = 0; row < table.abscissa()->values.size(); ++row) {
+        const auto isUnreadable = [row](const RawColumn &column) {
+            return column.isUsed() && std::isinf(column.values[row]);
+        };
+        const auto isRead = [row](const RawColumn &column) {
+            return column.isUsed() && std::isfinite(column.values[row]);
+        };
+        if (std::ranges::any_of(table.columns, isUnreadable) && std::ranges::any_of(table.columns, isRead)) {
+            unreadable.push_back(row);
+        }
+    }
+    if (unreadable.size() > used.size()) {
+        throw errorAt(findRowFault(table, unreadable.front()), Fault::MostRows);
+    }
+}
+
 /// Returns the used columns without the rows that are skipped. Tables over the crank angle have the angles as time
 /// stamps.
 ReferenceData collect(RawTable &table)
@@ -144,6 +165,7 @@ ReferenceData collect(RawTable &table)
         throw data.skipped.empty() ? ReadError{.line = file.layout.headerLine, .fault = {Fault::NoNumbers}}
                                    : errorOfRows(file, data.skipped.front());
     }
+    requireMostRows(table, rows);
     data.lines = rows;
     std::ranges::for_each(data.lines, [&file](std::size_t &row) { row = file.rows[row].number; });
     for (RawColumn &column : table.columns) {

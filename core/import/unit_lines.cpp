@@ -6,6 +6,7 @@
 #include "core/import/vocabulary.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <string>
 
 namespace slidercrank
@@ -40,6 +41,31 @@ enum class Annotation {
     Numbers
 };
 
+/// Returns the distance of the middle of a cell from the beginning of its line, doubled.
+std::ptrdiff_t middleOf(std::string_view cell, std::string_view line)
+{
+    return 2 * (cell.data() - line.data()) + std::ssize(cell);
+}
+
+/// Returns the cells of a line that has fewer of them than the row of numbers: each one above the nearest number, with
+/// empty ones between them. Returns the cells as they are if two have the same nearest number.
+Cells alignedWithRow(const Cells &cells, std::string_view line, const NumberRow &row)
+{
+    Cells aligned;
+    for (const std::string_view cell : cells) {
+        const auto nearest = std::ranges::min_element(row.cells, {}, [&](std::string_view number) {
+            return std::abs(middleOf(number, row.text) - middleOf(cell, line));
+        });
+        const auto column = static_cast<std::size_t>(nearest - row.cells.begin());
+        if (column < aligned.size()) {
+            return cells;
+        }
+        aligned.resize(column);
+        aligned.push_back(cell);
+    }
+    return aligned;
+}
+
 /// Splits a line between the headings and the numbers into cells.
 Cells splitAnnotation(std::string_view line, const NumberRow &row, std::size_t headings)
 {
@@ -47,7 +73,11 @@ Cells splitAnnotation(std::string_view line, const NumberRow &row, std::size_t h
     if (const Cells units = splitUnits(unmarked, headings); !units.empty()) {
         return units;
     }
-    return row.delimiter == ' ' ? readNames(line, row).cells : splitCells(unmarked, row.delimiter);
+    if (row.delimiter != ' ') {
+        return splitCells(unmarked, row.delimiter);
+    }
+    const Cells cells = readNames(line, row).cells;
+    return cells.size() < row.cells.size() ? alignedWithRow(cells, line, row) : cells;
 }
 
 /// Returns whether a line below the headings is a second line of them: it names quantities, and states their units or

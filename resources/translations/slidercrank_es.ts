@@ -4045,6 +4045,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>no se puede leer ninguna fila, y esta por: %3. Escriba los números como 0.005, o como 0,005 con las columnas separadas por punto y coma o tabuladores.</translation>
     </message>
     <message>
+        <source>most rows cannot be read, the first one because of: %3. Write every value as a number, such as 0.005, or leave the column out.</source>
+        <translation>no se puede leer la mayoría de las filas; la primera, por: %3. Escriba cada valor como un número, por ejemplo 0.005, o deje fuera la columna.</translation>
+    </message>
+    <message>
         <source>no column other than the time contains a number.</source>
         <translation>ninguna columna, aparte del tiempo, contiene un número.</translation>
     </message>

@@ -75,6 +75,9 @@ public:
         {FaultKind::NoRow,
          QT_TR_NOOP("no row can be read, this one because of: %3. Write numbers as 0.005, or as 0,005 with columns "
                     "separated by semicolons or tabs.")},
+        {FaultKind::MostRows,
+         QT_TR_NOOP("most rows cannot be read, the first one because of: %3. Write every value as a number, such as "
+                    "0.005, or leave the column out.")},
         {FaultKind::NoValues, QT_TR_NOOP("no column other than the time contains a number.")},
         {FaultKind::TimeNotRising,
          QT_TR_NOOP(
