@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
+#include <utility>
 
 namespace slidercrank
 {
@@ -105,6 +107,50 @@ std::string withoutSeparators(std::string_view text)
         return {};
     }
     return isNegative ? '-' + plain : plain;
+}
+
+/// Returns the text without what a program wrote around the number in it: ="0.5" of spreadsheets, \num{0.5} of LaTeX.
+std::string_view withoutMarkup(std::string_view text)
+{
+    using Marks = std::pair<std::string_view, std::string_view>;
+    for (const auto &[before, after] : {Marks{"=\"", "\""}, Marks{"\\num{", "}"}}) {
+        if (text.size() > before.size() && text.starts_with(before) && text.ends_with(after)) {
+            return text.substr(before.size(), text.size() - before.size() - after.size());
+        }
+    }
+    return text;
+}
+
+/// Returns the value of a multiple of π, "π", "-π/6", "3π/4", "0.5*pi" or "2 π / 3"; nullopt for another text.
+std::optional<double> multipleOfPi(std::string_view text)
+{
+    static const Spellings kPlainSpellings{{"\\pi", "π"}, {"pi", "π"}, {"\u2212", "-"},
+                                           {"*", ""},     {"·", ""},   {" ", ""}};
+    const std::string plain = kPlainSpellings.replacedIn(text);
+    const std::size_t at = plain.find("π");
+    if (at == plain.npos) {
+        return std::nullopt;
+    }
+    const auto numberIn = [](const std::string &part) { // 1 where none is printed
+        return part.empty() ? CellNumber{.value = 1.0} : parsePlain(part);
+    };
+    const bool isNegative = plain.starts_with('-');
+    const std::string after = plain.substr(at + std::string_view("π").size());
+    const CellNumber factor = numberIn(plain.substr(isNegative ? 1 : 0, at - (isNegative ? 1 : 0)));
+    const CellNumber divisor = numberIn(after.substr(after.starts_with('/') ? 1 : 0));
+    const bool isQuotient = after.empty() || (after.starts_with('/') && after.size() > 1);
+    if (!isQuotient || factor.fault || divisor.fault || !(divisor.value > 0.0)) {
+        return std::nullopt;
+    }
+    return (isNegative ? -1.0 : 1.0) * factor.value * std::numbers::pi / divisor.value;
+}
+
+/// Returns the digits of a number that was not printed: as many as a double has.
+PrintedPlaces placesOfDouble(double value)
+{
+    constexpr int kDigits = 17;
+    const int first = value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
+    return {value == 0.0, first, first - kDigits + 1, first - kDigits + 1};
 }
 
 /// Returns where the quotation mark at `opening` is closed, or the end of the text. Two marks are one in the quotation.
@@ -232,6 +278,12 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
         number.fault.reset();
         return number;
     }
+    if (const std::string_view inner = withoutMarkup(text); inner.size() < text.size()) {
+        return parseNumber(inner, DecimalSign::Point);
+    }
+    if (const std::optional<double> multiple = multipleOfPi(text)) {
+        return {.value = *multiple, .places = placesOfDouble(*multiple), .isInRadians = true};
+    }
     if (const std::size_t end = text.find("±"); end != 0 && end != text.npos) {
         return parseNumber(trimmed(text.substr(0, end)), DecimalSign::Point);
     }
@@ -265,9 +317,10 @@ CellNumber parseClock(std::string_view text)
 
 bool looksNumeric(std::string_view text)
 {
-    const std::string plain = withPlainSpelling(text);
-    return std::ranges::any_of(plain, isDigit) && !plain.starts_with('e') &&
-           plain.find_first_not_of("0123456789+-.,eE'") == plain.npos;
+    const std::string plain = withPlainSpelling(withoutMarkup(text));
+    const bool areDigits = std::ranges::any_of(plain, isDigit) && !plain.starts_with('e') &&
+                           plain.find_first_not_of("0123456789+-.,eE'") == plain.npos;
+    return areDigits || multipleOfPi(text);
 }
 
 NumberWithUnit splitUnit(std::string_view text)

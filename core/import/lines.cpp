@@ -213,9 +213,9 @@ std::vector<Line> splitLines(std::string_view text)
 
 bool isData(std::string_view line)
 {
-    constexpr std::size_t kMaxSigns = 3; // before the first digit: a quotation mark or "$", a sign and a decimal sign
+    constexpr std::size_t kMaxSigns = 3; // before the first digit: '"', '="' or "$", a sign and a decimal sign
     const std::string_view text = trimmed(line);
-    const std::size_t digit = text.find_first_not_of("+-.,\"$");
+    const std::size_t digit = text.find_first_not_of("+-.,\"$=");
     if (digit == text.npos || !isDigit(text[digit]) || digit > kMaxSigns) {
         return false;
     }

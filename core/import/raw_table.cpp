@@ -19,6 +19,7 @@ namespace
 constexpr double kUnreadable = kInfinity;
 constexpr std::size_t kFewestCells = 2; // in a row that is read
 
+/// Parses a cell of a column. A multiple of π is no number if the unit of the column is not rad.
 CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign decimalSign)
 {
     if (const std::string_view label = column.cells.label; cell.starts_with(label)) {
@@ -28,7 +29,11 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
     if (!unit.empty() && cell.ends_with(unit)) {
         cell = trimmed(cell.substr(0, cell.size() - unit.size()));
     }
-    return column.cells.isClock ? parseClock(cell) : parseNumber(cell, decimalSign);
+    CellNumber number = column.cells.isClock ? parseClock(cell) : parseNumber(cell, decimalSign);
+    if (number.isInRadians && !column.use.unit.empty() && parseUnit(column.use.unit) != parseUnit("rad")) {
+        number = {.fault = RowFault::NotANumber};
+    }
+    return number;
 }
 
 /// Reads row `row` of a file into the columns of that file, and their digits into the rounding. Cells that are no
@@ -50,6 +55,9 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
         if (number.value == column.cells.missing) {
             number = {};
         }
+        if (number.isInRadians) {
+            column.use.unit = "rad"; // it had this unit or none
+        }
         column.values[row] = number.fault ? kUnreadable : number.value;
         if (!std::isnan(number.value)) {
             column.rounding.observe(number.places, number.value);
@@ -61,14 +69,6 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
     return cells;
 }
 
-/// Returns whether a row begins with the name of a statistic, such as "Mean".
-bool isStatistic(const TableFile &file, const Line &row)
-{
-    std::string_view rest = row.text;
-    return namesStatistic(wordsOf(takeCell(rest, file.layout.delimiter)));
-}
-
-/// Returns the number of rows above the footer. The footer consists of the last rows whose first cell is a word
 /// Returns the smallest number of cells of a row. Between spaces, a gap in the middle cannot be told from one at the
 /// end, so that a row with fewer cells than the longest one is skipped, unless most rows are such. `counts`: of the
 /// cells of each row.
@@ -80,6 +80,14 @@ std::size_t fewestCellsOf(const TableFile &file, std::span<const std::size_t> co
     return areGapsOpen ? longest : std::min(file.width, kFewestCells);
 }
 
+/// Returns whether a row begins with the name of a statistic, such as "Mean".
+bool isStatistic(const TableFile &file, const Line &row)
+{
+    std::string_view rest = row.text;
+    return namesStatistic(wordsOf(takeCell(rest, file.layout.delimiter)));
+}
+
+/// Returns the number of rows above the footer. The footer consists of the last rows whose first cell is a word
 /// ("Mean") or, if the whole first column contains words, the name of a statistic. It has fewer rows than remain above.
 std::size_t countRowsAboveFooter(const TableFile &file, const RawColumn &first)
 {

@@ -148,7 +148,7 @@ constexpr std::array<NamedUnit, 33> kUnits{{
     {"fps", {Dimension::Length, 1, 304.8}},
     {"rad рад radian radians radianes radianos radianti radianen", {Dimension::Angle, 0, kDegreesPerRadian}},
     {"mrad", {Dimension::Angle, 0, 1e-3 * kDegreesPerRadian}},
-    {"pirad", {Dimension::Angle, 0, 180.0}},
+    {"pirad pi π", {Dimension::Angle, 0, 180.0}},
     {"gon gons gradian gradians grads", {Dimension::Angle, 0, 0.9}},
     {"rev revs revolution revolutions turn turns r u об tr tour tours giri vuelta vueltas umdrehung umdrehungen obr "
      "omw varv "

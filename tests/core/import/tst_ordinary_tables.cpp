@@ -129,6 +129,10 @@ const std::vector<Layout> kLayouts{
     {"[('t', 'x (mm)', 'v'),\n(0.0, 85.0, 1.0),\n(1.0, 84.0, 2.0),\n(2.0, 80.0, 3.0)]\n", "time R4_x R4_x_diff"},
     {"% t [s], x [mm], v [mm/s]\nA = [\n0 85 1;\n1 84 2;\n2 80 3;\n];\n", "time R4_x R4_x_diff"},
     {"// t, x\nconst double motion[][2] = {\n  {0.0, 85.0},\n  {1.0, 84.0},\n  {2.0, 80.0},\n};\n", "time R4_x"},
+    {"\\begin{tabular}{rr}\n\\hline\n$t\\,/\\,\\unit{\\s}$ & $s\\,/\\,\\unit{\\mm}$\\\\ \\hline\n"
+     "\\num{0} & \\num{85}\\\\\n\\num{1} & \\num{84}\\\\\n\\num{2} & \\num{80}\\\\\n\\hline\n\\end{tabular}\n",
+     "time R4_x"},
+    {"t;x\n=\"0\";=\"85\"\n=\"1\";=\"84\"\n=\"2\";=\"80\"\n", "time R4_x"}, // text for spreadsheets
     {"$t$ & $x$ \\\\\n$0$ & $85$ \\\\\n$1$ & $84$ \\\\\n$2$ & $80$ \\\\\n", "time R4_x"},
     {"t;x\n0;8,5·10^1\n1·10^0;8,4·10^1\n2·10⁰;8,0·10¹\n", "time R4_x"},
     {"t,x\n0,0.85*^2\n1,0.84×10^+02\n2,800×10⁻¹\n", "time R4_x"},
@@ -185,13 +189,13 @@ const std::vector<Layout> kLayouts{
     {"Case;Time;Slider;\n;[s];x [mm];v [mm/s]\nopen;0;85;1\nopen;1;84;2\nopen;2;80;3\n", "- time R4_x R4_x_diff"},
     {"No.|Crank angle|Slider|Notes\n|[deg]|Position [mm]|\n1|0|85|\n2|90|84|\n3|180|80|\n", "- angle R4_x -"},
     {"angle;position;angle\ndeg;mm;deg\n0;85;22\n90;84;5\n180;80;22\n", "angle R4_x theta3"},
+    {"Time   Slider     Slider     Crank\n       position   velocity   angle\n[s]    [mm]       [mm/s]     [deg]\n"
+     "0      85         1          0\n1      84         2          90\n2      80         3          180\n",
+     "time R4_x R4_x_diff theta2"},
     // Remarks in brackets that are no units.
     {"t (s);x (exp)\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"t (s);x (abs)\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"Zeit t;Weg x;v (theor.);v (num.)\ns;mm;mm/s;mm/s\n0;85;1;1\n1;84;2;1\n2;80;3;1\n", "time R4_x - -"},
-    {"Time   Slider     Slider     Crank\n       position   velocity   angle\n[s]    [mm]       [mm/s]     [deg]\n"
-     "0      85         1          0\n1      84         2          90\n2      80         3          180\n",
-     "time R4_x R4_x_diff theta2"},
     {"t;x (FD2)\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},                             // above the unit
     {"Zeit;Kolben [mm];Winkel [\xA1]\n0;85;1\n1;84;2\n2;80;1\n", "time R4_x theta3"}, // Macintosh
     {"\xC2\xF0\xE5\xEC\xFF, \xF1;\xCF\xEE\xEB\xEE\xE6\xE5\xED\xE8\xE5 \xEF\xEE\xEB\xE7\xF3\xED\xE0, "
@@ -226,6 +230,7 @@ const std::vector<Layout> kLayouts{
     {"t;x;y;v_x;x;y;v_x\n0;85;5;0;40;0;0\n1;84;5;-3;0;40;9\n2;80;5;-2;-40;0;0\n", "time R4_x R4_y R4_x_diff - - -"},
     // Headings that contain the delimiter.
     {"Time, s,Piston position, x (mm)\n0,85\n1,84\n2,80\n", "time R4_x"},
+    {"Crank angle (deg, CW),Slider (mm)\n0,85\n90,84\n180,80\n", "angle R4_x"},
     {"Time, t (s), Position, x (mm), Velocity, v (mm/s)\n0,85,1\n1,84,2\n2,80,3\n", "time R4_x R4_x_diff"},
     {"Time (s),Position (mm), Run #1\n0,85\n1,84\n2,80\n", "time R4_x"}, // PASCO
     {"θ (deg), Slider x (mm), first run\n0,85\n90,84\n180,80\n", "angle R4_x -"},
@@ -233,7 +238,6 @@ const std::vector<Layout> kLayouts{
      "time R4_x R4_x_diff"},
 };
 
-    {"Crank angle (deg, CW),Slider (mm)\n0,85\n90,84\n180,80\n", "angle R4_x"},
 struct RefusedFile {
     const char *name;
     Kind kind;
@@ -303,6 +307,54 @@ private slots:
         const ReferenceData &data = std::get<ReferenceData>(outcome);
         QCOMPARE(data.layout.columns[2].unit, std::string("m"));
         QCOMPARE(data.find(kX)->rounding.stepAt(100.0), 100.0);
+    }
+
+    /// The angle in multiples of π is in radians, in whatever unit the others are.
+    void readsMultiplesOfPi()
+    {
+        const Outcome outcome = read("θ2,x\n0,160\nπ/6,155\n0.5π,140\n2*pi/3,121\nπ,80\n");
+        const Outcome stated = read("θ2 (rad),x\n0,160\n\\pi/6,155\n3π/6,140\n2 π / 3,121\nπ,80\n");
+        for (const Outcome &angles : {outcome, stated}) {
+            const ReferenceData *const data = std::get_if<ReferenceData>(&angles);
+            QVERIFY2(data, described(angles).c_str());
+            for (const std::size_t row : {0U, 1U, 2U, 3U, 4U}) {
+                constexpr std::array kDegrees{0.0, 30.0, 90.0, 120.0, 180.0};
+                QVERIFY(std::abs(data->crank->degrees[row] - kDegrees[row]) < 1e-12);
+            }
+        }
+        QVERIFY(std::holds_alternative<ReadError>(read("θ2 (deg),x\n0,160\nπ/6,155\nπ/2,140\nπ,80\n")));
+        const Outcome inUnit = read("θ2/π,x\n0,160\n0.5,140\n1,80\n");
+        QCOMPARE(std::get<ReferenceData>(inUnit).crank->degrees.back(), 180.0);
+    }
+
+    /// A file is not read from the few rows that are left of it.
+    void refusesAFileOfMostlyUnreadableRows()
+    {
+        const Outcome outcome = read("t,x\n0,85\n1,8a\n2,8b\n3,80\n4,7a\n");
+        const ReadError &error = std::get<ReadError>(outcome);
+        QVERIFY(error.fault.kind == Kind::MostRows && error.line == 3 && error.column == 2 && error.text == "8a");
+        const Outcome first = read("t,x\n0,85\n1a,84\n1b,83\n1c,82\n"); // no footer
+        QVERIFY(std::get<ReadError>(first).fault.kind == Kind::MostRows);
+        QVERIFY(std::holds_alternative<ReferenceData>(read("t,x\n0,85\n1,84\nsource: lab\nday: Friday\nby: me\n")));
+    }
+
+    /// Between spaces, an empty cell in the middle looks like one at the end.
+    void skipsRowsWithAGapBetweenSpaces()
+    {
+        const Outcome outcome = read("t     x     v\n0     85    1\n1           2\n2     80    3\n3     81    4\n");
+        const ReferenceData &data = std::get<ReferenceData>(outcome);
+        QCOMPARE(data.time, (std::vector{0.0, 2.0, 3.0}));
+        QCOMPARE(data.skipped.front().fault, RowFault::TooFewCells);
+    }
+
+    /// A percentage or a ratio that rises is no time.
+    void takesNoRatioForTheTime()
+    {
+        for (const char *const name : {"% of cycle", "Cycle (%)", "t/T", "cycle percentage"}) {
+            const Outcome outcome = read(name + QByteArray(",x [mm]\n0,85\n1.5,84\n3,80\n"));
+            const ReadError *const error = std::get_if<ReadError>(&outcome);
+            QVERIFY2(error && error->fault.kind == Kind::NoTime && error->advice.empty(), name);
+        }
     }
 
     /// Below words, a row that begins with the name of a statistic is a footer.
