@@ -258,11 +258,16 @@ bool isSecondDerivative(const Heading &heading)
            meaning.doubt == Doubt::None && !words.empty() && !findWord(words[0], WordUse::Word) && words[0] != "a";
 }
 
-/// Returns whether the name is "v_p" or "a_p", of the piston.
-bool isOfPiston(const Heading &heading)
+/// Returns whether the name is "v_p" or "a_p", of the piston, or "vp" or "ap" without a "v" or "a" in the row, which it
+/// could be the derivative of.
+bool isOfPiston(const Heading &heading, std::span<const Heading> row)
 {
     const Words words = wordsOf(heading.name);
-    return words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p";
+    const std::string symbol = words.empty() ? std::string() : words[0].substr(0, 1);
+    const bool isFused = words.size() == 1 && isAmong(words[0], "vp ap");
+    const auto isSymbol = [&symbol](const Heading &other) { return lowered(other.name) == symbol; };
+    return (isFused && std::ranges::none_of(row, isSymbol)) ||
+           (words.size() == 2 && isAmong(symbol, "v a") && words[0] == symbol && words[1] == "p");
 }
 
 /// Returns whether the name is that of a displacement and no differential: "DX" of Adams, or "dx" beside "vx".
@@ -326,7 +331,8 @@ void resolveDoubts(std::vector<Heading> &row)
         return std::ranges::any_of(row, [&](const Heading &heading) { return lowered(heading.name) == name; });
     };
     const bool hasSecond = std::ranges::any_of(row, isSecondDerivative);
-    const bool hasPiston = std::ranges::any_of(row, isOfPiston);
+    const bool hasPiston =
+        std::ranges::any_of(row, [&row](const Heading &heading) { return isOfPiston(heading, row); });
     for (Heading &heading : row) {
         NameMeaning &meaning = heading.meaning;
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
@@ -342,6 +348,19 @@ void resolveDoubts(std::vector<Heading> &row)
         } else if (meaning.doubt == Doubt::IsDerivative || !isIndex) {
             meaning = {.reason = ColumnReason::UnknownBody};
         }
+    }
+}
+
+/// Decides that α is the angular acceleration where ω is before it. Otherwise its values have to tell it from an angle.
+void resolveAlphas(std::span<Heading> row)
+{
+    bool isBehindOmega = false;
+    for (Heading &heading : row) {
+        NameMeaning &meaning = heading.meaning;
+        const WordMeaning *const symbol = findWord(meaning.symbol, WordUse::Symbol);
+        isBehindOmega =
+            isBehindOmega || (symbol && symbol->dimension == Dimension::Angle && symbol->order == Order::Velocity);
+        meaning.doubt = isBehindOmega && meaning.doubt == Doubt::IsAngle ? Doubt::None : meaning.doubt;
     }
 }
 
@@ -615,6 +634,7 @@ void interpretHeadings(std::vector<Heading> &row)
         heading.meaning = meaningOf(heading.name, heading.use.unit);
     }
     resolveDoubts(row);
+    resolveAlphas(row);
     separatePoints(row);
     excludeOtherQuantities(row);
     std::ranges::for_each(row, resolveReciprocalSeconds);
