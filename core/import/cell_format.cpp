@@ -21,6 +21,33 @@ bool maySeparateThousands(std::string_view number, std::size_t sign)
     return first < sign && sign - first <= 3 && number[first] != '0' && number.size() == sign + 4;
 }
 
+/// Returns the cells of the lines without the units behind their numbers.
+std::vector<std::string_view> numbersIn(Lines lines, char delimiter)
+{
+    std::vector<std::string_view> numbers;
+    for (const Line &line : lines) {
+        for (const std::string_view cell : splitCells(line.text, delimiter)) {
+            numbers.push_back(splitUnit(cell).number);
+        }
+    }
+    return numbers;
+}
+
+/// Returns whether a text is a number with a decimal point, or without any decimals.
+bool isWithPoint(std::string_view text)
+{
+    return !parseNumber(text, DecimalSign::Point).fault;
+}
+
+/// Returns whether a text is a number with a decimal comma, or without any decimals. Between commas, "1,234" may have a
+/// comma between thousands: then it is a number with a decimal point, too, as "1,234.0" is.
+bool isWithComma(std::string_view text, char delimiter)
+{
+    const bool hasComma = text.find(',') != text.npos;
+    const bool hasThousands = delimiter == ',' && hasComma && isWithPoint(std::string(text) + ".0");
+    return !hasThousands && !parseNumber(text, DecimalSign::Comma).fault;
+}
+
 } // namespace
 
 void findClocks(const Line &row, char delimiter, std::vector<Heading> &headings)
@@ -41,29 +68,27 @@ void findClocks(const Line &row, char delimiter, std::vector<Heading> &headings)
     }
 }
 
-void findDecimalSign(Lines lines, FileLayout &layout)
+DecimalSign findDecimalSign(Lines lines, char delimiter)
 {
-    const bool isBetweenCommas = layout.delimiter == ',';
     int commas = 0; // numbers that need a comma, minus those that need a point
-    bool mayBeThousands = !isBetweenCommas;
+    for (const std::string_view number : numbersIn(lines, delimiter)) {
+        commas += (isWithComma(number, delimiter) ? 1 : 0) - (isWithPoint(number) ? 1 : 0);
+    }
+    return commas > 0 ? DecimalSign::Comma : DecimalSign::Point;
+}
+
+bool mayHaveThousands(Lines lines, char delimiter)
+{
     bool hasSign = false;
-    for (const Line &line : lines) {
-        for (const std::string_view cell : splitCells(line.text, layout.delimiter)) {
-            const std::string number(splitUnit(cell).number);
-            const std::size_t sign = number.find_first_of(".,");
-            const bool hasThousands = isBetweenCommas && number.find(',') != number.npos &&
-                                      !parseNumber(number + ".0", DecimalSign::Point).fault;
-            const bool isWithPoint = !parseNumber(number, DecimalSign::Point).fault;
-            const bool isWithComma = !hasThousands && !parseNumber(number, DecimalSign::Comma).fault;
-            commas += (isWithComma ? 1 : 0) - (isWithPoint ? 1 : 0);
-            if ((isWithPoint || isWithComma) && sign != number.npos) {
-                hasSign = true;
-                mayBeThousands = mayBeThousands && maySeparateThousands(number, sign);
-            }
+    bool mayBeThousands = delimiter != ',';
+    for (const std::string_view number : numbersIn(lines, delimiter)) {
+        const std::size_t sign = number.find_first_of(".,");
+        if (sign != number.npos && (isWithPoint(number) || isWithComma(number, delimiter))) {
+            hasSign = true;
+            mayBeThousands = mayBeThousands && maySeparateThousands(number, sign);
         }
     }
-    layout.decimalSign = commas > 0 ? DecimalSign::Comma : DecimalSign::Point;
-    layout.mayBeThousands = hasSign && mayBeThousands;
+    return hasSign && mayBeThousands;
 }
 
 } // namespace slidercrank

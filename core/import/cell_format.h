@@ -14,9 +14,12 @@ namespace slidercrank
 /// Finds the columns of times of a clock by the first row. Times of day that no clock shows have no meaning.
 void findClocks(const Line &row, char delimiter, std::vector<Heading> &headings);
 
-/// Finds the decimal sign with which most numbers in the lines can be read: 0,005 and 1.234,5 only with a comma.
-/// Between commas, "1,234" could have a thousands separator and does not count, but "0,234" does. If each decimal sign
-/// has three digits behind it and a number from 1 to 999 before, it could separate thousands everywhere.
-void findDecimalSign(Lines lines, FileLayout &layout);
+/// Returns the decimal sign with which most numbers in the lines can be read: 0,005 and 1.234,5 only with a comma.
+/// Between commas, "1,234" could have a thousands separator and does not count, but "0,234" does.
+DecimalSign findDecimalSign(Lines lines, char delimiter);
+
+/// Returns whether every decimal sign in the lines could also separate thousands, as in "80,826": it has three digits
+/// behind it and a number from 1 to 999 before.
+bool mayHaveThousands(Lines lines, char delimiter);
 
 } // namespace slidercrank

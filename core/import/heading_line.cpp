@@ -15,24 +15,29 @@ namespace
 
 using Kind = NameMeaning::Kind;
 
+/// Returns whether two headings denote the same: a time, or an angle or length of the same order.
+bool denoteSameQuantity(const NameMeaning &first, const NameMeaning &second)
+{
+    if (first.kind < Kind::Quantity || second.kind < Kind::Quantity) {
+        return first.kind == Kind::Time && second.kind == Kind::Time;
+    }
+    return isAngle(first.channel.coordinate) == isAngle(second.channel.coordinate) &&
+           first.channel.order == second.channel.order;
+}
+
 /// Returns whether a cell continues the heading in the cell before it, as the unit in "Time, s", the symbol with its
 /// unit in "Position, x (mm)", the number of the measurement in "Position (m), Run #1" and the end of the brackets in
 /// "Crank angle (deg, CW)" do.
 bool continuesHeading(std::string_view before, std::string_view cell)
 {
-    if (std::ranges::count(before, '(') > std::ranges::count(before, ')')) {
+    const bool areBracketsOpen = std::ranges::count(before, '(') > std::ranges::count(before, ')');
+    if (areBracketsOpen || parseUnit(cell) || cell.starts_with("Run #")) {
         return true;
     }
-    const Heading first = parseHeading(before);
-    const Heading second = parseHeading(cell);
-    const Channel channel = first.meaning.channel;
-    const Channel channelOfSymbol = second.meaning.channel;
-    const bool isSameQuantity =
-        std::min(first.meaning.kind, Kind::Quantity) == std::min(second.meaning.kind, Kind::Quantity) &&
-        isAngle(channel.coordinate) == isAngle(channelOfSymbol.coordinate) && channel.order == channelOfSymbol.order;
-    const bool isSymbol = first.meaning.kind != Kind::Nothing && first.use.unit.empty() && !second.use.unit.empty() &&
-                          beginsWithSymbol(second);
-    return parseUnit(cell) || cell.starts_with("Run #") || (isSymbol && isSameQuantity);
+    const Heading name = parseHeading(before);
+    const Heading symbol = parseHeading(cell);
+    return name.use.unit.empty() && !symbol.use.unit.empty() && beginsWithSymbol(symbol) &&
+           denoteSameQuantity(name.meaning, symbol.meaning);
 }
 
 /// Joins cells where unquoted headings contain the delimiter: "Time, s,Position, x (mm)".
@@ -61,10 +66,14 @@ void joinHeadings(HeadingCandidate &names, const NumberRow &row)
     }
 }
 
-/// Returns whether names may be the headings of the row. If they are as many as the numbers, they may have any
-/// delimiter; but if only the names are separated by spaces, at most one of them may be unknown. The same holds if only
-/// the column of the row names has no heading. Otherwise a remark has to follow them if they stand after a comment
-/// mark, and neither they nor the numbers are separated by spaces.
+/// Returns whether a remark follows the names, of which there are as many as numbers in a row without it.
+bool isRemarkBehind(const HeadingCandidate &names, std::size_t numbers)
+{
+    const bool isMarked = headingsBeforeRemark(names.cells).size() == numbers;
+    return names.isComplete() && (isMarked || (names.cells.size() > numbers && names.known() >= numbers));
+}
+
+/// Returns whether names may be the headings of the row. `isMarked`: they stand after a comment mark.
 bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isMarked)
 {
     const bool areSpaced = names.delimiter == ' ';
@@ -72,15 +81,14 @@ bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isM
         return !areSpaced;
     }
     const std::size_t numbers = row.cells.size();
-    if (row.hasCountOf(names.cells)) {
+    if (row.hasCountOf(names.cells)) { // between spaces, above numbers that are not, only one name may be unknown
         return !areSpaced || row.delimiter == ' ' || (names.isComplete() && names.known() + 1 >= numbers);
     }
-    if (areSpaced && names.cells.size() + 1 == numbers) {
-        return names.isComplete() && names.known() == names.cells.size();
+    if (areSpaced || row.delimiter == ' ') { // only the column of the row names may lack a heading
+        return areSpaced && names.cells.size() + 1 == numbers && names.isComplete() &&
+               names.known() == names.cells.size();
     }
-    const bool hasRemark = names.isComplete() && (headingsBeforeRemark(names.cells).size() == numbers ||
-                                                  (names.cells.size() > numbers && names.known() >= numbers));
-    return !areSpaced && row.delimiter != ' ' && (!isMarked || hasRemark);
+    return !isMarked || isRemarkBehind(names, numbers);
 }
 
 /// How well the cells of a line suit the row of numbers. The greater rank is better; the members are compared in order.

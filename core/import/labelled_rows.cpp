@@ -21,23 +21,24 @@ std::string_view labelOf(std::string_view cell)
     return isLabelled ? cell.substr(0, mark + 1) : std::string_view();
 }
 
-/// Returns the labels of all cells of a line, which stand before the number in the cell, or in the cell before it, as
-/// in "x= 85" and "x = 85" between blanks. The label of a cell that is a label is the cell itself; that of others is
-/// empty.
+/// Returns the label of each cell of a line. A number has the label in its own cell, "x=85", or in those before it, as
+/// in "x= 85" and "x = 85" between blanks. A cell that is only a label or its mark is its own label. Other cells have
+/// an empty one.
 Cells labelsOf(const Line &line, char delimiter)
 {
     const Cells cells = splitCells(line.text, delimiter);
-    const auto isLabel = [&cells](std::size_t i) { return cells[i].ends_with('=') || cells[i].ends_with(':'); };
+    const auto hasMark = [&cells](std::size_t i) { return cells[i].ends_with('=') || cells[i].ends_with(':'); };
     Cells labels;
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        std::string_view label = labelOf(cells[i]);
         const bool isBeforeMark = i + 1 < cells.size() && cells[i + 1] == "=";
-        if (isNumber(cells[i]) && i > 0 && isLabel(i - 1)) {
-            label = cells[i - 1] == "=" && i > 1 ? cells[i - 2] : cells[i - 1];
-        } else if (!isNumber(cells[i]) && (isLabel(i) || isBeforeMark)) {
-            label = cells[i];
+        if (isNumber(cells[i]) && i > 0 && hasMark(i - 1)) {
+            const bool isMarkApart = cells[i - 1] == "=" && i > 1;
+            labels.push_back(cells[isMarkApart ? i - 2 : i - 1]);
+        } else if (!isNumber(cells[i]) && (hasMark(i) || isBeforeMark)) {
+            labels.push_back(cells[i]);
+        } else {
+            labels.push_back(labelOf(cells[i]));
         }
-        labels.push_back(label);
     }
     return labels;
 }

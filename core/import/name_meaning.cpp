@@ -51,23 +51,39 @@ std::optional<Channel> channelSpelled(const Words &words, int derivatives)
     return std::nullopt;
 }
 
-/// Returns the order of the quantity, as far as the name or its unit tells it.
+/// Returns whether the name is α in a unit of angles: then it is an angle and no angular acceleration.
+bool isAngleAlpha(const NameReading &name, const std::optional<Unit> &unit)
+{
+    const bool isAlpha = findWord(name.symbol, WordUse::Symbol) && name.order == Order::Acceleration &&
+                         name.dimension == Dimension::Angle;
+    return isAlpha && name.derivatives == 0 && unit && unit->dimension == Dimension::Angle && unit->order == 0;
+}
+
+/// Returns how many times the quantity is differentiated with respect to the time, as far as the name or its unit tells
+/// it: the words of the name and its marks of derivatives count before the unit.
+std::optional<int> derivativesOf(const NameReading &name, const std::optional<Unit> &unit)
+{
+    if (isAngleAlpha(name, unit)) {
+        return 0;
+    }
+    if (name.order) {
+        const int named = static_cast<int>(*name.order);
+        const bool isSaidTwice = name.isOrderNamed && name.hasSymbol && named == name.derivatives; // "velocity ẋ"
+        return isSaidTwice ? named : named + name.derivatives;
+    }
+    if (unit && (name.derivatives == 0 || name.unknown.isAny())) { // "dλ/dt (mm/s)"
+        return unit->order;
+    }
+    const bool isPositionOrDerivative = name.hasSymbol || name.derivatives > 0 || name.body;
+    return isPositionOrDerivative ? std::optional(name.derivatives) : std::nullopt;
+}
+
+/// Returns the order of the quantity; nullopt if it is unknown or higher than that of an acceleration.
 std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> &unit)
 {
-    const bool isAngleUnit = unit && unit->dimension == Dimension::Angle && unit->order == 0;
-    const bool isAlpha = findWord(name.symbol, WordUse::Symbol) && name.order == Order::Acceleration &&
-                         name.dimension == Dimension::Angle && !name.derivatives && isAngleUnit;
-    std::optional<int> order;
-    if (name.isOrderNamed && name.hasSymbol && static_cast<int>(*name.order) == name.derivatives) {
-        order = name.derivatives; // "velocity ẋ"
-    } else if (name.order && !isAlpha) {
-        order = static_cast<int>(*name.order) + name.derivatives;
-    } else if (unit && (!name.derivatives || name.unknown.isAny())) { // "dλ/dt (mm/s)"
-        order = unit->order;
-    } else if (name.hasSymbol || name.derivatives || name.body) {
-        order = name.derivatives;
-    }
-    return order && *order <= 2 ? std::optional(static_cast<Order>(*order)) : std::nullopt;
+    const std::optional<int> derivatives = derivativesOf(name, unit);
+    const bool isOrder = derivatives && *derivatives <= static_cast<int>(Order::Acceleration);
+    return isOrder ? std::optional(static_cast<Order>(*derivatives)) : std::nullopt;
 }
 
 /// Returns the coordinate of the body that the name names. Without a body, an angle is that of the coupler and a length

@@ -161,6 +161,41 @@ void requireCellForEachHeading(std::span<const RawColumn> columns, const TableFi
     }
 }
 
+/// A fault of a row, and the index of the cell that it is in.
+struct CellFault {
+    std::size_t cell = 0;
+    RowFault fault{};
+};
+
+/// Returns why a row is skipped because of a column, which is unreadable there; if it is not, its time is repeated.
+/// `cells`: of the row, in the file of the column.
+CellFault findCellFault(const RawTable &table, const RawColumn &column, std::size_t row, const Cells &cells)
+{
+    const TableFile &file = table.fileOf(column);
+    const auto faultIn = [&](const RawColumn &other) {
+        const std::size_t cell = other.index - file.firstColumn;
+        return parseCell(other, cell < cells.size() ? cells[cell] : std::string_view(), file.layout.decimalSign).fault;
+    };
+    const std::size_t own = column.index - file.firstColumn;
+    if (const std::optional<RowFault> fault = faultIn(column)) {
+        return {own, *fault};
+    }
+    if (cells.size() > file.width) {
+        const auto isFilled = [](std::string_view cell) { return !cell.empty(); };
+        const auto beyond =
+            std::find_if(cells.begin() + static_cast<std::ptrdiff_t>(file.width), cells.end(), isFilled);
+        return {static_cast<std::size_t>(beyond - cells.begin()), RowFault::TooManyCells};
+    }
+    if (!column.isUnreadable(row)) {
+        return {own, RowFault::RepeatedTime};
+    }
+    if (std::isnan(column.values[row])) {
+        const std::optional<RowFault> atBeginning = faultIn(table.columns[file.firstColumn]); // a word, as in a footer
+        return atBeginning ? CellFault{0, *atBeginning} : CellFault{own, RowFault::NoTime};
+    }
+    return {own, cells.size() < file.fewestCells ? RowFault::TooFewCells : RowFault::TooLarge}; // once converted
+}
+
 } // namespace
 
 std::vector<double> RawColumn::finiteValues() const
@@ -245,25 +280,9 @@ SkippedRow findRowFault(RawTable &table, std::size_t row)
     const TableFile &file = table.fileOf(column);
     const Line &line = file.rows[row];
     const Cells cells = splitCells(line.text, file.layout.delimiter);
-    const auto cellAt = [&cells](std::size_t i) { return i < cells.size() ? cells[i] : std::string_view(); };
-    std::size_t i = column.index - file.firstColumn;
-    std::optional<RowFault> fault = parseCell(column, cellAt(i), file.layout.decimalSign).fault;
-    if (!fault && cells.size() > file.width) {
-        for (i = file.width; cells[i].empty(); ++i) { // the last one is not empty
-        }
-        fault = RowFault::TooManyCells;
-    } else if (!fault && !unreadable) {
-        fault = RowFault::RepeatedTime;
-    } else if (!fault && std::isnan(column.values[row])) {
-        const RawColumn &first = table.columnsOf(file).front();
-        const std::optional<RowFault> faultOfFirst = parseCell(first, cellAt(0), file.layout.decimalSign).fault;
-        i = faultOfFirst ? 0 : i; // the row was removed because of the word at its beginning
-        fault = faultOfFirst.value_or(RowFault::NoTime);
-    } else if (!fault) {
-        const bool hasTooFew = cells.size() < file.fewestCells;
-        fault = hasTooFew ? RowFault::TooFewCells : RowFault::TooLarge; // once converted
-    }
-    return {line.number, i + 1, excerpt(cellAt(i)), *fault, column.use.file};
+    const CellFault found = findCellFault(table, column, row, cells);
+    const std::string_view text = found.cell < cells.size() ? cells[found.cell] : std::string_view();
+    return {line.number, found.cell + 1, excerpt(text), found.fault, column.use.file};
 }
 
 FileLayout takeLayout(RawTable &table)

@@ -153,7 +153,8 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     if (!labelled && !lines.empty()) {
         findClocks(lines.front(), layout.delimiter, headings);
     }
-    findDecimalSign(firstLines(lines), layout);
+    layout.decimalSign = findDecimalSign(firstLines(lines), layout.delimiter);
+    layout.mayBeThousands = mayHaveThousands(firstLines(lines), layout.delimiter);
     return headings;
 }
 
