@@ -18,6 +18,7 @@ namespace
 
 using Fault = ReadFault::Kind;
 
+/// Returns a choice of the column by its heading, or by its number if the heading is empty or not unique.
 ColumnChoice choiceFor(const RawTable &table, const RawColumn &column, ColumnRole role, Channel channel = {},
                        std::string unit = {})
 {
@@ -117,6 +118,8 @@ bool isChannel(const RawColumn &column)
     return column.use.role == ColumnRole::Channel;
 }
 
+/// Returns the choice of the abscissa, which is given if one was guessed, or else the first column that may be one.
+/// Returns nothing if there is none.
 std::vector<ColumnChoice> abscissaChoice(const RawTable &table, std::span<RawColumn> columns)
 {
     if (const RawColumn *const guessed = findElement(columns, &RawColumn::isAbscissa)) {
@@ -136,55 +139,73 @@ std::string withoutDigits(std::string heading)
     return heading;
 }
 
-/// Returns the choice for an unused column whose values change:
+/// Returns how far down a column is in the list of those that may be chosen as a channel:
 ///
-/// 1. the first one whose heading leaves its meaning open and which does not only rise, as the crank angle does,
-/// 2. else the first one whose heading leaves its meaning open,
-/// 3. else the first one with a suitable unit or none that does not only rise,
-/// 4. else the first one with a suitable unit or none that does not turn like the crank,
-/// 5. else the first one with a suitable unit or none.
+/// 0. its heading leaves the meaning open, and it does not only rise, as the crank angle does,
+/// 1. its heading leaves the meaning open,
+/// 2. it has a suitable unit or none, and does not only rise,
+/// 3. it has a suitable unit or none, and does not turn like the crank,
+/// 4. it has a suitable unit or none.
 ///
-/// `notColumn`: index of a column that is not chosen. Returns nothing if there is no such column. Of several points, it
-/// is the last one, as programs number them from the crank to the slider. The other quantities of that point follow.
+/// Returns nullopt if it is used or does not change, or if its meaning is known not to be a channel.
+std::optional<int> rankAsChannel(const RawColumn &column)
+{
+    const ColumnReason reason = column.use.reason;
+    const bool isFree = !column.isUsed() && rangeOf(column.values).width() > 0.0 && reason != ColumnReason::RowNumber &&
+                        reason != ColumnReason::SameTimeStamps && reason != ColumnReason::CrankPin;
+    const bool returns = findReversal(column.values).has_value();
+    if (isFree && leavesOpen(reason)) {
+        return returns ? 0 : 1;
+    }
+    const bool hasUnit =
+        column.use.unit.empty() || parseUnit(column.use.unit) || column.meaning.kind >= NameMeaning::Kind::Quantity;
+    if (!isFree || !hasUnit) {
+        return std::nullopt;
+    }
+    if (returns) {
+        return 2;
+    }
+    return makesTurn(column) ? 4 : 3;
+}
+
+/// Returns the first column with the lowest rankAsChannel() apart from the one with that index, or null. Of several
+/// points, it is the last one, as programs number them from the crank to the slider.
+const RawColumn *likeliestChannel(std::span<const RawColumn> columns, std::size_t notColumn)
+{
+    const RawColumn *best = nullptr;
+    for (const RawColumn &column : columns) {
+        const std::optional<int> rank = column.index == notColumn ? std::nullopt : rankAsChannel(column);
+        if (rank && (!best || *rank < *rankAsChannel(*best))) {
+            best = &column;
+        }
+    }
+    for (const RawColumn &other : columns) {
+        const bool isPoint = best && other.index != notColumn && rankAsChannel(other) &&
+                             other.use.reason == ColumnReason::UnknownBody &&
+                             withoutDigits(other.use.heading) == withoutDigits(best->use.heading);
+        best = isPoint ? &other : best;
+    }
+    return best;
+}
+
+/// Returns the choice of the likeliest channel, and those of the other quantities of the same point. Returns nothing if
+/// no column may be a channel. `notColumn`: index of a column that is not chosen.
 std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t notColumn)
 {
-    const auto isFree = [&](const RawColumn &column) {
-        return !column.isUsed() && column.index != notColumn && rangeOf(column.values).width() > 0.0 &&
-               column.use.reason != ColumnReason::RowNumber && column.use.reason != ColumnReason::SameTimeStamps &&
-               column.use.reason != ColumnReason::CrankPin;
-    };
-    const auto isOpen = [&](const RawColumn &other) { return isFree(other) && leavesOpen(other.use.reason); };
-    const auto returns = [](const RawColumn &other) { return findReversal(other.values).has_value(); };
-    const auto isOpenAndReturns = [&](const RawColumn &other) { return isOpen(other) && returns(other); };
-    const auto hasUnit = [&](const RawColumn &other) {
-        return isFree(other) && (other.use.unit.empty() || parseUnit(other.use.unit) ||
-                                 other.meaning.kind >= NameMeaning::Kind::Quantity);
-    };
-    const auto hasUnitAndReturns = [&](const RawColumn &other) { return hasUnit(other) && returns(other); };
-    const auto isOfOthers = [&](const RawColumn &other) { return hasUnit(other) && !makesTurn(other); };
-    const RawColumn *column = findElement(columns, isOpenAndReturns);
-    column = column ? column : findElement(columns, isOpen);
-    column = column ? column : findElement(columns, hasUnitAndReturns);
-    column = column ? column : findElement(columns, isOfOthers);
-    column = column ? column : findElement(columns, hasUnit);
-    if (!column) {
+    const RawColumn *const likeliest = likeliestChannel(columns, notColumn);
+    if (!likeliest) {
         return {};
     }
-    for (const RawColumn &other : columns) {
-        const bool isPoint = isFree(other) && other.use.reason == ColumnReason::UnknownBody &&
-                             withoutDigits(other.use.heading) == withoutDigits(column->use.heading);
-        column = isPoint ? &other : column;
-    }
-    const auto choice = [&](const RawColumn &chosen) {
-        const Channel channel = likelyChannel(chosen);
-        return choiceFor(table, chosen, ColumnRole::Channel, channel, likelyUnit(chosen, ColumnRole::Channel, channel));
+    const auto choice = [&table](const RawColumn &column) {
+        const Channel channel = likelyChannel(column);
+        return choiceFor(table, column, ColumnRole::Channel, channel, likelyUnit(column, ColumnRole::Channel, channel));
     };
-    std::vector<ColumnChoice> choices{choice(*column)};
+    std::vector<ColumnChoice> choices{choice(*likeliest)};
     for (const RawColumn &other : columns) {
-        const bool isOfSamePoint = !column->meaning.owner.empty() && other.meaning.owner == column->meaning.owner;
-        if (isOfSamePoint && isOpen(other) && std::ranges::none_of(choices, [&](const ColumnChoice &earlier) {
-                return earlier.channel == likelyChannel(other);
-            })) {
+        const bool isOfSamePoint = !likeliest->meaning.owner.empty() && other.meaning.owner == likeliest->meaning.owner;
+        const bool isOpen = other.index != notColumn && rankAsChannel(other) && leavesOpen(other.use.reason);
+        const auto isSameChannel = [&](const ColumnChoice &earlier) { return earlier.channel == likelyChannel(other); };
+        if (isOfSamePoint && isOpen && std::ranges::none_of(choices, isSameChannel)) {
             choices.push_back(choice(other));
         }
     }

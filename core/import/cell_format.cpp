@@ -39,8 +39,8 @@ bool isWithPoint(std::string_view text)
     return !parseNumber(text, DecimalSign::Point).fault;
 }
 
-/// Returns whether a text is a number with a decimal comma, or without any decimals. Between commas, "1,234" may have a
-/// comma between thousands: then it is a number with a decimal point, too, as "1,234.0" is.
+/// Returns whether a text is a number with a decimal comma, or without any decimals. Between commas, "1,234" is none:
+/// its comma separates thousands if "1,234.0" is a number.
 bool isWithComma(std::string_view text, char delimiter)
 {
     const bool hasComma = text.find(',') != text.npos;

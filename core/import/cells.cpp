@@ -109,6 +109,18 @@ std::string withoutSeparators(std::string_view text)
     return isNegative ? '-' + plain : plain;
 }
 
+/// Returns the text with points for commas and commas for points, so that the decimal sign is a point.
+std::string withPointsAndCommasExchanged(std::string_view text)
+{
+    std::string exchanged(text);
+    for (char &c : exchanged) {
+        if (c == ',' || c == '.') {
+            c = c == ',' ? '.' : ',';
+        }
+    }
+    return exchanged;
+}
+
 /// Returns the text without what a program wrote around the number in it: ="0.5" of spreadsheets, \num{0.5} of LaTeX.
 std::string_view withoutMarkup(std::string_view text)
 {
@@ -260,15 +272,9 @@ std::string_view inBrackets(std::string_view cell)
 
 CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
 {
-    std::string pointed; // with the point as decimal sign
+    std::string exchanged;
     if (decimalSign == DecimalSign::Comma) {
-        pointed = text;
-        for (char &c : pointed) {
-            if (c == ',' || c == '.') {
-                c = c == ',' ? '.' : ',';
-            }
-        }
-        text = pointed;
+        text = exchanged = withPointsAndCommasExchanged(text);
     }
     CellNumber number = parsePlain(text); // the only object to be returned, so that none is copied
     if (number.fault != RowFault::NotANumber) {

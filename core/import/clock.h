@@ -25,11 +25,11 @@ struct Clock {
     bool rounded = false; ///< at least ten time stamps, evenly spaced within their rounding, but not `even`
     std::vector<double> gridNumbers{}; ///< if rounded: how many spacings each time stamp is after the first one
 
-    /// Returns the rounding step that time stamps have to be expected to have, s: the error is at most half of it.
+    /// Returns the rounding step of the time stamps, s: each may be off by half of it. 0 if they are exact.
     double step() const { return even ? 0.0 : printedStep; }
 };
 
-/// Requires increasing time stamps, s.
+/// Finds the precision of time stamps, s, which increase. `rounding`: of their digits.
 Clock clockOf(std::span<const double> time, const Rounding &rounding);
 
 } // namespace slidercrank

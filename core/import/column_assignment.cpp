@@ -61,7 +61,7 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
         }
         const ColumnRole role = column.choice->role;
         column.meaning = {Kind::Chosen, column.choice->channel, ColumnReason::Chosen};
-        column.use.reason = role == ColumnRole::Ignored ? ColumnReason::Chosen : ColumnReason::UnknownName;
+        column.use.reason = role == ColumnRole::Ignored ? ColumnReason::Chosen : ColumnReason::UnknownName; // undecided
         if (role == ColumnRole::Time || role == ColumnRole::CrankAngle) {
             setAbscissa(table, column, role, ColumnReason::Chosen);
         }

@@ -6,9 +6,45 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace slidercrank
 {
+
+namespace
+{
+
+/// How far a column of rates is from the difference quotients of its values, and from their derivative: sums of
+/// squares.
+struct Mismatch {
+    std::array<double, 3> ofDifferences{}; ///< by Difference
+    double ofDerivative = 0.0;
+    double rows = 0.0; ///< number of rows in the sums
+};
+
+/// Compares the rates of the first rows, which have that spacing in time, with the differences of `values`.
+Mismatch compareWithDifferences(std::span<const double> rates, const std::vector<double> &values, double spacing)
+{
+    Mismatch mismatch;
+    const auto square = [](double error) { return error * error; };
+    const std::vector<double> &x = values;
+    for (std::size_t i = 2; i + 2 < rates.size(); ++i) {
+        const double central = (x[i + 1] - x[i - 1]) / (2.0 * spacing);
+        const std::array differences{(x[i + 1] - x[i]) / spacing, (x[i] - x[i - 1]) / spacing, central};
+        const double derivative = (4.0 * central - (x[i + 2] - x[i - 2]) / (4.0 * spacing)) / 3.0; // of fourth order
+        if (!std::isfinite(differences[0] + derivative + rates[i])) {
+            continue;
+        }
+        for (std::size_t k = 0; k < differences.size(); ++k) {
+            mismatch.ofDifferences[k] += square(rates[i] - differences[k]);
+        }
+        mismatch.ofDerivative += square(rates[i] - derivative);
+        ++mismatch.rows;
+    }
+    return mismatch;
+}
+
+} // namespace
 
 std::optional<Difference> differenceIn(const ReferenceData &data, Channel channel)
 {
@@ -16,43 +52,29 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     constexpr std::size_t kFewestRows = 12;
     constexpr double kBetter = 16.0;          // ratio of the sums of squares of the second best to the best match
     constexpr double kArithmeticError = 1e-6; // relative to the peak
-    const ReferenceSeries *const rate = data.find(channel);
     const std::size_t rows = std::min(data.time.size(), kExaminedRows);
     const bool hasTime = !data.crank;
-    if (channel.order == Order::Position || !rate || rows < kFewestRows || !hasTime) {
+    if (channel.order == Order::Position || rows < kFewestRows || !hasTime) {
         return std::nullopt;
     }
+    const ReferenceSeries *const rate = data.find(channel);
     const ReferenceSeries *const base =
         data.find({channel.coordinate, channel.order == Order::Velocity ? Order::Position : Order::Velocity});
-    if (!base) {
+    if (!rate || !base) {
         return std::nullopt;
     }
-    const double step = (data.time[rows - 1] - data.time[0]) / static_cast<double>(rows - 1);
-    const std::vector<double> &x = base->values;
-    std::array<double, 4> squares{}; // by Difference; [3]: from the derivative, by differences of fourth order
-    double count = 0.0;
-    for (std::size_t i = 2; i + 2 < rows; ++i) {
-        const double central = (x[i + 1] - x[i - 1]) / (2.0 * step);
-        const std::array differences{(x[i + 1] - x[i]) / step, (x[i] - x[i - 1]) / step, central,
-                                     (4.0 * central - (x[i + 2] - x[i - 2]) / (4.0 * step)) / 3.0};
-        if (!std::isfinite(differences[0] + differences[3] + rate->values[i])) {
-            continue;
-        }
-        for (std::size_t k = 0; k < squares.size(); ++k) {
-            squares[k] += (rate->values[i] - differences[k]) * (rate->values[i] - differences[k]);
-        }
-        ++count;
-    }
-    const auto best = static_cast<std::size_t>(std::ranges::min_element(squares) - squares.begin());
-    const double least = squares[best];
-    squares[best] = kInfinity;
-    if (best == 3 || !(*std::ranges::min_element(squares) > kBetter * least)) {
-        return std::nullopt;
+    const double spacing = (data.time[rows - 1] - data.time[0]) / static_cast<double>(rows - 1);
+    const Mismatch mismatch = compareWithDifferences(std::span(rate->values).first(rows), base->values, spacing);
+    const auto best = std::ranges::min_element(mismatch.ofDifferences);
+    double secondBest = mismatch.ofDerivative;
+    for (auto other = mismatch.ofDifferences.begin(); other != mismatch.ofDifferences.end(); ++other) {
+        secondBest = other == best ? secondBest : std::min(secondBest, *other);
     }
     const double peak = rangeOf(rate->values).size();
-    const double allowed =
-        base->rounding.stepAt(rangeOf(x).size()) / step + rate->rounding.stepAt(peak) + kArithmeticError * peak;
-    return least <= allowed * allowed * count ? std::optional(static_cast<Difference>(best)) : std::nullopt;
+    const double allowed = base->rounding.stepAt(rangeOf(base->values).size()) / spacing + rate->rounding.stepAt(peak) +
+                           kArithmeticError * peak;
+    const bool isDifference = secondBest > kBetter * *best && *best <= allowed * allowed * mismatch.rows;
+    return isDifference ? std::optional(static_cast<Difference>(best - mismatch.ofDifferences.begin())) : std::nullopt;
 }
 
 } // namespace slidercrank

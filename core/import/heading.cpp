@@ -169,25 +169,32 @@ bool beginsWord(std::string_view text, std::size_t at)
     return isCapital(at) && (!isCapital(at - 1) || isBeforeSmall);
 }
 
-/// Returns the unit that the text behind a name denotes, "m/s2" also if it lacks the slash. It has to suit the name;
-/// but behind a name without a meaning, "ticks_ms", it may be a unit of time, which may only be a letter if the
-/// separator between them is clear, as in "Messzeit / s". Pixels are no unit of a channel. Returns nullopt otherwise.
-std::optional<std::string> unitBehind(std::string_view name, std::string_view text, bool isClear)
+/// Returns whether a text behind a name without a meaning, as in "ticks_ms", is a unit of time. It may only be a letter
+/// if the separator before it `isClear`, as in "Messzeit / s".
+bool isTimeUnitOfUnknown(std::string_view name, const std::string &text, bool isClear)
+{
+    const bool isLongEnough = text.size() > 1 || isClear;
+    const bool isTime = parseColumnUnit(text, ColumnRole::Time, {}).has_value();
+    const bool endsInBrackets = text.ends_with(')'); // "f (t/s)": the brackets began before the separator
+    return isLongEnough && isTime && !endsInBrackets && meaningOf(name, text).kind == Kind::Nothing;
+}
+
+/// Returns the unit that the text behind a name denotes, "m/s2" also if it lacks the slash. It has to suit the name,
+/// unless this has no meaning. Pixels are no unit of a channel. Returns nullopt if the text is no such unit.
+std::optional<std::string> unitBehind(std::string_view name, const std::string &text, bool isClear)
 {
     if (isAmong(text, kPixels)) {
-        return std::string(text);
+        return text;
     }
-    const std::array units{std::string(text), withSlash(text)};
-    for (const std::string &unit : units) {
-        const NameMeaning meaning = parseUnit(unit) ? meaningOf(name, unit) : NameMeaning();
-        if (suits(meaning, unit) && (unit == units[0] || !meaning.hasUnknownWords)) {
-            return unit;
-        }
+    if (parseUnit(text) && suits(meaningOf(name, text), text)) {
+        return text;
     }
-    const bool isTimeOfUnknown = (text.size() > 1 || isClear) && !text.ends_with(')') &&
-                                 parseColumnUnit(units[0], ColumnRole::Time, {}) &&
-                                 meaningOf(name, units[0]).kind == Kind::Nothing;
-    return isTimeOfUnknown ? std::optional(units[0]) : std::nullopt;
+    const std::string slashed = withSlash(text);
+    const NameMeaning meaning = parseUnit(slashed) ? meaningOf(name, slashed) : NameMeaning();
+    if (!meaning.hasUnknownWords && suits(meaning, slashed)) {
+        return slashed;
+    }
+    return isTimeUnitOfUnknown(name, text, isClear) ? std::optional(text) : std::nullopt;
 }
 
 /// Sets name and unit of "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" if the unit suits the name. The
@@ -207,7 +214,7 @@ void splitAtEnd(std::string_view text, Heading &heading)
         if (printed.empty() || printed[0] == '/' || (!isClear && (isInput || isAmong(lowered(printed), kAlsoWords)))) {
             continue;
         }
-        if (const std::optional<std::string> unit = unitBehind(name, printed, isClear)) {
+        if (const std::optional<std::string> unit = unitBehind(name, std::string(printed), isClear)) {
             heading.name = name;
             heading.use.unit = *unit;
             return;
@@ -249,25 +256,27 @@ std::string lastPartOf(const Heading &heading)
     return path.parts.empty() ? std::string() : std::string(path.parts.back());
 }
 
-/// Returns whether a symbol such as "xpp" or "d2x" can only be a second derivative.
+/// Returns whether the name is a symbol with the mark of a second derivative, such as "xpp" or "d2x". "a" and
+/// "acceleration" have none: beside them, "xp" may still be anything.
 bool isSecondDerivative(const Heading &heading)
 {
     const NameMeaning &meaning = heading.meaning;
     const Words words = wordsOf(lastPartOf(heading));
-    return meaning.channel.order == Order::Acceleration && meaning.kind >= Kind::Quantity &&
-           meaning.doubt == Doubt::None && !words.empty() && !findWord(words[0], WordUse::Word) && words[0] != "a";
+    const bool isAcceleration = meaning.channel.order == Order::Acceleration && meaning.kind >= Kind::Quantity;
+    const bool isMarked = !words.empty() && !findWord(words[0], WordUse::Word) && words[0] != "a";
+    return isAcceleration && isMarked && meaning.doubt == Doubt::None;
 }
 
-/// Returns whether the name is "v_p" or "a_p", of the piston, or "vp" or "ap" without a "v" or "a" in the row, which it
-/// could be the derivative of.
+/// Returns whether the name is "v_p" or "a_p", of the piston. "vp" and "ap" are such names in a row without "v" and
+/// "a", whose derivatives they would be.
 bool isOfPiston(const Heading &heading, std::span<const Heading> row)
 {
     const Words words = wordsOf(heading.name);
-    const std::string symbol = words.empty() ? std::string() : words[0].substr(0, 1);
-    const bool isFused = words.size() == 1 && isAmong(words[0], "vp ap");
-    const auto isSymbol = [&symbol](const Heading &other) { return lowered(other.name) == symbol; };
-    return (isFused && std::ranges::none_of(row, isSymbol)) ||
-           (words.size() == 2 && isAmong(symbol, "v a") && words[0] == symbol && words[1] == "p");
+    if (words.size() == 1 && isAmong(words[0], "vp ap")) {
+        const std::string symbol = words[0].substr(0, 1);
+        return std::ranges::none_of(row, [&](const Heading &other) { return lowered(other.name) == symbol; });
+    }
+    return words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p";
 }
 
 /// Returns whether the name is that of a displacement and no differential: "DX" of Adams, or "dx" beside "vx".
@@ -325,7 +334,7 @@ bool isMagnitude(const Heading &heading, std::span<const Heading> row)
 /// Decides between the meanings of "xp", "dx" and the like by the other columns: beside "xpp" or "d2x" they are
 /// derivatives; beside "v_p", or without an "x", "x_p" is the x of the piston; and "DX", or "dx" beside "vx", is a
 /// displacement. Otherwise only a person can tell.
-void resolveDoubts(std::vector<Heading> &row)
+void resolveDerivatives(std::vector<Heading> &row)
 {
     const auto isNamed = [&](std::string_view name) {
         return std::ranges::any_of(row, [&](const Heading &heading) { return lowered(heading.name) == name; });
@@ -344,7 +353,8 @@ void resolveDoubts(std::vector<Heading> &row)
         if (isDisplacement(heading, row)) {
             meaning.doubt = Doubt::None;
         } else if (hasSecond && meaning.channel.order < Order::Acceleration) {
-            meaning.channel.order = static_cast<Order>(static_cast<int>(meaning.channel.order) + 1);
+            const bool isOfPosition = meaning.channel.order == Order::Position;
+            meaning.channel.order = isOfPosition ? Order::Velocity : Order::Acceleration;
         } else if (meaning.doubt == Doubt::IsDerivative || !isIndex) {
             meaning = {.reason = ColumnReason::UnknownBody};
         }
@@ -633,7 +643,7 @@ void interpretHeadings(std::vector<Heading> &row)
     for (Heading &heading : row) {
         heading.meaning = meaningOf(heading.name, heading.use.unit);
     }
-    resolveDoubts(row);
+    resolveDerivatives(row);
     resolveAlphas(row);
     separatePoints(row);
     excludeOtherQuantities(row);

@@ -22,7 +22,7 @@ using Lines = std::span<const Line>;
 
 inline constexpr std::size_t kExaminedLines = 200; ///< that are not blank, for the form of the table
 
-/// Returns the lines that are examined.
+/// Returns the lines that are examined for the form of the table.
 inline Lines firstLines(Lines lines)
 {
     return lines.first(std::min(lines.size(), kExaminedLines));

@@ -79,6 +79,24 @@ bool isBeforeIndex(std::string_view name, std::size_t at)
            findWord(before[0], WordUse::Symbol);
 }
 
+/// Returns whether the character at `at` separates two parts of a path.
+bool isSeparator(std::string_view name, std::size_t at)
+{
+    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a full stop may end an abbreviation
+    const bool isLatex = name.starts_with('\\') || name.find_first_of("{^$") != name.npos;
+    const bool isBeforeName = at + 1 < name.size() && !isBlank(name[at + 1]); // "Slider Joint.Px.v"
+    const bool isBehindBlank = at > 0 && isBlank(name[at - 1]);
+    switch (name[at]) {
+    case '/': return isBeforeName || !isBehindBlank; // "Motor current / A" has a unit
+    case ':':
+    case '|': return true;
+    case '.': return (!hasBlank || isBeforeName) && !isBeforeIndex(name, at);
+    case '\\': return !isLatex;
+    case ',': return at > 1 && at + 3 < name.size() && name[at + 1] == ' '; // "Slider, X Displacement"
+    default: return false;
+    }
+}
+
 } // namespace
 
 NamePath splitPath(std::string_view name)
@@ -86,28 +104,13 @@ NamePath splitPath(std::string_view name)
     if (const std::optional<NamePath> path = splitAtOwner(name)) {
         return *path;
     }
-    const bool hasBlank = name.find_first_of(" (") != name.npos; // then a full stop may end an abbreviation
-    const bool isLatex = name.starts_with('\\') || name.find_first_of("{^$") != name.npos;
-    const auto isSeparator = [&](std::size_t i) {
-        const bool isBeforeName = i + 1 < name.size() && !isBlank(name[i + 1]); // "Slider Joint.Px.v"
-        const bool isBehindBlank = i > 0 && isBlank(name[i - 1]);
-        switch (name[i]) {
-        case '/': return isBeforeName || !isBehindBlank; // "Motor current / A" has a unit
-        case ':':
-        case '|': return true;
-        case '.': return (!hasBlank || isBeforeName) && !isBeforeIndex(name, i);
-        case '\\': return !isLatex;
-        case ',': return i > 1 && i + 3 < name.size() && name[i + 1] == ' '; // "Slider, X Displacement"
-        default: return false;
-        }
-    };
     NamePath path;
     std::string_view owner; // of the part that begins
     std::size_t begin = 0;
     char lastSeparator = ' ';
     for (std::size_t i = 0; i <= name.size(); ++i) {
         const bool isEnd = i == name.size();
-        if (!isEnd && !isSeparator(i)) {
+        if (!isEnd && !isSeparator(name, i)) {
             continue;
         }
         if (i > begin) {

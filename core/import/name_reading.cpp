@@ -383,6 +383,16 @@ void setBodyOfLink(NameReading &reading)
     }
 }
 
+/// Sets the dimension to that of the body: the crank has an angle and the slider a length, but the coupler and a centre
+/// of mass have both. Returns false if the name denotes the other one.
+bool setDimensionOfBody(NameReading &reading)
+{
+    if (!reading.body || reading.body == Body::Coupler || reading.isCentre) {
+        return true;
+    }
+    return merge(reading.dimension, std::optional(reading.body == Body::Crank ? Dimension::Angle : Dimension::Length));
+}
+
 } // namespace
 
 std::optional<NameReading> readName(const NamePath &path, int derivatives, const Words &lastWords)
@@ -402,9 +412,7 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
         }
     }
     setBodyOfLink(reading);
-    const bool hasBoth = !reading.body || reading.body == Body::Coupler || reading.isCentre; // an angle and lengths
-    const Dimension ofBody = reading.body == Body::Crank ? Dimension::Angle : Dimension::Length;
-    return hasBoth || merge(reading.dimension, std::optional(ofBody)) ? std::optional(reading) : std::nullopt;
+    return setDimensionOfBody(reading) ? std::optional(reading) : std::nullopt;
 }
 
 } // namespace slidercrank

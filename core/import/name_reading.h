@@ -18,8 +18,9 @@ namespace slidercrank
 /// The words of a name that the vocabulary does not contain. They may name a point or body, or say nothing.
 struct UnknownWords {
     std::string text{};   ///< one after the other
-    bool hasWord = false; ///< one of at least three letters, and not only indices
-    std::string point{};  ///< one with the number or letter after it, or "joint" with its number: "massa" in "mass_A x"
+    bool hasWord = false; ///< one of them has at least three letters, so that they are not only indices
+    std::string
+        point{}; ///< the word with the number or letter of a point: "massa" in "mass_A x", "joint3" in "joint 3"
 
     bool isAny() const { return !text.empty() || !point.empty(); }
     bool areIndices() const { return !text.empty() && !hasWord && point.empty(); } ///< as in "x_G"

@@ -161,6 +161,44 @@ void requireCellForEachHeading(std::span<const RawColumn> columns, const TableFi
     }
 }
 
+/// Appends the columns of a file to a table, with its headings and without values.
+TableFile &addFile(const FileBytes &bytes, RawTable &table)
+{
+    TableFile &file = table.files.emplace_back();
+    file.name = bytes.name;
+    file.firstColumn = table.columns.size();
+    std::vector<Line> lines = splitLines(decodeText(bytes.bytes, file.converted));
+    const std::vector<Heading> headings = takeHeadings(lines, file.layout);
+    file.rows = std::move(lines);
+    file.width = headings.size();
+    file.fewestCells = std::min(file.width, kFewestCells);
+    for (const Heading &heading : headings) {
+        RawColumn &column = table.columns.emplace_back(
+            RawColumn{heading.use, heading.name, heading.cells, heading.meaning, table.columns.size()});
+        column.use.file = table.files.size() - 1;
+        column.values.assign(file.rows.size(), kNone);
+    }
+    return file;
+}
+
+/// Reads all rows of a file into its columns, and returns their numbers of cells. Throws if `progress` stops it.
+std::vector<std::size_t> readRows(RawTable &table, const TableFile &file,
+                                  const std::function<bool(double part)> &progress)
+{
+    constexpr std::size_t kReportEvery = 4096; // rows
+    std::vector<std::size_t> counts;
+    counts.reserve(file.rows.size());
+    for (std::size_t row = 0; row < file.rows.size(); ++row) {
+        counts.push_back(readRow(table, file, row));
+        const std::size_t done = row + 1;
+        if ((done % kReportEvery == 0 || done == file.rows.size()) &&
+            !progress(static_cast<double>(done) / static_cast<double>(file.rows.size()))) {
+            throw ReadError{.fault = {ReadFault::Kind::Stopped}};
+        }
+    }
+    return counts;
+}
+
 /// A fault of a row, and the index of the cell that it is in.
 struct CellFault {
     std::size_t cell = 0;
@@ -231,39 +269,17 @@ ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault faul
 
 void readTable(const FileBytes &bytes, const std::function<bool(double part)> &progress, RawTable &table)
 {
-    constexpr std::size_t kReportEvery = 4096; // rows
-    TableFile &file = table.files.emplace_back();
-    file.name = bytes.name;
-    file.firstColumn = table.columns.size();
-    std::vector<Line> lines = splitLines(decodeText(bytes.bytes, file.converted));
-    const std::vector<Heading> headings = takeHeadings(lines, file.layout);
-    file.rows = std::move(lines);
-    file.width = headings.size();
-    for (const Heading &heading : headings) {
-        RawColumn &column = table.columns.emplace_back(
-            RawColumn{heading.use, heading.name, heading.cells, heading.meaning, table.columns.size()});
-        column.use.file = table.files.size() - 1;
-        column.values.assign(file.rows.size(), kNone);
-    }
-    std::vector<std::size_t> counts(file.rows.size()); // of the cells
-    file.fewestCells = std::min(file.width, kFewestCells);
-    for (std::size_t row = 0; row < file.rows.size(); ++row) {
-        counts[row] = readRow(table, file, row);
-        const std::size_t done = row + 1;
-        if ((done % kReportEvery == 0 || done == file.rows.size()) &&
-            !progress(static_cast<double>(done) / static_cast<double>(file.rows.size()))) {
-            throw ReadError{.fault = {ReadFault::Kind::Stopped}};
-        }
-    }
-    requireCellForEachHeading(table.columnsOf(file), file, counts.empty() ? 0 : std::ranges::max(counts));
+    TableFile &file = addFile(bytes, table);
+    const std::vector<std::size_t> counts = readRows(table, file, progress);
+    const std::span<RawColumn> columns = table.columnsOf(file);
+    requireCellForEachHeading(columns, file, counts.empty() ? 0 : std::ranges::max(counts));
     file.fewestCells = fewestCellsOf(file, counts);
     const bool hasShortRows =
         std::ranges::any_of(counts, [&file](std::size_t cells) { return cells < file.fewestCells; });
     const std::size_t begin = countStatisticsAbove(file);
-    const std::size_t end =
-        file.width > 0 ? countRowsAboveFooter(file, table.columnsOf(file).front()) : file.rows.size();
+    const std::size_t end = columns.empty() ? file.rows.size() : countRowsAboveFooter(file, columns.front());
     bool hasMissingValues = false;
-    for (RawColumn &column : table.columnsOf(file)) {
+    for (RawColumn &column : columns) {
         column.cells.missing = findMissingValue(column);
         hasMissingValues = hasMissingValues || !std::isnan(column.cells.missing);
     }

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <new>
 #include <utility>
 
@@ -153,8 +154,30 @@ void requireMostRows(RawTable &table, const std::vector<std::size_t> &used)
     }
 }
 
+/// Moves the values of a used column in the rows that can be read to the data: those of the abscissa to the time
+/// stamps, those of a channel to a series. A channel without any number is ignored.
+void moveValues(RawColumn &column, const std::vector<std::size_t> &rows, ReferenceData &data)
+{
+    std::vector<double> &values = column.values;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        values[i] = values[rows[i]];
+    }
+    values.resize(rows.size());
+    const Rounding inferred = column.rounding.infer(column.factor, column.isAbscissa());
+    const Rounding rounding = column.origin == 0.0 ? inferred : inferred.withDecimalsAt(column.origin);
+    if (column.isAbscissa()) {
+        data.time = std::move(values);
+        data.timeRounding = rounding;
+    } else if (rangeOf(values).count > 0) {
+        data.series.push_back({column.use.channel, std::move(values), rounding});
+    } else {
+        column.use.role = ColumnRole::Ignored;
+        column.use.reason = ColumnReason::NoNumber;
+    }
+}
+
 /// Returns the used columns without the rows that are skipped. Tables over the crank angle have the angles as time
-/// stamps.
+/// stamps. Throws if no row, or only the minority of them, can be read, or if no channel has a number.
 ReferenceData collect(RawTable &table)
 {
     ReferenceData data;
@@ -166,27 +189,11 @@ ReferenceData collect(RawTable &table)
                                    : errorOfRows(file, data.skipped.front());
     }
     requireMostRows(table, rows);
-    data.lines = rows;
-    std::ranges::for_each(data.lines, [&file](std::size_t &row) { row = file.rows[row].number; });
+    std::ranges::transform(rows, std::back_inserter(data.lines),
+                           [&file](std::size_t row) { return file.rows[row].number; });
     for (RawColumn &column : table.columns) {
-        if (!column.isUsed()) {
-            continue;
-        }
-        std::vector<double> &values = column.values;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            values[i] = values[rows[i]];
-        }
-        values.resize(rows.size());
-        const Rounding inferred = column.rounding.infer(column.factor, column.isAbscissa());
-        const Rounding rounding = column.origin == 0.0 ? inferred : inferred.withDecimalsAt(column.origin);
-        if (column.isAbscissa()) {
-            data.time = std::move(values);
-            data.timeRounding = rounding;
-        } else if (std::ranges::any_of(values, [](double value) { return std::isfinite(value); })) {
-            data.series.push_back({column.use.channel, std::move(values), rounding});
-        } else {
-            column.use.role = ColumnRole::Ignored;
-            column.use.reason = ColumnReason::NoNumber;
+        if (column.isUsed()) {
+            moveValues(column, rows, data);
         }
     }
     if (data.series.empty()) {
@@ -318,6 +325,35 @@ ReferenceData toData(RawTable &table)
     return data;
 }
 
+/// Removes the rows beyond the last one of the shortest file.
+void cutToShortest(RawTable &table)
+{
+    const auto rowsIn = [](const TableFile &file) { return file.rows.size(); };
+    const std::size_t shortest = rowsIn(*std::ranges::min_element(table.files, {}, rowsIn));
+    std::ranges::for_each(table.files, [shortest](TableFile &file) { file.rows.resize(shortest); });
+    std::ranges::for_each(table.columns, [shortest](RawColumn &column) { column.values.resize(shortest); });
+}
+
+/// Returns an error with the file that it is in, the layout of the table as far as it was read, and the choices of
+/// columns that would help. `reading`: index of the file that was being read; the number of files if all were.
+ReadError withLayoutAndAdvice(ReadError error, RawTable &table, std::span<const FileBytes> files, std::size_t reading)
+{
+    const bool areRead = reading == files.size();
+    const std::size_t faulty = error.file.value_or(areRead && !files.empty() ? files.size() - 1 : reading);
+    if (!files.empty() && isNoTable(files[faulty], error.fault.kind)) {
+        error = ReadError{.fault = {Fault::NotATable}, .file = faulty};
+    }
+    if (!areRead) {
+        error.file = reading;
+    }
+    if (files.size() == 1) {
+        error.file.reset();
+    }
+    error.advice = adviceFor(error, table);
+    error.layout = takeLayout(table);
+    return error;
+}
+
 } // namespace
 
 const ReferenceSeries *ReferenceData::find(Channel channel) const
@@ -346,40 +382,25 @@ ChannelSet channelsOf(const ReferenceData &data)
 std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const ReadOptions &options)
 try {
     RawTable table;
-    std::size_t file = 0; // that is being read
+    std::size_t file = 0; // that is being read; after the last one, their number
     try {
-        std::size_t shortest = SIZE_MAX;
         for (; file < files.size(); ++file) {
             const auto progress = [&](double part) {
                 return !options.progress ||
                        options.progress((static_cast<double>(file) + part) / static_cast<double>(files.size()));
             };
             readTable(files[file], progress, table);
-            shortest = std::min(shortest, table.files.back().rows.size());
         }
         if (std::ranges::any_of(files, &FileBytes::isBeginning)) {
-            std::ranges::for_each(table.files, [&](TableFile &whole) { whole.rows.resize(shortest); });
-            std::ranges::for_each(table.columns, [&](RawColumn &column) { column.values.resize(shortest); });
+            cutToShortest(table);
         }
         refuseAnotherTable(table);
         assignColumns(table, options.columns);
         ReferenceData data = toData(table);
         data.layout = takeLayout(table);
         return data;
-    } catch (ReadError &error) {
-        const std::size_t faulty = error.file.value_or(std::min(file, files.size() - 1));
-        if (!files.empty() && isNoTable(files[faulty], error.fault.kind)) {
-            error = ReadError{.fault = {Fault::NotATable}, .file = faulty};
-        }
-        if (file < files.size()) { // otherwise it was found when all of them had been read
-            error.file = file;
-        }
-        if (files.size() == 1) {
-            error.file.reset();
-        }
-        error.advice = adviceFor(error, table);
-        error.layout = takeLayout(table);
-        return std::move(error);
+    } catch (const ReadError &error) {
+        return withLayoutAndAdvice(error, table, files, file);
     }
 } catch (const std::bad_alloc &) {
     return ReadError{.fault = {Fault::NoMemory}};

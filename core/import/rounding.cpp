@@ -14,6 +14,14 @@
 namespace slidercrank
 {
 
+/// The place at which the values of a decade were rounded.
+struct RoundedDecade {
+    int exponent;
+    int place;
+    double weight;     ///< number of values
+    bool haveAllEnded; ///< no value has digits behind that place
+};
+
 namespace
 {
 
@@ -37,14 +45,6 @@ int placeOfOneValue(const PrintedPlaces &places)
     const int known = std::max(places.first - kDigitsOfAChosenNumber + 1, places.printed);
     return places.printed < 0 ? std::min(place, known) : place;
 }
-
-/// The place at which the values of a decade were rounded.
-struct RoundedDecade {
-    int exponent;
-    int place;
-    double weight;     ///< number of values
-    bool haveAllEnded; ///< no value has digits behind that place
-};
 
 /// How far the places of decades are from those of a rule, as sums over all values. The least is the best; on a tie,
 /// the coarser rule is less. Compared in this order.
@@ -206,22 +206,8 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
     ++m_decades[static_cast<std::size_t>(places.first + kLargestExponent)][std::min(length, kMaxDigits - 1)];
 }
 
-Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
+std::vector<RoundedDecade> RoundingObserver::roundedDecades(bool areTimeStamps) const
 {
-    constexpr double kFewestRounded = 6.0; // values of a decade that do not all end early by chance
-    constexpr int kFewestDigitsByHand = 3; // fewer may be chosen numbers: 5, 10, 20
-    Rounding rounding;
-    rounding.unitFactor = unitFactor;
-    if (m_values == 0) {
-        return rounding;
-    }
-    rounding.smallestExponent = m_smallestExponent;
-    rounding.finestPlace = m_finestPlace;
-    if (m_values == 1) {
-        rounding.rule = Rounding::Rule::Decimals;
-        rounding.digits = -placeOfOneValue(shortestPlaces(m_lastPlaces, m_lastMagnitude));
-        return rounding;
-    }
     std::vector<RoundedDecade> decades;
     for (int exponent = -kLargestExponent; exponent <= kLargestExponent; ++exponent) {
         const auto &counts = m_decades[static_cast<std::size_t>(exponent + kLargestExponent)];
@@ -238,21 +224,44 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
             decades.push_back({exponent, place, total, ended == total});
         }
     }
-    chooseRule(decades, rounding);
+    return decades;
+}
+
+int RoundingObserver::coarsestPlaceOf(const Rounding &rounding, const RoundedDecade &largest, bool areTimeStamps) const
+{
+    constexpr double kFewestRounded = 6.0; // values of a decade that do not all end early by chance
+    constexpr int kFewestDigitsByHand = 3; // fewer may be chosen numbers: 5, 10, 20
     const bool isRelative = rounding.rule == Rounding::Rule::SignificantDigits;
+    int coarsest = m_coarsestPlace;
     // By chance, one value in ten ends with one zero, and one in a hundred with two. More zeros are padding.
     const bool isPadded = 4 * m_trailingZeros >= m_values + 16;
-    const bool isLong = isRelative && rounding.digits > kDigitsOfAChosenNumber;
-    rounding.coarsestPlace = m_coarsestPlace;
     if (isPadded && m_coarsestPlace < 0) { // the last printed digits say nothing
-        rounding.coarsestPlace = isLong ? INT_MAX : 0;
+        const bool isLong = isRelative && rounding.digits > kDigitsOfAChosenNumber;
+        coarsest = isLong ? INT_MAX : 0;
     }
     // A person rounds -2123 to -2120 if three digits are enough, also beside 853.
-    const RoundedDecade &largest = decades.back();
     const bool isByHand = isRelative && rounding.digits >= kFewestDigitsByHand && !areTimeStamps;
-    if (isByHand && largest.haveAllEnded && largest.weight >= kFewestRounded) {
-        rounding.coarsestPlace = std::max(rounding.coarsestPlace, largest.place);
+    const bool endsEarly = largest.haveAllEnded && largest.weight >= kFewestRounded;
+    return isByHand && endsEarly ? std::max(coarsest, largest.place) : coarsest;
+}
+
+Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
+{
+    Rounding rounding;
+    rounding.unitFactor = unitFactor;
+    if (m_values == 0) {
+        return rounding;
     }
+    rounding.smallestExponent = m_smallestExponent;
+    rounding.finestPlace = m_finestPlace;
+    if (m_values == 1) {
+        rounding.rule = Rounding::Rule::Decimals;
+        rounding.digits = -placeOfOneValue(shortestPlaces(m_lastPlaces, m_lastMagnitude));
+        return rounding;
+    }
+    const std::vector<RoundedDecade> decades = roundedDecades(areTimeStamps);
+    chooseRule(decades, rounding);
+    rounding.coarsestPlace = coarsestPlaceOf(rounding, decades.back(), areTimeStamps);
     if (rounding.rule == Rounding::Rule::Decimals) {
         rounding.digits = std::max(rounding.digits, -rounding.coarsestPlace);
     }

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace slidercrank
 {
@@ -64,6 +65,8 @@ struct PrintedPlaces {
     int printed = 0;
 };
 
+struct RoundedDecade;
+
 /// Infers the rule of a column from its numbers as they were printed.
 ///
 /// Take the values of one decade (with the same power of ten of the first digit). If they are rounded at one place,
@@ -87,6 +90,12 @@ public:
     Rounding infer(double unitFactor, bool areTimeStamps) const;
 
 private:
+    /// Returns the places at which the values of all decades were rounded, from the smallest decade.
+    std::vector<RoundedDecade> roundedDecades(bool areTimeStamps) const;
+
+    /// Returns the coarsest place that a step of the rule may have. `largest`: the decade of the largest values.
+    int coarsestPlaceOf(const Rounding &rounding, const RoundedDecade &largest, bool areTimeStamps) const;
+
     static constexpr std::size_t kMaxDigits = 17; ///< in the shortest text of a double
     static constexpr int kLargestExponent = 48;   ///< values beyond mark missing numbers
 

@@ -110,6 +110,27 @@ void readUnitsInCells(const NumberRow &row, std::size_t line, std::vector<Headin
     }
 }
 
+/// What is above the rows of numbers.
+struct TableTop {
+    std::vector<Heading> headings{};
+    std::size_t firstRow = 0; ///< index of the first row of numbers among the lines
+    char delimiter = ',';
+};
+
+/// Reads a line of headings with the lines of units and further headings above and below it.
+TableTop readTop(Lines lines, const HeadingCandidate &header, const NumberRow &row)
+{
+    TableTop top{.firstRow = header.line + 1, .delimiter = row.isFound() ? row.delimiter : header.delimiter};
+    std::ranges::transform(headingsBeforeRemark(header.cells), std::back_inserter(top.headings), parseHeading);
+    if (header.line > 0) {
+        readLineAbove(lines[header.line - 1], top.delimiter, top.headings);
+    }
+    NumberRow rowBelow = row;
+    rowBelow.delimiter = top.delimiter;
+    top.firstRow += completeHeadings(lines.subspan(top.firstRow), rowBelow, top.headings);
+    return top;
+}
+
 } // namespace
 
 std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
@@ -118,7 +139,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     if (lines.empty()) {
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
-    NumberRow row = findFirstRow(examined);
+    const NumberRow row = findFirstRow(examined);
     const std::optional<LabelledRow> labelled = row.isFound() ? std::nullopt : findLabelledRow(examined);
     if (!row.isFound() && !labelled && isProse(lines)) { // many words, whose meanings would take long to find
         throw ReadError{.fault = {ReadFault::Kind::NotATable}};
@@ -128,34 +149,25 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     if (!isSure && isTransposed(examined)) {
         throw ReadError{.line = lines.front().number, .fault = {ReadFault::Kind::Transposed}};
     }
-    std::size_t firstRow = row.line;
-    std::vector<Heading> headings(row.cells.size());
+    TableTop top{std::vector<Heading>(row.cells.size()), row.line, row.delimiter};
     if (labelled) {
-        row.delimiter = labelled->delimiter;
         layout.headerLine = lines[labelled->line].number;
-        firstRow = labelled->line;
-        headings = headingsOfLabels(*labelled, lines[firstRow]);
+        top = {headingsOfLabels(*labelled, lines[labelled->line]), labelled->line, labelled->delimiter};
     } else if (header) {
-        row.delimiter = row.isFound() ? row.delimiter : header->delimiter;
         layout.headerLine = lines[header->line].number;
-        firstRow = header->line + 1;
-        headings.clear();
-        std::ranges::transform(headingsBeforeRemark(header->cells), std::back_inserter(headings), parseHeading);
-        if (header->line > 0) {
-            readLineAbove(lines[header->line - 1], row.delimiter, headings);
-        }
-        firstRow += completeHeadings(Lines(lines).subspan(firstRow), row, headings);
+        top = readTop(lines, *header, row);
     }
-    layout.delimiter = row.delimiter;
+    layout.delimiter = top.delimiter;
+    std::vector<Heading> &headings = top.headings;
     readUnitsInCells(row, lines[row.line].number, headings);
     interpretHeadings(headings);
-    lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(firstRow));
+    lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(top.firstRow));
     if (!labelled && !lines.empty()) {
         findClocks(lines.front(), layout.delimiter, headings);
     }
     layout.decimalSign = findDecimalSign(firstLines(lines), layout.delimiter);
     layout.mayBeThousands = mayHaveThousands(firstLines(lines), layout.delimiter);
-    return headings;
+    return std::move(headings);
 }
 
 } // namespace slidercrank

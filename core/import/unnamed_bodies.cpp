@@ -72,9 +72,25 @@ std::vector<RawColumn *> anglesOfDerivative(const RawColumn &derivative, std::ve
     return angles;
 }
 
-/// Gives angles of unnamed bodies to the crank if no other body can have them, and also their derivatives, which have
-/// the same owner. If that owner has a further angle, only their symbols tell whose derivatives they are; without them,
-/// they are removed.
+/// Gives the derivative of an angle to the crank if that is the only angle which it can belong to, or if it is even.
+/// Returns false if it may be that of the crank or of another angle.
+bool assignDerivative(RawColumn &derivative, const std::vector<RawColumn *> &angles)
+{
+    const std::vector<RawColumn *> ownAngles = anglesOfDerivative(derivative, angles);
+    const auto crankAngles =
+        std::ranges::count(ownAngles, kCrankAngle, [](const RawColumn *angle) { return angle->use.channel; });
+    const bool isOfCrank = crankAngles > 0 && crankAngles == std::ssize(ownAngles);
+    const bool isEven = isNearlyConstant(derivative); // only the crank turns evenly, or accelerates evenly
+    if (isEven || isOfCrank) {
+        derivative.use.channel.coordinate = Theta2;
+        derivative.meaning.reason = ColumnReason::WideAngle;
+        return true;
+    }
+    return crankAngles == 0;
+}
+
+/// Gives angles of unnamed bodies to the crank if no other body can have them, and also their derivatives. Removes the
+/// derivatives that may be those of the crank or of another angle.
 void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
 {
     std::vector<RawColumn *> angles;
@@ -90,18 +106,10 @@ void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
             angle->meaning.reason = ColumnReason::WideAngle;
         }
     }
-    for (RawColumn *const column : derivatives) {
-        const std::vector<RawColumn *> ownAngles = anglesOfDerivative(*column, angles);
-        const auto crankAngles =
-            std::ranges::count(ownAngles, kCrankAngle, [](const RawColumn *angle) { return angle->use.channel; });
-        const bool isOfCrank = crankAngles > 0 && crankAngles == std::ssize(ownAngles);
-        const bool isEven = isNearlyConstant(*column); // only the crank turns evenly, or accelerates evenly
-        if (isEven || isOfCrank) {
-            column->use.channel.coordinate = Theta2;
-            column->meaning.reason = ColumnReason::WideAngle;
-        } else if (crankAngles > 0) {
-            column->use.reason = ColumnReason::LikeOther;
-            std::erase(candidates, column);
+    for (RawColumn *const derivative : derivatives) {
+        if (!assignDerivative(*derivative, angles)) {
+            derivative->use.reason = ColumnReason::LikeOther;
+            std::erase(candidates, derivative);
         }
     }
 }
@@ -306,9 +314,9 @@ std::set<std::string> pointsWithPath(const std::vector<RawColumn *> &candidates,
     return owners;
 }
 
-/// Finds the slider among points with x and y: it is the only one whose y does not change, and this becomes the reason
-/// of its columns. Removes the other points; if there is no such slider, those whose paths are curved, and those that
-/// only a path could tell from the slider.
+/// Finds the slider among points with x and y: it is the only one whose y does not change. Sets this as the reason of
+/// its columns, and removes the other points. If there is no such point, removes those whose paths are curved, and
+/// those whose names leave open whether they are the slider.
 void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
 {
     const std::string part = onlyPart(candidates);
