@@ -59,33 +59,46 @@ bool areDays(const RawColumn &column)
            range.width() < kLongestStep * static_cast<double>(range.count);
 }
 
-/// Time stamps of a clock, in s, ms, µs or ns since 1970, or in days since a date, count from the first row.
+/// Returns how many units of time stamps without a unit are in a second, if they are so large that they are in ms, µs
+/// or ns since 1970, or in days since a date; otherwise 1.
+double unitsPerSecond(const RawColumn &column)
+{
+    constexpr double kDay = 86'400.0;      // s
+    constexpr double kLatestSecond = 1e11; // since 1970: larger numbers are in a smaller unit
+    if (areDays(column)) {
+        return 1.0 / kDay;
+    }
+    const double first = rangeOf(column.values).low;
+    double scale = 1.0;
+    while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * scale) {
+        scale *= 1000.0;
+    }
+    return scale;
+}
+
+/// Subtracts the first time stamp from all if they are those of a clock or since a date, and converts them to seconds.
 void countFromFirstRow(RawColumn &column)
 {
-    constexpr double kDay = 86'400.0;     // s
     constexpr double kHalfDay = 43'200.0; // s: a clock may have twelve hours
     constexpr double kHour = 3'600.0;     // s: a clock without a date that starts below shows the time since the start
     constexpr double kEarliestSecond = 1.2e9; // since 1970: in 2008
-    constexpr double kLatestSecond = 1e11;    // since 1970: larger numbers are in a smaller unit
     if (column.cells.isClock) {
         column.values = unwrapped(std::move(column.values), kHalfDay);
     }
     const double first = rangeOf(column.values).low;
-    const bool isInDays = areDays(column);
-    double scale = isInDays ? 1.0 / kDay : 1.0; // number of units in a second
-    while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * scale) {
-        scale *= 1000.0;
-    }
     const bool isSince1970 = first >= kEarliestSecond && first < kInfinity;
-    if (isInDays || isSince1970 || (column.cells.isClock && (column.cells.hasDate || first >= kHour))) {
-        column.origin = first / scale;
-        column.factor /= scale;
-        const double step = column.rounding.infer(column.factor, true).finestStep();
-        std::ranges::for_each(column.values, [&](double &value) {
-            value = (value - first) / scale;
-            value = step > 0.0 ? step * std::rint(value / step) : value; // a double near 1.7e9 is off by 1e-7
-        });
+    const bool showsTimeOfDay = column.cells.isClock && (column.cells.hasDate || first >= kHour);
+    if (!areDays(column) && !isSince1970 && !showsTimeOfDay) {
+        return;
     }
+    const double scale = unitsPerSecond(column);
+    column.origin = first / scale;
+    column.factor /= scale;
+    const double step = column.rounding.infer(column.factor, true).finestStep();
+    std::ranges::for_each(column.values, [&](double &value) {
+        value = (value - first) / scale;
+        value = step > 0.0 ? step * std::rint(value / step) : value; // a double near 1.7e9 is off by 1e-7
+    });
 }
 
 /// Returns whether a word or symbol denotes an angle or a derivative of one.

@@ -41,10 +41,24 @@ std::string withPlainSpelling(std::string_view number)
     return plain;
 }
 
-/// Parses an optional minus sign, digits with at most one point, and an optional exponent.
-CellNumber parsePlain(std::string_view text)
+/// Returns the places of the digits of a number that is printed with a sign and a point, times a power of ten.
+PrintedPlaces placesOf(std::string_view digits, double exponent)
 {
     constexpr double kLargestExponent = 1e5; // beyond any double, so that no sum overflows
+    const auto isNonZeroDigit = [](char c) { return c >= '1' && c <= '9'; };
+    const auto first = std::ranges::find_if(digits, isNonZeroDigit);
+    const auto last = std::find_if(digits.rbegin(), digits.rend(), isNonZeroDigit);
+    const auto point = static_cast<std::ptrdiff_t>(std::min(digits.find('.'), digits.size()));
+    const int top =
+        static_cast<int>(std::clamp(exponent, -kLargestExponent, kLargestExponent) + static_cast<double>(point));
+    const auto powerAt = [&](std::ptrdiff_t at) { return top - static_cast<int>(at) - (at < point ? 1 : 0); };
+    return {first == digits.end(), powerAt(first - digits.begin()), powerAt(digits.rend() - last - 1),
+            powerAt(std::ssize(digits) - 1)};
+}
+
+/// Parses an optional minus sign, digits with at most one point, and an optional exponent. Other texts are no numbers.
+CellNumber parsePlain(std::string_view text)
+{
     CellNumber number;
     const char *const end = text.data() + text.size();
     double value = 0.0;
@@ -61,15 +75,7 @@ CellNumber parsePlain(std::string_view text)
         number.fault = RowFault::NotANumber;
         return number;
     }
-    const auto isNonZeroDigit = [](char c) { return c >= '1' && c <= '9'; };
-    const auto first = std::ranges::find_if(digits, isNonZeroDigit);
-    const auto last = std::find_if(digits.rbegin(), digits.rend(), isNonZeroDigit);
-    const auto point = static_cast<std::ptrdiff_t>(std::min(digits.find('.'), digits.size()));
-    const int top =
-        static_cast<int>(std::clamp(exponent, -kLargestExponent, kLargestExponent) + static_cast<double>(point));
-    const auto powerAt = [&](std::ptrdiff_t at) { return top - static_cast<int>(at) - (at < point ? 1 : 0); };
-    number.places = {first == digits.end(), powerAt(first - digits.begin()), powerAt(digits.rend() - last - 1),
-                     powerAt(std::ssize(digits) - 1)};
+    number.places = placesOf(digits, exponent);
     if (parsed.ec == std::errc::result_out_of_range && number.places.first > 0) {
         number.fault = RowFault::TooLarge;
     } else {
@@ -276,7 +282,7 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
     if (decimalSign == DecimalSign::Comma) {
         text = exchanged = withPointsAndCommasExchanged(text);
     }
-    CellNumber number = parsePlain(text); // the only object to be returned, so that none is copied
+    CellNumber number = parsePlain(text);
     if (number.fault != RowFault::NotANumber) {
         return number;
     }

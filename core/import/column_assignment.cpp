@@ -61,7 +61,8 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
         }
         const ColumnRole role = column.choice->role;
         column.meaning = {Kind::Chosen, column.choice->channel, ColumnReason::Chosen};
-        column.use.reason = role == ColumnRole::Ignored ? ColumnReason::Chosen : ColumnReason::UnknownName; // undecided
+        const bool isUndecided = role != ColumnRole::Ignored; // assignChannels() decides about a channel
+        column.use.reason = isUndecided ? ColumnReason::UnknownName : ColumnReason::Chosen;
         if (role == ColumnRole::Time || role == ColumnRole::CrankAngle) {
             setAbscissa(table, column, role, ColumnReason::Chosen);
         }

@@ -66,7 +66,8 @@ void joinHeadings(HeadingCandidate &names, const NumberRow &row)
     }
 }
 
-/// Returns whether a remark follows the names, of which there are as many as numbers in a row without it.
+/// Returns whether a remark follows the names of the columns: it begins with a comment mark, or its words are the cells
+/// that are more than the numbers of a row, although as many names as numbers are known.
 bool isRemarkBehind(const HeadingCandidate &names, std::size_t numbers)
 {
     const bool isMarked = headingsBeforeRemark(names.cells).size() == numbers;

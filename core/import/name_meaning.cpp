@@ -379,7 +379,7 @@ bool isOfCrankEnd(std::string_view name)
 }
 
 /// Returns the meaning of the name of a time or of a row number; nullopt if it is neither.
-std::optional<NameMeaning> meaningOfCount(const Words &words, std::string_view lastPart, const std::string &unit)
+std::optional<NameMeaning> meaningOfTimeOrNumber(const Words &words, std::string_view lastPart, const std::string &unit)
 {
     constexpr std::string_view kCountedUnits = "steps step frames frame samples sample rows points pasos muestras";
     if (!isTime(words)) {
@@ -460,7 +460,7 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
     }
     const std::string_view lastPart = path.parts.back();
     Words words = path.isOfModelica ? Words{'.' + std::string(lastPart)} : wordsOf(lastPart);
-    if (const std::optional<NameMeaning> meaning = meaningOfCount(words, lastPart, unit)) {
+    if (const std::optional<NameMeaning> meaning = meaningOfTimeOrNumber(words, lastPart, unit)) {
         return *meaning;
     }
     derivatives += takeDerivatives(words);

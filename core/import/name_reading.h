@@ -19,8 +19,7 @@ namespace slidercrank
 struct UnknownWords {
     std::string text{};   ///< one after the other
     bool hasWord = false; ///< one of them has at least three letters, so that they are not only indices
-    std::string
-        point{}; ///< the word with the number or letter of a point: "massa" in "mass_A x", "joint3" in "joint 3"
+    std::string point{};  ///< the word and number or letter of a point: "massa" in "mass_A x", "joint3"
 
     bool isAny() const { return !text.empty() || !point.empty(); }
     bool areIndices() const { return !text.empty() && !hasWord && point.empty(); } ///< as in "x_G"
