@@ -50,7 +50,7 @@ struct ReadFault {
         TimeTwice,      ///< or the crank angle instead of it
         NoTime,
         NoChannel,        ///< no heading is known
-        NoCertainChannel, ///< the column with `heading` could be one, apart from `column`
+        NoCertainChannel, ///< the column with `heading` may be a channel, but is ignored because of `column`
         NoNumbers,        ///< below the headings
         NoRow,            ///< can be read; `row` is the reason for the first one
         MostRows,         ///< cannot be read, although they have numbers; `row` as for NoRow

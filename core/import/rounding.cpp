@@ -37,8 +37,9 @@ int decadeOf(double magnitude)
 /// the program rounds.
 constexpr int kDigitsOfAChosenNumber = 4;
 
-/// Returns the place at which the only number of a column was rounded. Zeros after the point may belong to it: as many
-/// digits as a person chooses are taken as known. 3.07587e+07 was not rounded to a whole number.
+/// Returns the place at which the only number of a column was rounded: its last printed digit, such as the hundreds of
+/// 3.07587e+07. Behind the point, zeros at the end count only among the first kDigitsOfAChosenNumber digits: 12.00 was
+/// rounded to hundredths, but 123456.0 to a whole number.
 int placeOfOneValue(const PrintedPlaces &places)
 {
     const int place = std::min(places.last, std::max(places.printed, 0));
