@@ -176,6 +176,14 @@ std::size_t findLineEnd(std::string_view text)
     return end;
 }
 
+/// Returns whether the text behind a number is a heading that it numbers: ". Time (s)", ":time", but not ":30".
+bool numbersHeading(std::string_view behind)
+{
+    const bool hasMark =
+        behind.starts_with(". ") || ((behind.starts_with(')') || behind.starts_with(':')) && behind.size() > 1);
+    return hasMark && !isDigit(trimmed(behind.substr(1))[0]);
+}
+
 } // namespace
 
 std::vector<Line> splitLines(std::string_view text)
@@ -219,10 +227,8 @@ bool isData(std::string_view line)
     if (digit == text.npos || !isDigit(text[digit]) || digit > kMaxSigns) {
         return false;
     }
-    const std::string_view rest = text.substr(std::min(text.find_first_not_of("0123456789", digit), text.size()));
-    const bool mayNumberHeadings = // "1. Time (s)", "1:time"
-        rest.starts_with(". ") || ((rest.starts_with(')') || rest.starts_with(':')) && rest.size() > 1);
-    return !mayNumberHeadings || isDigit(trimmed(rest.substr(1))[0]);
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", digit), text.size());
+    return !numbersHeading(text.substr(end));
 }
 
 bool isRemark(std::string_view line)
