@@ -191,6 +191,11 @@ void MechanismDrawing::avoid(const QLineF &line, double width)
     }
 }
 
+void MechanismDrawing::avoidAround(QPointF centre, double radius)
+{
+    avoid(QRectF(centre - QPointF(radius, radius), QSizeF(2.0 * radius, 2.0 * radius)));
+}
+
 QColor withAlpha(QColor colour, double alpha)
 {
     colour.setAlphaF(static_cast<float>(alpha));

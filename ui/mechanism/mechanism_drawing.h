@@ -116,6 +116,7 @@ protected:
     /// Labels added later do not overlap this rectangle.
     void avoid(const QRectF &box) { m_occupied.push_back(box); }
     void avoid(const QLineF &line, double width);
+    void avoidAround(QPointF centre, double radius); ///< px
 
     /// Returns the colour mixed with the background.
     QColor faded(const QColor &colour, double share) const { return mixed(colour, m_paper, share); }

@@ -61,28 +61,26 @@ void MechanismSketch::addLinkage()
     }
 }
 
-/// Keeps labels away from the ground, the rail, the legend and the dimension of the offset, and adds the captions of
-/// the dead centres.
+/// Keeps labels away from the ground, the rail, the marks of the dead centres, the legend and the dimension of the
+/// offset, and adds the captions of the dead centres.
 void MechanismSketch::avoidScenery()
 {
     constexpr double kHeightOfGround = 24.0; // px, with the hatching
     constexpr double kUsualLegendWidth = 240.0;
     constexpr double kLetterOfOffset = 24.0; // px, beside its dimension
-    constexpr double kOpacityOfCaption = 0.6;
     avoid(QRectF(m_O2 - QPointF(kPivot, 0.0), QSizeF(2.0 * kPivot, kHeightOfGround)));
     avoid(rail());
+    for (const DeadCentreMark &mark : deadCentreMarks()) { // one rectangle each: other texts are to be avoided as much
+        avoid(QRectF(mark.line.p1(), mark.line.p2()).adjusted(-1.0, 0.0, 1.0, 0.0));
+    }
     if (cornerLineCount() > 0) {
         avoid(QRectF(0.0, 0.0, kUsualLegendWidth, cornerLineTop(cornerLineCount())));
     }
     if (m_scene->settings.dimensions) {
         avoid(offsetDimension(), kLetterOfOffset);
     }
-    for (const auto &[name, box] : deadCentreCaptions()) { // over the coupler, which may pass them
-        m_labels.push_back({.text = name,
-                            .box = box,
-                            .ink = m_muted,
-                            .paper = withAlpha(m_paper, kOpacityOfCaption),
-                            .isSmall = true});
+    for (const auto &[name, box] : deadCentreCaptions()) { // over the coupler, which may pass them and stays visible
+        m_labels.push_back({.text = name, .box = box, .ink = m_muted, .paper = Qt::transparent, .isSmall = true});
         avoid(box);
     }
 }
@@ -145,6 +143,9 @@ void MechanismSketch::addModel()
         avoid(slider.boundingRect());
         avoid({m_O2, m_A}, kCrankWidth);
         avoid({m_A, m_B}, kCouplerWidth);
+        avoidAround(m_O2, kJointRadius + kBodyOutline);
+        avoidAround(m_A, kJointRadius + kBodyOutline);
+        avoidAround(0.5 * (m_A + m_B), kCentreRadius);
         addLink(m_A, m_B, kCouplerWidth, link, Coupler);
     }
     addLink(m_O2, m_A, kCrankWidth, link, Crank);
@@ -197,7 +198,11 @@ void MechanismSketch::addAssemblyProblem()
     const double heightOfGridNumbers = textSize({}).height(); // along the lower edge
     const QRectF inside =
         QRectF(QPointF(), projection().size).adjusted(kMargin, kMargin, -kMargin, -kMargin - heightOfGridNumbers);
-    const QRectF box = m_scene->inFreeCorner(inside, extent);
+    constexpr double kAroundButton = kPadding + 4.0; // px
+    const QRectF button = m_scene->button.isEmpty()
+                              ? QRectF()
+                              : m_scene->button.adjusted(-kAroundButton, -kAroundButton, kAroundButton, kAroundButton);
+    const QRectF box = m_scene->inFreeCorner(inside, extent, button);
     QPainterPath frame;
     frame.addRoundedRect(box.marginsAdded({kPadding, kPadding, kPadding, kPadding}), kRoundedCorner, kRoundedCorner);
     std::erase_if(m_labels, [&frame](const Label &label) { return frame.intersects(label.box); });

@@ -15,7 +15,7 @@ PointMotion MechanismScene::motion(LinkagePoint point) const
     return linkageMotion(mechanism(), pose.time, alpha2())[static_cast<std::size_t>(point)];
 }
 
-QRectF MechanismScene::inFreeCorner(const QRectF &area, const QSizeF &size) const
+QRectF MechanismScene::inFreeCorner(const QRectF &area, const QSizeF &size, const QRectF &obstacle) const
 {
     QRectF box(area.topLeft(), size);
     if (mechanism().branch() == Branch::Open) {
@@ -23,6 +23,11 @@ QRectF MechanismScene::inFreeCorner(const QRectF &area, const QSizeF &size) cons
     }
     if (mechanism().c() >= 0.0) {
         box.moveBottom(area.bottom());
+        if (box.intersects(obstacle)) {
+            box.moveBottom(obstacle.top());
+        }
+    } else if (box.intersects(obstacle)) {
+        box.moveTop(obstacle.bottom());
     }
     return box;
 }

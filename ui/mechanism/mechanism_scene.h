@@ -33,6 +33,7 @@ struct MechanismScene {
     ReferencePose ghost;  ///< the linkage of the reference or of the pinned motion
     ReferencePose marked; ///< the linkage in a position that a table refers to
     MechanismSettings settings;
+    QRectF button; ///< px of the drawing, which the button for the assembly covers in the window; empty in pictures
 
     const Mechanism &mechanism() const { return result->mechanism; }
 
@@ -47,8 +48,9 @@ struct MechanismScene {
     /// Returns the motion of a point at the time of the pose, with the acceleration alpha2() of the crank.
     PointMotion motion(LinkagePoint point) const;
 
-    /// Returns a box of that size in the corner of the area that is away from the crank and the slider's line.
-    QRectF inFreeCorner(const QRectF &area, const QSizeF &size) const;
+    /// Returns a box of that size in the corner of the area that is away from the crank and the slider's line. Where
+    /// `obstacle` is in that corner, the box is above or below it.
+    QRectF inFreeCorner(const QRectF &area, const QSizeF &size, const QRectF &obstacle = {}) const;
 
     /// Returns the scale of the velocities or of the accelerations.
     ArrowScale arrows(PlaneVector PointMotion::*vector) const;

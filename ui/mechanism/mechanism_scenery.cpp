@@ -124,18 +124,28 @@ QRectF MechanismSketch::rail() const
     return {from, QSizeF(to - from.x(), kHatch)};
 }
 
+/// Returns the marks of the dead centres, across the slider's line.
+std::vector<MechanismSketch::DeadCentreMark> MechanismSketch::deadCentreMarks() const
+{
+    constexpr double kAboveLine = 20.0; // px
+    std::vector<DeadCentreMark> marks;
+    for (const auto &[centre, part] : {std::pair(limits().outer, OuterDeadCentre), {limits().inner, InnerDeadCentre}}) {
+        if (centre) {
+            const QPointF place = toPixels({centre->R4x, mechanism().c()});
+            marks.push_back({part, QLineF(place - QPointF(0.0, kAboveLine), place + QPointF(0.0, kBelowLine))});
+        }
+    }
+    return marks;
+}
+
 /// Adds the slider's line, the rail and the dead centres.
 void MechanismSketch::addGuide()
 {
-    constexpr double kMark = 20.0; // px that a dead centre's mark rises above the line
     const double y = toPixels({0.0, mechanism().c()}).y();
     addLine({0.0, y}, {projection().size.width(), y}, QPen(m_muted, kHairline, Qt::DashDotLine), Guide);
     addGround(rail().topLeft(), rail().right(), Guide);
-    for (const auto &[centre, part] : {std::pair(limits().outer, OuterDeadCentre), {limits().inner, InnerDeadCentre}}) {
-        if (centre) {
-            const double x = toPixels({centre->R4x, 0.0}).x();
-            addLine({x, y - kMark}, {x, y + kBelowLine}, QPen(m_muted, kGroundLine), part);
-        }
+    for (const DeadCentreMark &mark : deadCentreMarks()) {
+        addLine(mark.line.p1(), mark.line.p2(), QPen(m_muted, kGroundLine), mark.part);
     }
 }
 

@@ -71,6 +71,11 @@ private:
     void addScales(int line);
     int scaleCount() const; ///< number of arrow scales in the legend
 
+    struct DeadCentreMark {
+        DrawnPart part;
+        QLineF line;
+    };
+    std::vector<DeadCentreMark> deadCentreMarks() const;
     struct Caption {
         QString text;
         QRectF box;

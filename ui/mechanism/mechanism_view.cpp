@@ -348,6 +348,8 @@ void MechanismView::refresh()
     m_sceneryPicture = QPixmap();
     m_flip->resize(m_flip->sizeHint());
     m_flip->move(width() - m_flip->width() - kInset, m_scene.result ? flipButtonTop() : kInset);
+    const QRectF button(m_flip->geometry());
+    m_scene.button = QRectF(button.topLeft() / magnification(), button.size() / magnification());
     update();
 }
 
@@ -412,8 +414,10 @@ void MechanismView::paintEvent(QPaintEvent *)
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
     const QFont font = painter.font();
+    MechanismScene scene = m_scene;
+    scene.button = QRectF();
     const auto newPicture = [&](const QSizeF &part) {
-        return MechanismSketch(m_scene, pictureProjection(m_scene, m_frame, part, font), palette, font,
+        return MechanismSketch(scene, pictureProjection(scene, m_frame, part, font), palette, font,
                                MechanismSketch::Legend::Separate);
     };
     MechanismSketch legend = newPicture(size);
@@ -466,7 +470,9 @@ void MechanismView::showNote()
     m_note->setText(text);
     const int noteWidth = std::min(kMaxWidth, width() - 2 * kInset);
     const QRectF inside = QRectF(rect()).adjusted(kInset, kInset, -kInset, -kInset);
-    m_note->setGeometry(m_scene.inFreeCorner(inside, QSizeF(noteWidth, m_note->heightForWidth(noteWidth))).toRect());
+    const QSizeF noteSize(noteWidth, m_note->heightForWidth(noteWidth));
+    const QRectF button = m_flip->geometry().adjusted(-kInset, -kInset, kInset, kInset);
+    m_note->setGeometry(m_scene.inFreeCorner(inside, noteSize, button).toRect());
 }
 
 } // namespace slidercrank

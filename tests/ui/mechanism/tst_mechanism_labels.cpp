@@ -18,6 +18,7 @@
 #include <QScopeGuard>
 #include <QTest>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -55,7 +56,7 @@ private slots:
         QCOMPARE(overlaps, 0);
     }
 
-    /// A former defect: in the notation of textbooks, θ₃ at B covered a part of the rail.
+    /// Former defects: in the notation of textbooks, θ₃ at B covered a part of the rail, or the mark of a dead centre.
     void theAngleAtTheSliderKeepsClearOfTheRailAndItsArc()
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
@@ -72,7 +73,10 @@ private slots:
                     const bool isArc = shape.path.elementCount() > 4 && shape.part == DrawnPart::Background &&
                                        QLineF(shape.path.elementAt(0), pin).length() < 0.5;
                     const bool isRail = shape.part == DrawnPart::Guide && shape.path.boundingRect().height() > 2.0;
-                    QVERIFY2(!(isArc || isRail) || !shape.path.intersects(box), qPrintable(QString::number(i)));
+                    const bool isMark =
+                        shape.part == DrawnPart::OuterDeadCentre || shape.part == DrawnPart::InnerDeadCentre;
+                    QVERIFY2(!(isArc || isRail || isMark) || !shape.path.intersects(box),
+                             qPrintable(QString::number(i)));
                 }
             }
         }
@@ -108,7 +112,8 @@ private slots:
         QCOMPARE(Drawn({.a = 3.0, .b = 90.0}, 0.0, settings).label("outer dead"), QRectF()); // too close together
     }
 
-    /// A former defect: where the coupler passed the name of a dead centre, it covered half of it.
+    /// Former defects: where the coupler passed the name of a dead centre, it covered half of it; later the name hid
+    /// G₃.
     void namesOfTheDeadCentresAreDrawnOverTheCoupler()
     {
         const Drawn drawn({.a = 40.0, .b = 120.0, .c = 20.0, .theta20 = -std::numbers::pi / 6.0}, 0.0, {.names = true},
@@ -121,7 +126,32 @@ private slots:
         MechanismSketch scenery(drawn.scene, drawn.sketch->projection(), paletteFor(Theme::Light), QFont());
         scenery.addScenery(); // is painted below the linkage
         const auto isName = [](const Label &label) { return label.text == u"inner"; };
+        QCOMPARE(std::ranges::find_if(drawn.sketch->labels(), isName)->paper.alpha(), 0);
         QVERIFY(std::ranges::none_of(scenery.labels(), isName));
+    }
+
+    /// A former defect: in a small picture, the number of an angle hid half of the joint A.
+    void textsKeepClearOfTheJoints()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        setNotation({.symbols = Symbols::Textbook});
+        constexpr double kRadius = 6.5; // px, with a part of the outline
+        constexpr int kPoses = 48;
+        constexpr std::array kWidths{300.0, 340.0, 380.0, 420.0, 460.0, 500.0, 540.0, 580.0};
+        const MechanismSettings settings{.names = true, .dimensions = true, .angles = true};
+        const Parameters parameters{.a = 76.2, .b = 203.2, .c = 50.8, .omega2 = 2.0 * std::numbers::pi};
+        for (std::size_t i = 0; i < kPoses * kWidths.size(); ++i) {
+            const double width = kWidths[i / kPoses];
+            const Drawn drawn(parameters, static_cast<double>(i % kPoses) / kPoses, settings, {width, 0.5 * width});
+            QRectF joint(0.0, 0.0, 2.0 * kRadius, 2.0 * kRadius);
+            joint.moveCenter(drawn.sketch->toPixels(drawn.scene.crankPin()));
+            for (const Label &label : drawn.sketch->labels()) {
+                const QRectF letters = label.box.adjusted(0.0, 2.0, 0.0, -2.0);
+                const bool isBelow = label.text == u"c" || label.paper.alpha() == 0; // painted below the linkage
+                QVERIFY2(isBelow || !letters.intersects(joint),
+                         qPrintable(QStringLiteral("%1 at %2 px").arg(label.text).arg(width)));
+            }
+        }
     }
 
     /// A former defect: the arc of an angle above 180° ran through the name O₂.

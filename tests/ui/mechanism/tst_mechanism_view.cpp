@@ -194,6 +194,33 @@ private slots:
         }
     }
 
+    /// A former defect: the button for the assembly covered the reason.
+    void theReasonIsBesideTheButton()
+    {
+        for (const Parameters &parameters :
+             {Parameters{.b = 10.0}, Parameters{.b = 10.0, .c = -25.0}, Parameters{.a = 76.2, .b = 12.7, .c = 78.0},
+              Parameters{.b = 10.0, .c = -25.0, .branch = Branch::Crossed}}) {
+            for (const QSize &size : {QSize(550, 620), QSize(450, 340), QSize(400, 260)}) {
+                Bench bench(parameters);
+                bench.view.resize(size);
+                bench.view.show();
+                bench.view.fit();
+                QCoreApplication::processEvents();
+                TextRecorder recorder(bench.view.size());
+                bench.view.render(&recorder, {}, {}, QWidget::DrawWindowBackground); // without the button
+                const QRectF button = bench.view.findChild<QToolButton *>()->geometry();
+                int reasons = 0;
+                for (const auto &[line, place] : recorder.texts) {
+                    const bool isReason =
+                        line.contains("assembled") || line.contains("too short") || line.contains("full turns");
+                    reasons += isReason;
+                    QVERIFY2(!isReason || !place.intersects(button), qPrintable(line));
+                }
+                QVERIFY(reasons > 0);
+            }
+        }
+    }
+
     void findsThePartUnderThePointer()
     {
         using enum DrawnPart;
