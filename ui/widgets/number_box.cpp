@@ -147,12 +147,13 @@ void NumberBox::stepBy(int steps)
     }
 }
 
-/// Returns every digit while the number is edited; otherwise as many digits as fit, so that -2.17724e-5 is never cut to
-/// -2.1772.
+/// Returns every digit while the number is edited, otherwise at most six; in either case only as many digits as fit, so
+/// that -2.17724e-5 is never cut to -2.1772, and the unit stays visible.
 QString NumberBox::textFromValue(double value) const
 {
     constexpr int kMargins = 4; // px; margins of QLineEdit
-    constexpr int kMaximumDigits = 6;
+    constexpr int kUnfocusedDigits = 6;
+    constexpr int kDigitsOfDouble = 17;
     const auto fits = [this](const QString &text) {
         return fontMetrics().horizontalAdvance(text + suffix()) <= lineEdit()->width() - kMargins;
     };
@@ -161,10 +162,10 @@ QString NumberBox::textFromValue(double value) const
         if (m_isEditing || fits(text)) {
             return text;
         }
-    } else if (m_isEditing) {
+    } else if (m_isEditing && fits(typedNumberText(value))) {
         return typedNumberText(value);
     }
-    int digits = kMaximumDigits;
+    int digits = m_isEditing ? kDigitsOfDouble : kUnfocusedDigits;
     while (digits > kMinimumDigits && !fits(numberText(value, digits))) {
         --digits;
     }
@@ -323,7 +324,7 @@ void NumberBox::keyPressEvent(QKeyEvent *event)
 void NumberBox::resizeEvent(QResizeEvent *event)
 {
     QDoubleSpinBox::resizeEvent(event);
-    if (!m_isEditing) {
+    if (!m_hasTyped) {
         showValue();
     }
 }

@@ -77,7 +77,7 @@ private:
     std::optional<Unit> m_unit;
     int m_fixedDecimals = -1; ///< negative: not fixed
     QString m_widestNumber = QStringLiteral("-000.000");
-    bool m_isEditing = false;  ///< the box has the focus and shows every digit
+    bool m_isEditing = false;  ///< the box has the focus and shows every digit that fits
     bool m_hasTyped = false;   ///< text was typed since the last number was accepted, even if it equals that number
     mutable QString m_refusal; ///< why the typed text is refused; empty if it is accepted
     QLabel *m_note = nullptr;

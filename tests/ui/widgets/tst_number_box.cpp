@@ -20,6 +20,8 @@ using namespace slidercrank;
 namespace tst_number_box
 {
 
+constexpr int kWideBox = 300; // px, for every digit of a double
+
 /// A box for a length and another box in an active window.
 struct Shown {
     QWidget window;
@@ -118,6 +120,7 @@ private slots:
     void hasSpaceForItsWidestNumber()
     {
         Shown shown(2.906599664);
+        shown.box->resize(kWideBox, shown.box->height());
         const QString text = QStringLiteral("2.906599664 mm");
         shown.box->setFocus();
         QCOMPARE(shown.box->text(), text);
@@ -147,6 +150,7 @@ private slots:
     {
         Shown shown(60.12345678901234);
         QCOMPARE(shown.box->text(), QString("60.1235 mm"));
+        shown.box->resize(kWideBox, shown.box->height());
         shown.box->setFocus(); // the focus alone changes nothing
         QCOMPARE(shown.box->text(), QString("60.12345678901234 mm"));
         QCOMPARE(shown.line()->cursorPosition(), 0);
@@ -238,6 +242,31 @@ private slots:
             }
             QVERIFY2(std::abs(plain.toDouble() - value) <= 0.05 * std::abs(value), qPrintable(line->text()));
             QVERIFY2(line->fontMetrics().horizontalAdvance(line->text()) < line->width(), qPrintable(line->text()));
+        }
+    }
+
+    /// A former defect: a stroke of 6.23407813143612 in was cut off in the box with the focus, and its unit was hidden.
+    void theFocusShowsNoMoreDigitsThanFit()
+    {
+        for (const double value : {158.34558453847744, -1.2345678901234567e-7, 8.0}) {
+            Shown shown(8.0);
+            shown.box->setRange(-kLargestParameter, kLargestParameter);
+            shown.box->setValue(value);
+            shown.box->setFocus();
+            const int narrow = shown.box->sizeHint().width();
+            for (const int width : {narrow + 40, narrow, narrow + 20, kWideBox}) {
+                shown.box->resize(width, shown.box->height());
+                const QString text = shown.box->text();
+                QVERIFY2(text.endsWith(" mm"), qPrintable(text));
+                QVERIFY2(shown.line()->fontMetrics().horizontalAdvance(text) < shown.line()->width(), qPrintable(text));
+                QVERIFY(!shown.box->isTyping());
+            }
+            QCOMPARE(shown.box->text().chopped(3).toDouble(), value); // every digit again
+            shown.box->resize(narrow, shown.box->height());
+            QTest::keyClick(shown.box, Qt::Key_Return);
+            shown.other->setFocus();
+            QCOMPARE(shown.edits.count(), 0);
+            QVERIFY(shown.box->value() == value);
         }
     }
 
