@@ -335,16 +335,40 @@ QString summaryText(const Identification &found)
     return sentences.join(u' ');
 }
 
+/// Returns whether the number has at most `digits` significant digits.
+static bool hasFewDigits(double number, int digits)
+{
+    constexpr double kArithmetic = 1e-14; // relative error of a conversion of units
+    const double rounded = QString::number(number, 'g', digits).toDouble();
+    return std::abs(rounded - number) <= kArithmetic * std::abs(number);
+}
+
+/// Returns the notation in which the lengths are round numbers: that of the other texts, or the unit in which they were
+/// rounded if 20 mm would be 0.787401575 in.
+static Notation notationOfRoundLengths(const Identification &found, int digits)
+{
+    Notation shown = notationOf(found);
+    const auto isRound = [&](double length) {
+        return hasFewDigits(shownValue(Measure::Length, length, shown.units), digits);
+    };
+    const Parameters &rounded = found.rounded;
+    if (!isRound(rounded.a) || !isRound(rounded.b) || !isRound(rounded.c)) {
+        shown.units.length = lengthUnitOf(found.lengthUnit);
+    }
+    return shown;
+}
+
 QString roundNumbersText(const Identification &found)
 {
     constexpr int kDigits = 9;
     if (!found.hasMechanism() || found.rounded == found.parameters) {
         return {};
     }
+    const Notation shown = notationOfRoundLengths(found, kDigits);
     QStringList equations;
     for (const Parameter parameter : kAllParameters) {
         if (isMeasured(parameter, found) && !(parameter == Parameter::Omega2 && found.drive)) {
-            equations << equationText(parameter, valueOf(found.rounded, parameter), kDigits, notationOf(found));
+            equations << equationText(parameter, valueOf(found.rounded, parameter), kDigits, shown);
         }
     }
     return IdentificationText::tr("Rounded values that fit equally well: %1.").arg(equations.join(", "));

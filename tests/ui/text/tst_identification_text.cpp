@@ -6,6 +6,7 @@
 #include "ui/text/written_number.h"
 
 #include <QLocale>
+#include <QScopeGuard>
 #include <QTest>
 
 #include <numbers>
@@ -254,6 +255,23 @@ private slots:
         found.drive = {6.25, 0.1, 5.0, 7.0, {}}; // a speed that is not constant
         QCOMPARE(roundNumbersText(found),
                  QString("Rounded values that fit equally well: a = 20 mm, b = 60 mm, c = 25 mm."));
+    }
+
+    /// A former defect: in a window in inches, 20 mm was the "rounded" 0.787401575 in.
+    void roundNumbersAreRoundInTheirUnit()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        Identification found = identified();
+        found.rounded = {20.0, 60.0, 25.0, 6.25, 0.0};
+        setNotation({.units = {.length = LengthUnit::Inch}});
+        QVERIFY2(roundNumbersText(found).contains(": a = 20 mm, b = 60 mm, c = 25 mm, "),
+                 qPrintable(roundNumbersText(found)));
+        found.rounded = {50.8, 152.4, 12.7, 6.25, 0.0};
+        QVERIFY2(roundNumbersText(found).contains(": a = 2 in, b = 6 in, c = 0.5 in, "),
+                 qPrintable(roundNumbersText(found)));
+        setNotation({.units = {.length = LengthUnit::Metre}});
+        QVERIFY2(roundNumbersText(found).contains(": a = 0.0508 m, b = 0.1524 m, c = 0.0127 m, "),
+                 qPrintable(roundNumbersText(found)));
     }
 
     void namesTheLengthThatExplainsTheDifference()
