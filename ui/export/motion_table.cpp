@@ -63,6 +63,27 @@ TableCell tableNumber(double value)
     return numberCell(value, shortNumber(value, kTableDigits));
 }
 
+/// Gives the row of 360° the time at the end of the revolution if the row of 0° has the time at its beginning: t = 0
+/// and t = 1 s instead of t = 0 twice.
+void endRevolution(std::vector<TablePlace> &places, const Mechanism &mechanism, const Sampling &sampling)
+{
+    constexpr double kRounding = 1e-9; // rad, or fraction of the duration
+    const bool isRevolution = places.size() > 1 && std::abs(places.back().theta2 - kTurn) < kRounding;
+    if (!isRevolution || mechanism.omega2() <= 0.0) {
+        return;
+    }
+    const std::optional<double> first = places.front().time;
+    const std::optional<double> beforeLast = places[places.size() - 2].time;
+    if (!first || !beforeLast || *beforeLast < *first) {
+        return; // the crank starts at a different angle
+    }
+    const double end = *first + kTurn / mechanism.omega2();
+    const double endOfRange = sampling.start + sampling.duration;
+    if (end <= endOfRange + kRounding * sampling.duration) {
+        places.back().time = std::min(end, endOfRange);
+    }
+}
+
 QString numberInFile(double value, const CsvStyle &style)
 {
     constexpr int kDigits = 6;
@@ -112,6 +133,7 @@ std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const M
         const double theta2 = i * settings.angleStep / kDegreesPerRadian;
         places.push_back({theta2, timeOf({.theta2 = theta2}, mechanism, sampling)});
     }
+    endRevolution(places, mechanism, sampling);
     return places;
 }
 

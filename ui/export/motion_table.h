@@ -27,7 +27,8 @@ struct TablePlace {
     std::optional<double> time = {}; ///< s; nullopt if the crank is not there within the time range
 };
 
-/// Returns the places of the rows: at equal steps of θ2 from 0° to 360°, or the time steps.
+/// Returns the places of the rows: at equal steps of θ2 from 0° to 360°, or the time steps. An angle has the first time
+/// at which the crank has it, except that the row of 360° ends the revolution that the row of 0° begins.
 std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,
                                     const Sampling &sampling);
 

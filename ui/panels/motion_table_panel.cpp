@@ -202,7 +202,7 @@ void MotionTablePanel::fillExportMenu(QToolButton *button)
         });
         connect(menu, &QMenu::aboutToShow, action, [this, action, member] { action->setChecked(m_style.*member); });
     };
-    addSwitch("everyDigit", tr("Every digit, not six"), &CsvStyle::hasEveryDigit);
+    addSwitch("everyDigit", tr("All digits instead of six"), &CsvStyle::hasEveryDigit);
     addSwitch("localSeparators", tr("Decimal sign and delimiter of the language"), &CsvStyle::isLocal);
 }
 
@@ -354,6 +354,7 @@ void MotionTablePanel::showCurrentPosition()
         row.time.reset();                      // the row would link to its own time
         m_currentRowTable->setRows({row, judgeMyValues()});
         alignColumns();
+        deselectOtherPosition();
     }
 }
 
@@ -362,6 +363,17 @@ static bool isSamePosition(double x, double y)
 {
     constexpr double kRounding = 1e-9; // rad
     return std::abs(wrapToPi(x - y)) < kRounding;
+}
+
+/// Deselects the row that was clicked once the crank is at a different position. Several rows, which a person selects
+/// to copy them, stay selected.
+void MotionTablePanel::deselectOtherPosition()
+{
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    if (rows.size() == 1 &&
+        !isSamePosition(m_places[static_cast<std::size_t>(rows.front().row())].theta2, currentPlace().theta2)) {
+        m_table->clearSelection();
+    }
 }
 
 void MotionTablePanel::typeValue(const OutputChannel &channel, const QString &text)

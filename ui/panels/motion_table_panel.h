@@ -90,6 +90,7 @@ private:
     TableRow judgeMyValues();
     std::vector<TypedValue> readMyValues(TableRow &row, QStringList &sentences) const;
     void alignColumns();
+    void deselectOtherPosition();
     TablePlace currentPlace() const;
 
     std::optional<OutputChannel> wantedChannel() const;

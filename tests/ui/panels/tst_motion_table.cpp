@@ -115,6 +115,46 @@ private slots:
         QCOMPARE(tablePlaces(settings, Mechanism(), {}).size(), std::size_t(kMaxTableRows));
     }
 
+    /// A former defect: the last row of a revolution, 360°, had t = 0 as the first one.
+    void theLastRowEndsTheRevolution()
+    {
+        MotionTableSettings settings;
+        const auto lastTime = [&settings](const Parameters &parameters, const Sampling &sampling) {
+            return tablePlaces(settings, Mechanism(parameters), sampling).back().time.value_or(-1.0);
+        };
+        constexpr double kTurn = 2.0 * std::numbers::pi;
+        QVERIFY(std::abs(lastTime({}, {}) - 1.0) < 1e-12);
+        QVERIFY(lastTime({}, {}) <= 1.0); // the end of the time range
+        QVERIFY(std::abs(lastTime({.omega2 = 2.0 * kTurn}, {}) - 0.5) < 1e-12);
+        QVERIFY(std::abs(lastTime({.theta20 = kTurn / 12.0}, {}) - 11.0 / 12.0) < 1e-12); // begins at 30°
+        QVERIFY(std::abs(lastTime({.omega2 = -kTurn}, {})) < 1e-12);                      // ends at 0°
+        QVERIFY(std::abs(lastTime({}, {.start = 3.0, .duration = 2.0}) - 4.0) < 1e-9);
+        settings.angleStep = 360.0;
+        QVERIFY(std::abs(lastTime({}, {}) - 1.0) < 1e-12);
+        settings.angleStep = 7.0; // the last row is 357°
+        QVERIFY(std::abs(lastTime({}, {}) - 357.0 / 360.0) < 1e-12);
+    }
+
+    /// A former defect: the row that was clicked stayed highlighted when the crank was elsewhere.
+    void theClickedRowIsHighlightedWhileTheCrankIsThere()
+    {
+        ShownTable shown;
+        auto *table = child<NumberTable>(shown.panel, "motionTable");
+        const auto clickRow = [table](int row, Qt::KeyboardModifiers keys = {}) {
+            const QPoint cell = table->visualRect(table->model()->index(row, 1)).center();
+            QTest::mouseClick(table->viewport(), Qt::LeftButton, keys, cell);
+        };
+        const auto selected = [table] { return table->selectionModel()->selectedRows().size(); };
+        clickRow(2);
+        QCOMPARE(selected(), 1);
+        shown.session.setTime(0.5);
+        QCOMPARE(selected(), 0);
+        clickRow(1);
+        clickRow(3, Qt::ControlModifier); // two rows, to be copied
+        shown.session.setTime(0.5);
+        QCOMPARE(selected(), 2);
+    }
+
     void theListOfQuantitiesShowsSubscripts()
     {
         const NotationForTest chosen({Symbols::Textbook, {}});
