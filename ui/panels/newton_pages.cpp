@@ -74,6 +74,36 @@ QString constraintName(Constraint row)
     return direction.isEmpty() ? joint : QStringLiteral("%1, %2").arg(joint, direction);
 }
 
+/// Returns a value (mm, rad; per s, per s²) of an equation in the unit that is shown. Angles stay in rad.
+double shownOfEquation(Constraint row, double value)
+{
+    return isAngle(row) ? value : shownValue(Measure::Length, value, notation().units);
+}
+
+QString unitOfEquation(Constraint row)
+{
+    return isAngle(row) ? QStringLiteral("rad") : shownUnit(Measure::Length);
+}
+
+/// Returns the units of a coordinate and of its derivatives: "°, rad/s, rad/s²".
+QString unitsOfCoordinate(Coordinate coordinate)
+{
+    QStringList units;
+    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
+        units << shownUnit(measureOf(Channel{coordinate, order}));
+    }
+    return units.join(", ");
+}
+
+/// Returns a coordinate or its derivative (mm, rad, s) in the unit that is shown. The crank angle is within a
+/// revolution, as in the drawing and in the tables.
+double shownCoordinate(Channel channel, double value)
+{
+    const bool isCrankAngle = channel == Channel{Theta2, Order::Position};
+    const double angle = isCrankAngle ? degreesFromZero(value) / kDegreesPerRadian : value;
+    return shownValue(measureOf(channel), angle, notation().units);
+}
+
 TableCell shortNumberCell(double value)
 {
     return numberCell(value, shortNumber(value));
@@ -194,10 +224,9 @@ Page NewtonPages::equations(const Result &result, double time)
           .csvName = "equation",
           .isNumber = false,
           .isFormula = true},
-         {tr("C"), tr("Residual of the equation, in mm or rad"), "C"},
-         {tr("Cₜ, per s"), tr("∂C/∂t, in mm/s or rad/s: the velocities follow from C<sub>q</sub> dq/dt = −Cₜ"), "C_t"},
-         {tr("Q_d, per s²"),
-          tr("In mm/s² or rad/s²: the accelerations follow from C<sub>q</sub> d²q/dt² = Q<sub>d</sub>"), "Q_d"},
+         {tr("C"), tr("Residual of the equation"), "C"},
+         {tr("Cₜ, per s"), tr("∂C/∂t: the velocities follow from C<sub>q</sub> dq/dt = −Cₜ"), "C_t"},
+         {tr("Q_d, per s²"), tr("The accelerations follow from C<sub>q</sub> d²q/dt² = Q<sub>d</sub>"), "Q_d"},
          {.title = tr("unit"),
           .explanation = tr("Unit of C; Cₜ has this unit per s, Q<sub>d</sub> per s²"),
           .csvName = "unit",
@@ -206,22 +235,29 @@ Page NewtonPages::equations(const Result &result, double time)
         const auto row = static_cast<Constraint>(i);
         table.rows.push_back({.cells = {{.text = constraintName(row)},
                                         {.text = rowOf(kEquations, row).text},
-                                        shortNumberCell(equations.C[row]),
-                                        shortNumberCell(equations.Ct[row]),
-                                        shortNumberCell(equations.Qd[row]),
-                                        {.text = isAngle(row) ? "rad" : "mm"}},
+                                        shortNumberCell(shownOfEquation(row, equations.C[row])),
+                                        shortNumberCell(shownOfEquation(row, equations.Ct[row])),
+                                        shortNumberCell(shownOfEquation(row, equations.Qd[row])),
+                                        {.text = unitOfEquation(row)}},
                               .part = partOf(row)});
     }
     page.tables = {table};
     return page;
 }
 
-/// Returns an entry of C_q in the unit that is shown: it is a length where the constraint is a length and the
+/// Returns C_q in the unit of length that is shown. An entry is a length where the constraint is a length and the
 /// coordinate an angle, and otherwise a pure number.
-static double shownEntry(const Matrix12 &Cq, Eigen::Index row, Eigen::Index column)
+static Matrix12 shownJacobian(const Matrix12 &Cq)
 {
-    const bool isLength = !isAngle(static_cast<Constraint>(row)) && isAngle(static_cast<Coordinate>(column));
-    return isLength ? shownValue(Measure::Length, Cq(row, column), notation().units) : Cq(row, column);
+    Matrix12 shown = Cq;
+    for (Eigen::Index row = 0; row < kCoordinateCount; ++row) {
+        for (Eigen::Index column = 0; column < kCoordinateCount; ++column) {
+            if (!isAngle(static_cast<Constraint>(row)) && isAngle(static_cast<Coordinate>(column))) {
+                shown(row, column) = shownValue(Measure::Length, Cq(row, column), notation().units);
+            }
+        }
+    }
+    return shown;
 }
 
 Page NewtonPages::jacobian(const Result &result, double time)
@@ -233,10 +269,11 @@ Page NewtonPages::jacobian(const Result &result, double time)
         "jacobianTable",
         tr("Jacobian C_q, a row for each constraint, a column for each coordinate"),
         {{.title = tr("C_q"),
-          .explanation = tr(
-              "∂C/∂q: a row for each constraint, a column for each coordinate.\n"
-              "κ is the largest singular value divided by the smallest, mm and rad mixed. The larger it is, the more\n"
-              "digits are lost; it is infinite where the coupler is perpendicular to the slider's line."),
+          .explanation =
+              tr("∂C/∂q: a row for each constraint, a column for each coordinate.\n"
+                 "κ is the largest singular value divided by the smallest. It depends on the unit of length, because\n"
+                 "lengths and angles are mixed. The larger it is, the more digits are lost; it is infinite where the\n"
+                 "coupler is perpendicular to the slider's line."),
           .csvName = QStringLiteral("constraint (lengths in %1)").arg(unitText(Measure::Length, notation().units)),
           .isNumber = false}}};
     for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
@@ -248,21 +285,21 @@ Page NewtonPages::jacobian(const Result &result, double time)
                                                     : tr("Centre of mass of the %1").arg(body),
                                  .csvName = columnName(Channel{coordinate, Order::Position})});
     }
+    const Matrix12 entries = shownJacobian(equations.Cq);
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto row = static_cast<Constraint>(i);
         TableRow tableRow{
             .cells = {{.text = constraintName(row)}}, .part = partOf(row), .explanation = rowOf(kEquations, row).text};
         for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
-            tableRow.cells.push_back(jacobianCell(shownEntry(equations.Cq, i, j)));
+            tableRow.cells.push_back(jacobianCell(entries(i, j)));
         }
         table.rows.push_back(tableRow);
     }
     page.tables = {table};
     if (equations.hasPosition()) {
         const double determinant = shownValue(Measure::Length, equations.determinant, notation().units);
-        page.note =
-            tr("Lengths in %1. Condition number of the Jacobian κ = %2; its determinant −b cos θ³ = %3")
-                .arg(length, shortNumber(conditionNumber(equations.Cq)), withUnit(shortNumber(determinant), length));
+        page.note = tr("Lengths in %1. Condition number of the Jacobian κ = %2; its determinant −b cos θ³ = %3")
+                        .arg(length, shortNumber(conditionNumber(entries)), withUnit(shortNumber(determinant), length));
     }
     return page;
 }
@@ -322,34 +359,33 @@ Page NewtonPages::coordinates(const Result &result, double time)
 {
     const State state = solvedEquations(result, time).state;
     Page page = emptyPage(state.status, result);
-    PageTable table{
-        "coordinateTable",
-        tr("Coordinates, a row for each"),
-        {{.title = tr("coordinate"),
-          .explanation = tr("Centre of mass and angle of each body"),
-          .csvName = "coordinate",
-          .isNumber = false,
-          .isFormula = true},
-         {.title = tr("body"), .csvName = "body", .isNumber = false},
-         {tr("position"), tr("q, in mm or °"), "position"},
-         {tr("velocity, per s"), tr("dq/dt, in mm/s or °/s"), "velocity"},
-         {tr("acceleration, per s²"), tr("d²q/dt², in mm/s² or °/s²"), "acceleration"},
-         {.title = tr("unit"),
-          .explanation = tr("Unit of the position; the velocity has this unit per s, the acceleration per s²"),
-          .csvName = "unit",
-          .isNumber = false}}};
+    PageTable table{"coordinateTable",
+                    tr("Coordinates, a row for each"),
+                    {{.title = tr("coordinate"),
+                      .explanation = tr("Centre of mass and angle of each body"),
+                      .csvName = "coordinate",
+                      .isNumber = false,
+                      .isFormula = true},
+                     {.title = tr("body"), .csvName = "body", .isNumber = false},
+                     {tr("position"), tr("q; θ₂ is within a revolution"), "position"},
+                     {tr("velocity"), tr("dq/dt"), "velocity"},
+                     {tr("acceleration"), tr("d²q/dt²"), "acceleration"},
+                     {.title = tr("units"),
+                      .explanation = tr("Units of position, velocity and acceleration"),
+                      .csvName = "unit",
+                      .isNumber = false}}};
     for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
         const auto coordinate = static_cast<Coordinate>(i);
         const Channel position{coordinate, Order::Position};
         const auto cell = [&](Order order, const Vector12 &values) {
-            return shortNumberCell(toFileUnit({coordinate, order}, values[i]));
+            return shortNumberCell(shownCoordinate({coordinate, order}, values[i]));
         };
         table.rows.push_back({.cells = {{.text = symbolText(coordinate), .csv = columnName(position)},
                                         {.text = partName(partOf(coordinate))},
                                         cell(Order::Position, state.q),
                                         cell(Order::Velocity, state.qDot),
                                         cell(Order::Acceleration, state.qDDot),
-                                        {.text = unitText(position)}},
+                                        {.text = unitsOfCoordinate(coordinate)}},
                               .part = partOf(coordinate)});
     }
     page.tables = {table};

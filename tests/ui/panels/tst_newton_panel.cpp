@@ -17,6 +17,8 @@
 #include <QScopeGuard>
 #include <QTest>
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 #include <numbers>
 
@@ -135,6 +137,51 @@ private slots:
         QVERIFY2(inches.note.contains("= " + determinant + " in") && inches.note.contains("Lengths in in."),
                  qPrintable(inches.note));
         QVERIFY(mm.note.contains("Lengths in mm."));
+    }
+
+    /// A former defect: in a window in inches and rad/s, equations and coordinates stayed in mm and °/s, and the crank
+    /// angle was −30° where the drawing said 330°.
+    void equationsAndCoordinatesAreInTheChosenUnits()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        Session session;
+        session.setParameters({.a = 76.2, .b = 203.2, .c = 50.8, .omega2 = -15.0});
+        const auto &result = *session.result();
+        constexpr double kTime = std::numbers::pi / 6.0 / 15.0; // at −30°
+        const Page mmEquations = NewtonPages::equations(result, kTime);
+        setNotation({.units = {LengthUnit::Inch, AngleUnit::DegreeAndRadianPerSecond}});
+        const Page equations = NewtonPages::equations(result, kTime);
+        QCOMPARE(cell(equations, CrankPinX, RightHandSide + 1).text, "in");
+        QCOMPARE(cell(equations, SliderAngle, RightHandSide + 1).text, "rad");
+        QVERIFY(std::abs(number(mmEquations, CrankPinX, RightHandSide) / number(equations, CrankPinX, RightHandSide) -
+                         25.4) < 1e-12);
+        QCOMPARE(number(equations, CrankDrive, TimeDerivative), 15.0);
+        const Page coordinates = NewtonPages::coordinates(result, kTime);
+        enum CoordinateColumn : Eigen::Index { Position = 2, Velocity, Acceleration, UnitText };
+        QVERIFY(std::abs(number(coordinates, Theta2, Position) - 330.0) < 1e-9);
+        QCOMPARE(number(coordinates, Theta2, Velocity), -15.0);
+        QCOMPARE(cell(coordinates, Theta2, UnitText).text, "°, rad/s, rad/s²");
+        // the crank's centre: 3/2 in · cos 30°, and −ω² times that
+        QVERIFY(std::abs(number(coordinates, R2x, Position) - 1.5 * std::sqrt(0.75)) < 1e-9);
+        QVERIFY(std::abs(number(coordinates, R2x, Acceleration) + 225.0 * 1.5 * std::sqrt(0.75)) < 1e-6);
+        QCOMPARE(cell(coordinates, R2x, UnitText).text, "in, in/s, in/s²");
+    }
+
+    /// The condition number is that of the matrix that is shown, by singular values that do not come from the program.
+    void theConditionNumberIsThatOfTheShownJacobian()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        setNotation({.units = {LengthUnit::Inch, AngleUnit::Degree}});
+        const Page page = NewtonPages::jacobian(*resultOf({}), 0.3);
+        Matrix12 shown;
+        for (Eigen::Index i = 0; i < kCoordinateCount; ++i) {
+            for (Eigen::Index j = 0; j < kCoordinateCount; ++j) {
+                shown(i, j) = *cell(page, i, j + 1).number;
+            }
+        }
+        const Eigen::SelfAdjointEigenSolver<Matrix12> squares(shown.transpose() * shown);
+        const double condition = std::sqrt(squares.eigenvalues().maxCoeff() / squares.eigenvalues().minCoeff());
+        QVERIFY2(page.note.contains("κ = " + shortNumber(condition) + ';'), qPrintable(page.note));
     }
 
     void saysWhyNumbersAreMissing()
