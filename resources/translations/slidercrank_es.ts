@@ -1653,8 +1653,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Aplicar</translation>
     </message>
     <message>
-        <source>There is nothing to compare with: no file is open and no motion is pinned.</source>
-        <translation>No hay nada con que comparar: no hay ningún archivo abierto ni movimiento fijado.</translation>
+        <source>There is nothing to compare with: no file is open and no motion is pinned. Edit &gt; Pin this motion keeps the present curves.</source>
+        <translation>No hay nada con que comparar: no hay ningún archivo abierto ni movimiento fijado. Editar &gt; Fijar este movimiento conserva las curvas actuales.</translation>
     </message>
     <message>
         <source>Errors</source>
@@ -1679,8 +1679,8 @@ difiere: lo demás</translation>
         <translation>Valor medio cuadrático (RMS): %1 %2</translation>
     </message>
     <message>
-        <source>Rows that were skipped: %1. Columns that were not used: %2. See the tab Reference.</source>
-        <translation>Filas omitidas: %1. Columnas no usadas: %2. Véase la pestaña Referencia.</translation>
+        <source>Rows that were skipped: %1.</source>
+        <translation>Filas omitidas: %1.</translation>
     </message>
     <message>
         <source>Sets %1.</source>
@@ -1701,6 +1701,18 @@ difiere: lo demás</translation>
     <message>
         <source>Difference: this mechanism minus the pinned one (%1).</source>
         <translation>Diferencia: este mecanismo menos el fijado (%1).</translation>
+    </message>
+    <message>
+        <source>Columns that were not used: %1.</source>
+        <translation>Columnas no usadas: %1.</translation>
+    </message>
+    <message>
+        <source>See the tab Reference.</source>
+        <translation>Véase la pestaña Referencia.</translation>
+    </message>
+    <message>
+        <source>Open a CSV…</source>
+        <translation>Abrir un CSV…</translation>
     </message>
 </context>
 <context>
@@ -3221,8 +3233,8 @@ PA = %4, PB = %5</translation>
         <translation>tabla</translation>
     </message>
     <message>
-        <source>Every digit, not six</source>
-        <translation>Todas las cifras, no seis</translation>
+        <source>All digits instead of six</source>
+        <translation>Todas las cifras en lugar de seis</translation>
     </message>
     <message>
         <source>Decimal sign and delimiter of the language</source>
@@ -3386,24 +3398,24 @@ PA = %4, PB = %5</translation>
         <translation>C</translation>
     </message>
     <message>
-        <source>Residual of the equation, in mm or rad</source>
-        <translation>Residuo de la ecuación, en mm o rad</translation>
+        <source>Residual of the equation</source>
+        <translation>Residuo de la ecuación</translation>
     </message>
     <message>
         <source>Cₜ, per s</source>
         <translation>Cₜ, por s</translation>
     </message>
     <message>
-        <source>∂C/∂t, in mm/s or rad/s: the velocities follow from C&lt;sub&gt;q&lt;/sub&gt; dq/dt = −Cₜ</source>
-        <translation>∂C/∂t, en mm/s o rad/s: las velocidades se obtienen de C&lt;sub&gt;q&lt;/sub&gt; dq/dt = −Cₜ</translation>
+        <source>∂C/∂t: the velocities follow from C&lt;sub&gt;q&lt;/sub&gt; dq/dt = −Cₜ</source>
+        <translation>∂C/∂t: las velocidades resultan de C&lt;sub&gt;q&lt;/sub&gt; dq/dt = −Cₜ</translation>
     </message>
     <message>
         <source>Q_d, per s²</source>
         <translation>Q_d, por s²</translation>
     </message>
     <message>
-        <source>In mm/s² or rad/s²: the accelerations follow from C&lt;sub&gt;q&lt;/sub&gt; d²q/dt² = Q&lt;sub&gt;d&lt;/sub&gt;</source>
-        <translation>En mm/s² o rad/s²: las aceleraciones se obtienen de C&lt;sub&gt;q&lt;/sub&gt; d²q/dt² = Q&lt;sub&gt;d&lt;/sub&gt;</translation>
+        <source>The accelerations follow from C&lt;sub&gt;q&lt;/sub&gt; d²q/dt² = Q&lt;sub&gt;d&lt;/sub&gt;</source>
+        <translation>Las aceleraciones resultan de C&lt;sub&gt;q&lt;/sub&gt; d²q/dt² = Q&lt;sub&gt;d&lt;/sub&gt;</translation>
     </message>
     <message>
         <source>unit</source>
@@ -3482,36 +3494,38 @@ PA = %4, PB = %5</translation>
         <translation>posición</translation>
     </message>
     <message>
-        <source>q, in mm or °</source>
-        <translation>q, en mm o °</translation>
+        <source>q; θ₂ is within a revolution</source>
+        <translation>q; θ₂ está dentro de una revolución</translation>
     </message>
     <message>
-        <source>velocity, per s</source>
-        <translation>velocidad, por s</translation>
+        <source>velocity</source>
+        <translation>velocidad</translation>
     </message>
     <message>
-        <source>dq/dt, in mm/s or °/s</source>
-        <translation>dq/dt, en mm/s o °/s</translation>
+        <source>dq/dt</source>
+        <translation>dq/dt</translation>
     </message>
     <message>
-        <source>acceleration, per s²</source>
-        <translation>aceleración, por s²</translation>
+        <source>acceleration</source>
+        <translation>aceleración</translation>
     </message>
     <message>
-        <source>d²q/dt², in mm/s² or °/s²</source>
-        <translation>d²q/dt², en mm/s² o °/s²</translation>
+        <source>d²q/dt²</source>
+        <translation>d²q/dt²</translation>
     </message>
     <message>
-        <source>Unit of the position; the velocity has this unit per s, the acceleration per s²</source>
-        <translation>Unidad de la posición; la velocidad tiene esta unidad por s, la aceleración por s²</translation>
+        <source>Units of position, velocity and acceleration</source>
+        <translation>Unidades de la posición, la velocidad y la aceleración</translation>
     </message>
     <message>
         <source>∂C/∂q: a row for each constraint, a column for each coordinate.
-κ is the largest singular value divided by the smallest, mm and rad mixed. The larger it is, the more
-digits are lost; it is infinite where the coupler is perpendicular to the slider&apos;s line.</source>
+κ is the largest singular value divided by the smallest. It depends on the unit of length, because
+lengths and angles are mixed. The larger it is, the more digits are lost; it is infinite where the
+coupler is perpendicular to the slider&apos;s line.</source>
         <translation>∂C/∂q: una fila por restricción, una columna por coordenada.
-κ es el mayor valor singular dividido por el menor, con mm y rad mezclados. Cuanto mayor es, más cifras
-se pierden; es infinito donde la biela es perpendicular a la línea de la corredera.</translation>
+κ es el mayor valor singular dividido por el menor. Depende de la unidad de longitud, porque se mezclan
+longitudes y ángulos. Cuanto mayor es, más cifras se pierden; es infinito donde la biela es
+perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>The coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not, because the Jacobian is singular.</source>
@@ -3547,6 +3561,10 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     <message>
         <source>Lengths in %1. Condition number of the Jacobian κ = %2; its determinant −b cos θ³ = %3</source>
         <translation>Longitudes en %1. Número de condición del jacobiano κ = %2; su determinante −b cos θ³ = %3</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>unidades</translation>
     </message>
 </context>
 <context>
@@ -3840,16 +3858,16 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
         <translation>Mostrar de &amp;nuevo todas las gráficas</translation>
     </message>
     <message>
-        <source>Error of the positions</source>
-        <translation>Error de las posiciones</translation>
+        <source>error of the positions</source>
+        <translation>error de las posiciones</translation>
     </message>
     <message>
-        <source>Error of the velocities</source>
-        <translation>Error de las velocidades</translation>
+        <source>error of the velocities</source>
+        <translation>error de las velocidades</translation>
     </message>
     <message>
-        <source>Error of the accelerations</source>
-        <translation>Error de las aceleraciones</translation>
+        <source>error of the accelerations</source>
+        <translation>error de las aceleraciones</translation>
     </message>
     <message>
         <source>Copy the &amp;values here</source>
@@ -4603,11 +4621,11 @@ se pierden; es infinito donde la biela es perpendicular a la línea de la corred
     </message>
     <message>
         <source>The link is in the clipboard. It carries the mechanism, α₂, the time steps and the method, but no file.</source>
-        <translation>El enlace está en el portapapeles. Lleva el mecanismo, α₂, los pasos de tiempo y el método, pero ningún archivo.</translation>
+        <translation>El enlace está en el portapapeles. Contiene el mecanismo, α₂, los pasos de tiempo y el método, pero ningún archivo.</translation>
     </message>
     <message>
         <source>The link is in the clipboard. It carries the mechanism, α₂, the time steps and the method.</source>
-        <translation>El enlace está en el portapapeles. Lleva el mecanismo, α₂, los pasos de tiempo y el método.</translation>
+        <translation>El enlace está en el portapapeles. Contiene el mecanismo, α₂, los pasos de tiempo y el método.</translation>
     </message>
 </context>
 <context>

@@ -127,11 +127,17 @@ public:
     {
         const std::size_t rows = data.skippedCount;
         const qsizetype columns = ignoredHeadings(data.layout).size();
-        return rows == 0 && columns == 0
-                   ? QString()
-                   : tr("Rows that were skipped: %1. Columns that were not used: %2. See the tab Reference.")
-                         .arg(rows)
-                         .arg(columns);
+        QStringList sentences;
+        if (rows > 0) {
+            sentences << tr("Rows that were skipped: %1.").arg(rows);
+        }
+        if (columns > 0) {
+            sentences << tr("Columns that were not used: %1.").arg(columns);
+        }
+        if (!sentences.isEmpty()) {
+            sentences << tr("See the tab Reference.");
+        }
+        return sentences.join(u' ');
     }
 
     static Page filePage(const Result &result, const ReferenceIdentification *identification)
@@ -257,7 +263,15 @@ Page errorPage(const Result &result, const ReferenceIdentification *identificati
     if (result.difference) {
         return ErrorPage::pinnedPage(result);
     }
-    return {ErrorPage::tr("There is nothing to compare with: no file is open and no motion is pinned."), Tone::Muted};
+    Page page;
+    page.findings = {openFileFinding(ErrorPage::tr("There is nothing to compare with: no file is open and no motion is "
+                                                   "pinned. Edit > Pin this motion keeps the present curves."))};
+    return page;
+}
+
+Finding openFileFinding(const QString &sentence)
+{
+    return {.sentence = sentence, .remedy = Remedy::OpenFile, .remedyText = ErrorPage::tr("Open a CSV…")};
 }
 
 QString errorTitle(const Result &result)

@@ -21,6 +21,7 @@ enum class Remedy {
     Apply,             ///< read the file with the convention
     ReadAsPrinted,     ///< read the file without the conventions that were applied
     ChooseColumns,     ///< open the dialog for the meaning of the columns
+    OpenFile,          ///< choose a file to compare with
     RunStudy           ///< measure speed and accuracy
 };
 

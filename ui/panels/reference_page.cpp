@@ -130,7 +130,9 @@ public:
 Page referencePage(const Result &result, const ReferenceIdentification *identification)
 {
     if (!result.reference) {
-        return {.sentence = ReferencePage::tr("No file is open."), .tone = Tone::Muted};
+        Page page;
+        page.findings = {openFileFinding(ReferencePage::tr("No file is open."))};
+        return page;
     }
     const ReferenceData &data = result.reference->data;
     QString rows = QString::number(data.time.size());

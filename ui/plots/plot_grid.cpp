@@ -43,10 +43,10 @@ QString PlotGrid::nameOfErrors(Order order)
 {
     switch (order) {
     case Order::Position: break;
-    case Order::Velocity: return tr("Error of the velocities");
-    case Order::Acceleration: return tr("Error of the accelerations");
+    case Order::Velocity: return tr("error of the velocities");
+    case Order::Acceleration: return tr("error of the accelerations");
     }
-    return tr("Error of the positions");
+    return tr("error of the positions");
 }
 
 void PlotGrid::makeChoices()

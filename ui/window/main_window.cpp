@@ -365,6 +365,9 @@ void MainWindow::followReference(const std::shared_ptr<const Reference> &referen
         return;
     }
     m_views.tabs->setCurrentWidget(m_views.errors);
+    if (!m_presentation->isOn()) {
+        m_views.tabs->setFolded(false); // the verdict would be hidden on a small screen
+    }
     if (reference->source.paths != QStringList(kSamplePath)) {
         rememberFiles(reference->source.paths);
     }
@@ -404,6 +407,7 @@ void MainWindow::applyRemedy(const Finding &finding)
     case Remedy::Apply: m_session->apply(finding.convention); break;
     case Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
     case Remedy::ChooseColumns: chooseColumns(m_session->reference()->source.paths); break;
+    case Remedy::OpenFile: chooseFiles(); break;
     }
 }
 

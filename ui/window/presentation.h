@@ -23,6 +23,7 @@ public:
     Presentation(const Views &views, MessageBar *messages, QMainWindow *window);
 
     void setOn(bool on);
+    bool isOn() const { return m_isOn; }
 
     /// Fills the window with the mechanism, or shows the plots again.
     void setMechanismAlone(bool alone);

@@ -3,6 +3,7 @@
 #include "tests/support/page_text.h"
 #include "tests/support/reading.h"
 #include "tests/support/suite.h"
+#include "ui/document/session.h"
 #include "ui/panels/error_page.h"
 #include "ui/panels/reference_page.h"
 #include "ui/text/notation.h"
@@ -232,6 +233,17 @@ private slots:
         }
     }
 
+    /// A former defect: the pages said that no file is open, and not how to open one.
+    void pagesWithoutAFileOfferToOpenOne()
+    {
+        const Session session;
+        for (const Page &page : {errorPage(*session.result(), nullptr), referencePage(*session.result(), nullptr)}) {
+            QCOMPARE(page.findings.size(), std::size_t(1));
+            QCOMPARE(page.findings.front().remedy, Remedy::OpenFile);
+            QVERIFY(!page.findings.front().remedyText.isEmpty());
+        }
+    }
+
     void namesTheFileAndTheLineOfEverySkippedRow()
     {
         Reference reference;
@@ -244,7 +256,11 @@ private slots:
                  "Rows that were skipped: 2. Columns that were not used: 1. See the tab Reference.");
         reference.data.skippedCount = 0;
         QCOMPARE(errorPage(resultWith({}, reference), nullptr).note,
-                 "Rows that were skipped: 0. Columns that were not used: 1. See the tab Reference.");
+                 "Columns that were not used: 1. See the tab Reference.");
+        reference.data.skippedCount = 1;
+        reference.data.layout.columns.clear();
+        QCOMPARE(errorPage(resultWith({}, reference), nullptr).note,
+                 "Rows that were skipped: 1. See the tab Reference.");
         QVERIFY(errorPage(resultWith({}), nullptr).note.isEmpty());
         const QStringList rows = rowTexts(referencePage(result, nullptr).tables[1]);
         QVERIFY(rows[0].startsWith("12 (b.csv)|3|a<b|") && rows[1].startsWith("15 (a.csv)|1||"));

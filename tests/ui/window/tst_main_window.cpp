@@ -361,6 +361,21 @@ private slots:
         }
     }
 
+    /// A former defect: on a small screen, where the panels are hidden at first, a file was opened without its verdict.
+    void aFileShowsItsVerdict()
+    {
+        auto *tabs = view<FoldingTabs>();
+        tabs->setFolded(true);
+        openSample();
+        QVERIFY(!tabs->isFolded() && part("errorTable")->isVisible());
+        press(Qt::Key_F9);
+        session().setReference(nullptr);
+        press(Qt::Key_F11);
+        openSample();
+        QVERIFY(tabs->isFolded()); // not in presentation mode
+        press(Qt::Key_F11);
+    }
+
     void aThemeLooksTheSameWhetherChosenBeforeOrLater()
     {
         const auto picturesWith = [this](Theme first, Theme then) {
