@@ -3,9 +3,9 @@
 
 #include "ui/text/written_number.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_box.h"
 
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -22,17 +22,17 @@ AnimationForm::AnimationForm(const Animation &animation, QWidget *parent)
     , m_rate(makeBox("rateBox", 1, 240, animation.framesPerSecond))
     , m_width(makeBox("widthBox", 64, 7680, animation.pixels().width()))
     , m_height(makeBox("heightBox", 64, 7680, animation.pixels().height()))
-    , m_length(named("lengthBox", new QDoubleSpinBox))
+    , m_length(named("lengthBox", new NumberBox))
     , m_outcome(named("outcomeLabel", new QLabel))
 {
     named("animationForm", this);
     setWindowTitle(tr("Export animation"));
-    m_length->setDecimals(6);
-    m_length->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    m_length->setRange(0.0, 1e9);
+    constexpr double kLongest = 1e9; // s
+    m_length->setRange(0.0, kLongest);
     m_length->setSuffix(tr(" s of the motion"));
+    m_length->setUnit(kSecond);
     m_length->setValue(std::abs(animation.duration));
-    connect(m_length, &QDoubleSpinBox::valueChanged, this, &AnimationForm::showOutcome);
+    connect(m_length, &NumberBox::edited, this, &AnimationForm::showOutcome);
     for (QSpinBox *box : {m_width, m_height}) {
         box->setSuffix(tr(" px"));
     }

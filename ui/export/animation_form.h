@@ -7,13 +7,14 @@
 
 #include <QDialog>
 
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 class QSpinBox;
 
 namespace slidercrank
 {
+
+class NumberBox;
 
 class AnimationForm : public QDialog
 {
@@ -34,7 +35,7 @@ private:
     QSpinBox *m_rate;
     QSpinBox *m_width;
     QSpinBox *m_height;
-    QDoubleSpinBox *m_length;
+    NumberBox *m_length;
     QLabel *m_outcome;
     QPushButton *m_export;
 };
