@@ -81,11 +81,12 @@ EditName nameEdit(const Choices &before, const Choices &after)
 class EditCommand : public QUndoCommand
 {
 public:
-    EditCommand(const Choices &before, const Choices &after, const QString &text, int step,
-                const EditStack::Apply &apply)
+    EditCommand(const Choices &before, const Choices &after, const std::optional<EditStack::TimeChange> &time,
+                const QString &text, int step, const EditStack::Apply &apply)
         : QUndoCommand(text)
         , m_before(before)
         , m_after(after)
+        , m_time(time)
         , m_step(step)
         , m_apply(apply)
     {
@@ -96,14 +97,19 @@ public:
 
     const Choices &before() const { return m_before; }
     const Choices &after() const { return m_after; }
+    const std::optional<EditStack::TimeChange> &time() const { return m_time; }
 
-    void undo() override { m_apply(m_before); }
-    void redo() override { m_apply(m_after); }
+    void undo() override { m_apply(m_before, m_time ? std::optional(m_time->before) : std::nullopt); }
+    void redo() override { m_apply(m_after, m_time ? std::optional(m_time->after) : std::nullopt); }
     int id() const override { return m_step; }
 
     bool mergeWith(const QUndoCommand *next) override
     {
-        m_after = static_cast<const EditCommand *>(next)->m_after;
+        const auto *edit = static_cast<const EditCommand *>(next);
+        m_after = edit->m_after;
+        if (m_time && edit->m_time) {
+            m_time->after = edit->m_time->after;
+        }
         setObsolete(m_after == m_before);
         return true;
     }
@@ -111,6 +117,7 @@ public:
 private:
     Choices m_before;
     Choices m_after;
+    std::optional<EditStack::TimeChange> m_time;
     int m_step;
     EditStack::Apply m_apply;
 };
@@ -126,7 +133,8 @@ EditStack::EditStack(const Apply &apply, QObject *parent)
     m_sameStep.setSingleShot(true);
 }
 
-void EditStack::edit(const Choices &before, const Choices &after, const QString &text)
+void EditStack::edit(const Choices &before, const Choices &after, const QString &text,
+                     const std::optional<TimeChange> &time)
 {
     const EditName name = text.isEmpty() ? nameEdit(before, after) : EditName{.text = text};
     const bool isRepeated = m_sameStep.isActive() && name.identity == m_identity;
@@ -136,7 +144,7 @@ void EditStack::edit(const Choices &before, const Choices &after, const QString 
     }
     m_identity = name.identity;
     m_sameStep.start(kSameStepWithin);
-    push(new EditCommand(before, after, name.text, m_step, m_apply));
+    push(new EditCommand(before, after, time, name.text, m_step, m_apply));
 }
 
 void EditStack::takeOver(const EditStack &other)
@@ -144,12 +152,12 @@ void EditStack::takeOver(const EditStack &other)
     clear();
     // push() and setIndex() apply the choices of the steps that they pass. Meanwhile that must have no effect, because
     // the session already has the choices of other.index().
-    const Apply apply = std::exchange(m_apply, [](const Choices &) {});
-    const auto applyByMember = [this](const Choices &choices) { m_apply(choices); };
+    const Apply apply = std::exchange(m_apply, [](const Choices &, std::optional<double>) {});
+    const auto applyByMember = [this](const Choices &choices, std::optional<double> time) { m_apply(choices, time); };
     for (int i = 0; i < other.count(); ++i) {
         const auto *step = static_cast<const EditCommand *>(other.command(i));
         const QString text = nameEdit(step->before(), step->after()).text;
-        push(new EditCommand(step->before(), step->after(), text, ++m_step, applyByMember));
+        push(new EditCommand(step->before(), step->after(), step->time(), text, ++m_step, applyByMember));
     }
     if (other.cleanIndex() < 0) {
         resetClean();

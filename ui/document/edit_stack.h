@@ -9,6 +9,7 @@
 #include <QUndoStack>
 
 #include <functional>
+#include <optional>
 
 namespace slidercrank
 {
@@ -20,14 +21,21 @@ class EditStack : public QUndoStack
     Q_OBJECT
 
 public:
-    using Apply = std::function<void(const Choices &)>;
+    /// The times (s) of the present position before and after an edit that moves it.
+    struct TimeChange {
+        double before = 0.0;
+        double after = 0.0;
+    };
 
-    /// `apply` makes the choices that it receives the current ones.
+    using Apply = std::function<void(const Choices &, std::optional<double> time)>;
+
+    /// `apply` makes the choices that it receives the current ones, and then goes to the time (s) if there is one.
     EditStack(const Apply &apply, QObject *parent);
 
     /// Makes `after` the current choices, as an edit that can be undone. Without a text, the edit is named by what
-    /// differs, as "change of b".
-    void edit(const Choices &before, const Choices &after, const QString &text = {});
+    /// differs, as "change of b". Undoing the edit also undoes its change of the time, if it has one.
+    void edit(const Choices &before, const Choices &after, const QString &text = {},
+              const std::optional<TimeChange> &time = {});
 
     /// Begins or ends a drag, whose edits are merged into one step.
     void setDragging(bool isDragging);

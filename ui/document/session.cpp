@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/session.h"
 
+#include "core/sampling/crank_time.h"
 #include "ui/document/column_choices.h"
 #include "ui/document/whole_file.h"
 #include "ui/document/with.h"
@@ -84,6 +85,14 @@ void Session::setParameter(Parameter parameter, double value)
     setParameters(parameters);
 }
 
+void Session::setCrankSpeedHere(double omega2)
+{
+    const Choices choices =
+        with(m_choices, &Choices::parameters, with(m_choices.parameters, &Parameters::omega2, omega2));
+    const auto time = timeAtCrankAngle(Mechanism(choices.parameters), pose().motion.theta2, m_choices.sampling.start);
+    edit(choices, {}, TimeRange::Kept, time);
+}
+
 void Session::setSampling(const Sampling &sampling)
 {
     edit(with(m_choices, &Choices::sampling, sampling));
@@ -115,7 +124,7 @@ void Session::unpinMotions()
     edit(with(m_choices, &Choices::pinned, {}));
 }
 
-void Session::edit(const Choices &choices, const QString &name, TimeRange timeRange)
+void Session::edit(const Choices &choices, const QString &name, TimeRange timeRange, std::optional<double> time)
 {
     if (choices == m_choices) {
         return;
@@ -144,10 +153,11 @@ void Session::edit(const Choices &choices, const QString &name, TimeRange timeRa
         const bool isReplaced = timeRange == TimeRange::OfReference && !contains(choices.sampling, range);
         complete.sampling = isOfFile || isReplaced ? range : choices.sampling;
     }
-    m_edits.edit(m_choices, complete, name);
+    using TimeChange = EditStack::TimeChange;
+    m_edits.edit(m_choices, complete, name, time ? std::optional(TimeChange{m_time, *time}) : std::nullopt);
 }
 
-void Session::applyChoices(const Choices &choices)
+void Session::applyChoices(const Choices &choices, std::optional<double> time)
 {
     const Choices before = std::exchange(m_choices, choices);
     if (m_choices.reference != before.reference) {
@@ -168,8 +178,8 @@ void Session::applyChoices(const Choices &choices)
         emit settingsChanged(m_choices.sampling, m_choices.solver);
     }
     recompute();
-    if (m_choices.sampling != before.sampling) {
-        setTime(m_time);
+    if (time || m_choices.sampling != before.sampling) {
+        setTime(time.value_or(m_time));
     }
 }
 

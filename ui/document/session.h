@@ -65,6 +65,9 @@ public:
 public slots:
     void setParameters(const slidercrank::Parameters &parameters);
     void setParameter(slidercrank::Parameter parameter, double value);
+    /// Sets ω2 (rad/s) and goes to the first time at which the crank has its present angle, as one edit.
+    void setCrankSpeedHere(double omega2);
+
     void setSampling(const slidercrank::Sampling &sampling);
     void setSolver(const slidercrank::SolverSettings &solver);
     void setAlpha2(double alpha2); ///< rad/s²
@@ -135,9 +138,10 @@ private:
     enum class Asker { User, Scene }; ///< who asks for a reference to be read
 
     /// Applies the choices as one step that can be undone. Without a name, the step is named by what it changes.
-    void edit(const Choices &choices, const QString &name = {}, TimeRange timeRange = TimeRange::Kept);
+    void edit(const Choices &choices, const QString &name = {}, TimeRange timeRange = TimeRange::Kept,
+              std::optional<double> time = {});
     void editReference(const std::shared_ptr<const Reference> &reference, TimeRange timeRange);
-    void applyChoices(const Choices &choices);
+    void applyChoices(const Choices &choices, std::optional<double> time = {});
 
     /// Reads in the background, and then makes the data the reference or emits referenceRefused(). The source of a
     /// scene states all column choices. A source that the user chose is read with the saved column choices, and then
@@ -160,7 +164,8 @@ private:
     BackgroundTask m_identifying;
     QTimer m_settling{this}; ///< runs while the parameters may still be changing
 
-    EditStack m_edits{[this](const Choices &choices) { applyChoices(choices); }, this};
+    EditStack m_edits{[this](const Choices &choices, std::optional<double> time) { applyChoices(choices, time); },
+                      this};
 };
 
 } // namespace slidercrank

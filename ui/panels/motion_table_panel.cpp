@@ -5,7 +5,6 @@
 #include "core/limits/crank_search.h"
 #include "core/mechanism/turn.h"
 #include "core/mechanism/two_part_angle.h"
-#include "core/sampling/crank_time.h"
 #include "ui/document/session.h"
 #include "ui/document/whole_file.h"
 #include "ui/panels/table_panel.h"
@@ -574,12 +573,8 @@ void MotionTablePanel::useAsCrankSpeed()
                                                       m_session->pose().motion.theta2, *wantedChannel(), wantedValue());
     if (speed && std::abs(*speed) <= kLargestParameter) {
         m_answer->hide();
-        const double theta2 = m_session->pose().motion.theta2;
-        m_session->setParameter(Parameter::Omega2, *speed);
-        const Mechanism mechanism(m_session->parameters());
-        if (const auto time = timeAtCrankAngle(mechanism, theta2, m_session->sampling().start)) {
-            emit timeRequested(*time); // the same position
-        }
+        m_session->setCrankSpeedHere(*speed);
+        emit timeRequested(m_session->time()); // also shows it in plots that are zoomed
         return;
     }
     m_answer->setText(tr("No crank speed gives this velocity here: it is 0 at every speed, as at a dead centre."));
