@@ -66,7 +66,7 @@ QString fullTurnText(Parameter parameter, const ResponseRange &range)
     const bool hasLower = lower > range.assembled.lower;
     const bool hasUpper = upper < range.assembled.upper;
     const QString symbol = symbolText(parameter);
-    if (lower > upper) {
+    if (range.fullTurn.isEmpty()) {
         return ResponseText::tr("The crank makes full turns for no value of %1.").arg(symbol);
     }
     if (hasLower && hasUpper) {
@@ -92,7 +92,7 @@ Response computeResponse(const Parameters &parameters, Parameter parameter, int 
         response.values.push_back(std::lerp(assembled.lower, assembled.upper, i / (count - 1.0)));
     }
     for (const double end : {fullTurn.lower, fullTurn.upper}) {
-        if (fullTurn.length() >= 0.0 && assembled.contains(end)) {
+        if (!fullTurn.isEmpty() && assembled.contains(end)) {
             response.values.push_back(end);
         }
     }

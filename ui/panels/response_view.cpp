@@ -14,6 +14,7 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
 #include "ui/widgets/save_dialog.h"
+#include "ui/widgets/spacing.h"
 
 #include <QComboBox>
 #include <QGridLayout>
@@ -59,17 +60,26 @@ std::vector<Record> recordsOf(const Response &response)
     return records;
 }
 
-/// Returns the name of a limit, short enough for the title of a small chart, with its unit.
-QString chartName(LimitKind kind)
+/// The names of the limits with their units, short enough for the titles of small charts.
+struct ChartName {
+    LimitKind kind;
+    const char *text; ///< %1: the unit; nullptr for the usual name of the limit
+};
+constexpr std::array kChartNames{
+    ChartName{LimitKind::Stroke, QT_TRANSLATE_NOOP("slidercrank::ResponseView", "stroke [%1]")},
+    ChartName{LimitKind::TimeRatio, nullptr},
+    ChartName{LimitKind::MinimumTransmissionAngle,
+              QT_TRANSLATE_NOOP("slidercrank::ResponseView", "min. transmission angle [%1]")},
+    ChartName{LimitKind::PeakSliderSpeed, QT_TRANSLATE_NOOP("slidercrank::ResponseView", "peak slider speed [%1]")},
+    ChartName{LimitKind::PeakSliderAcceleration,
+              QT_TRANSLATE_NOOP("slidercrank::ResponseView", "peak slider acc. [%1]")}};
+static_assert(std::ranges::equal(kChartNames, kResponseLimits, {}, &ChartName::kind));
+
+QString chartName(std::size_t limit)
 {
-    const QString unit = shownUnit(describe(kind).measure);
-    switch (kind) {
-    case LimitKind::Stroke: return ResponseView::tr("stroke [%1]").arg(unit);
-    case LimitKind::MinimumTransmissionAngle: return ResponseView::tr("min. transmission angle [%1]").arg(unit);
-    case LimitKind::PeakSliderSpeed: return ResponseView::tr("peak slider speed [%1]").arg(unit);
-    case LimitKind::PeakSliderAcceleration: return ResponseView::tr("peak slider acc. [%1]").arg(unit);
-    default: return limitName(kind);
-    }
+    const LimitKind kind = kResponseLimits[limit];
+    const char *text = kChartNames[limit].text;
+    return text ? ResponseView::tr(text).arg(shownUnit(describe(kind).measure)) : limitName(kind);
 }
 
 /// Returns the title without line breaks within a unit.
@@ -165,7 +175,7 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
     fillExportMenu(exports->menu());
     head->addWidget(exports, 0, Qt::AlignTop);
     auto *grid = new QGridLayout;
-    grid->setSpacing(2);
+    grid->setSpacing(kDenseSpacing);
     grid->setRowStretch(1, 1);
     for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
         auto *chart = m_charts[i] = named(QStringLiteral("responseChart%1").arg(i), new Chart);
@@ -179,8 +189,8 @@ ResponseView::ResponseView(Session *session, QWidget *parent)
         grid->addWidget(chart, 1, static_cast<int>(i));
     }
     auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(2, 0, 0, 0);
-    rows->setSpacing(3);
+    rows->setContentsMargins(kPageMargins);
+    rows->setSpacing(kRowSpacing);
     rows->addLayout(head);
     rows->addLayout(grid, 1);
     connect(session, &Session::resultChanged, this, &ResponseView::refresh);
@@ -229,7 +239,7 @@ void ResponseView::showResponse()
     m_sentence->setText(withUnbrokenUnits(fullTurnText(m_response.parameter, m_response.range) + u' ' +
                                           tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter))));
     for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
-        const QString title = tr("%1: %2").arg(chartName(kResponseLimits[i]), shortNumber(currentLimits[i]));
+        const QString title = tr("%1: %2").arg(chartName(i), shortNumber(currentLimits[i]));
         m_titles[i]->setText(unbroken(title));
         m_charts[i]->setAccessibleName(title);
         m_charts[i]->setContent(chartOf(i));

@@ -2,6 +2,7 @@
 #include "ui/panels/study_page.h"
 
 #include "ui/text/axis_scale.h"
+#include "ui/text/enum_table.h"
 #include "ui/text/study_text.h"
 #include "ui/text/written_number.h"
 
@@ -17,79 +18,56 @@ namespace
 {
 
 constexpr int kDigits = 3;
+constexpr int kSpreadDigits = 2;
 constexpr double kSmallestDrawnError = 1e-17; // errors below this, including 0, are drawn here
 
-/// The name and the look of a method. Of two methods of the same colour, the second one has hollow marks.
+/// The name and the look of a method.
 struct MethodText {
-    QString name;
-    QString explanation;
+    MethodName::Kind key;
+    const char *name;
+    const char *explanation;
     Tone tone;
     QColor SeriesColours::*colour;
-    bool isHollow = false;
+    bool isHollow; ///< of two methods of the same colour, the second one has hollow marks
 };
 
 struct StudyPage {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyPage)
 
 public:
-    static MethodText textFor(MethodName::Kind kind)
-    {
-        const QString taylor =
-            tr("The same, started from position, velocity and acceleration of the time step before (Taylor series)");
-        switch (kind) {
-            using enum MethodName::Kind;
-        case NewtonDense:
-            return {.name = tr("Newton-Raphson, dense"),
-                    .explanation =
-                        tr("The textbook's method: 12 equations solved together (dense LU), started from the time step "
-                           "before"),
-                    .tone = Tone::Fair,
-                    .colour = &SeriesColours::reference};
-        case NewtonDenseTaylor:
-            return {.name = tr("dense, Taylor start"),
-                    .explanation = taylor,
-                    .tone = Tone::Fair,
-                    .colour = &SeriesColours::reference,
-                    .isHollow = true};
-        case NewtonStructured:
-            return {.name = tr("Newton-Raphson, structured"),
-                    .explanation = tr("The same 12 equations, solved joint by joint"),
-                    .tone = Tone::Model,
-                    .colour = &SeriesColours::model};
-        case NewtonStructuredTaylor:
-            return {.name = tr("structured, Taylor start"),
-                    .explanation = taylor,
-                    .tone = Tone::Model,
-                    .colour = &SeriesColours::model,
-                    .isHollow = true};
-        case ClosedForm:
-            return {.name = tr("closed form"),
-                    .explanation = tr("The exact formulas, one time step after the other"),
-                    .tone = Tone::Good,
-                    .colour = &SeriesColours::errorOther};
-        case ClosedFormBatch:
-            return {.name = tr("closed form, batch"),
-                    .explanation = tr("The exact formulas for several time steps at once (vector instructions)"),
-                    .tone = Tone::Good,
-                    .colour = &SeriesColours::errorOther,
-                    .isHollow = true};
-        case FiniteDifference:
-            return {.name = tr("finite differences"),
-                    .explanation = tr("Velocity and acceleration as central differences of exact positions"),
-                    .tone = Tone::Bad,
-                    .colour = &SeriesColours::error};
-        case Harmonics: break;
-        }
-        return {.name = tr("Fourier series"),
-                .explanation = tr("The motion as a Fourier series"),
-                .tone = Tone::Bad,
-                .colour = &SeriesColours::error,
-                .isHollow = true};
-    }
+    using enum MethodName::Kind;
+    static constexpr const char *kTaylorStart = QT_TR_NOOP(
+        "The same, started from position, velocity and acceleration of the time step before (Taylor series)");
+    static constexpr bool kFilled = false;
+    static constexpr bool kHollow = true;
+    static constexpr MethodText kMethods[] = {
+        {NewtonDense, QT_TR_NOOP("Newton-Raphson, dense"),
+         QT_TR_NOOP(
+             "The textbook's method: 12 equations solved together (dense LU), started from the time step before"),
+         Tone::Fair, &SeriesColours::reference, kFilled},
+        {NewtonDenseTaylor, QT_TR_NOOP("dense, Taylor start"), kTaylorStart, Tone::Fair, &SeriesColours::reference,
+         kHollow},
+        {NewtonStructured, QT_TR_NOOP("Newton-Raphson, structured"),
+         QT_TR_NOOP("The same 12 equations, solved joint by joint"), Tone::Model, &SeriesColours::model, kFilled},
+        {NewtonStructuredTaylor, QT_TR_NOOP("structured, Taylor start"), kTaylorStart, Tone::Model,
+         &SeriesColours::model, kHollow},
+        {ClosedForm, QT_TR_NOOP("closed form"), QT_TR_NOOP("The exact formulas, one time step after the other"),
+         Tone::Good, &SeriesColours::errorOther, kFilled},
+        {ClosedFormBatch, QT_TR_NOOP("closed form, batch"),
+         QT_TR_NOOP("The exact formulas for several time steps at once (vector instructions)"), Tone::Good,
+         &SeriesColours::errorOther, kHollow},
+        {FiniteDifference, QT_TR_NOOP("finite differences"),
+         QT_TR_NOOP("Velocity and acceleration as central differences of exact positions"), Tone::Bad,
+         &SeriesColours::error, kFilled},
+        {Harmonics, QT_TR_NOOP("Fourier series"), QT_TR_NOOP("The motion as a Fourier series"), Tone::Bad,
+         &SeriesColours::error, kHollow}};
+    static_assert(isCompleteTable(kMethods, Harmonics));
+
+    static const MethodText &textOf(const MethodResult &row) { return slidercrank::rowOf(kMethods, row.method.kind); }
 
     static QString nameOfRow(const MethodResult &row)
     {
-        const QString name = textFor(row.method.kind).name;
+        const QString name = tr(textOf(row).name);
         return row.method.kind == MethodName::Kind::Harmonics
                    ? tr("%1, %2 harmonics").arg(name, QString::number(row.method.harmonics))
                    : name;
@@ -127,9 +105,9 @@ public:
 
     static QString descriptionOf(const MethodResult &row)
     {
-        QStringList lines{nameOfRow(row), textFor(row.method.kind).explanation,
+        QStringList lines{nameOfRow(row), tr(textOf(row).explanation),
                           tr("%1 ns per time step (± %2), %3 channels")
-                              .arg(shortNumber(row.nsPerState, kDigits), shortNumber(0.5 * row.spread, 2),
+                              .arg(shortNumber(row.nsPerState, kDigits), shortNumber(0.5 * row.spread, kSpreadDigits),
                                    QString::number(row.channels)),
                           row.maxError ? tr("Largest error: %1 of the peak").arg(shortNumber(*row.maxError, kDigits))
                                        : tr("No time step is solved")};
@@ -146,7 +124,7 @@ public:
             return TableCell{.text = shortNumber(value, kDigits), .number = value};
         };
         return {
-            {{.text = nameOfRow(method), .tone = textFor(method.method.kind).tone},
+            {{.text = nameOfRow(method), .tone = textOf(method).tone},
              {.text = QString::number(method.channels), .number = method.channels},
              {.text = numberText(method.tolerance, kDigits), .number = method.tolerance},
              cell(method.nsPerState),
@@ -198,8 +176,8 @@ public:
             }
             auto kind = std::ranges::find(kinds, method.method.kind);
             if (kind == kinds.end()) {
-                const MethodText text = textFor(method.method.kind);
-                chart.series.push_back({.name = text.name, .colour = text.colour, .isHollow = text.isHollow});
+                const MethodText &text = textOf(method);
+                chart.series.push_back({.name = tr(text.name), .colour = text.colour, .isHollow = text.isHollow});
                 chart.series.back().mark.addRect(-4.0, -4.0, 8.0, 8.0);
                 kind = kinds.insert(kinds.end(), method.method.kind);
             }

@@ -12,6 +12,7 @@ struct Interval {
     double upper = 1.0;
 
     double length() const { return upper - lower; }
+    bool isEmpty() const { return lower > upper; }
     bool contains(double x) const { return lower <= x && x <= upper; }
 
     /// Extends the interval so that it contains x.
