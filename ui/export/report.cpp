@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -287,7 +288,7 @@ public:
     }
 
     /// Returns whether no line is wider than the page.
-    bool fits() const
+    bool fitsWidth() const
     {
         constexpr double kRounding = 0.5; // px
         return m_document.size().width() <= m_document.pageSize().width() + kRounding;
@@ -338,6 +339,26 @@ private:
     QTextDocument m_document;
 };
 
+using LayOut = std::function<std::unique_ptr<LaidOutReport>(int letters)>;
+
+/// Returns the report with the largest letters with which no line is wider than the page, or with the smallest ones.
+/// Slightly smaller letters than these are chosen if they save a last page with only a few lines.
+std::unique_ptr<LaidOutReport> largestFittingReport(const LayOut &layOut)
+{
+    constexpr int kLargestLetters = 12; // px, 9 pt
+    constexpr int kSmallestLetters = 9;
+    int letters = kLargestLetters;
+    std::unique_ptr<LaidOutReport> report = layOut(letters);
+    while (letters > kSmallestLetters && !report->fitsWidth()) {
+        report = layOut(--letters);
+    }
+    if (letters > kSmallestLetters && report->endsWithFewLines()) {
+        std::unique_ptr<LaidOutReport> smaller = layOut(letters - 1);
+        return smaller->endsWithFewLines() ? std::move(report) : std::move(smaller);
+    }
+    return report;
+}
+
 } // namespace
 
 PaperSize usualPaper()
@@ -350,28 +371,16 @@ std::optional<QString> exportReport(const QString &path, const ReportContent &co
 {
     constexpr double kMargin = 18.0 / kMmPerInch * kDotsPerInch; // px
     constexpr double kFooter = 18.0;                             // px, above the lower margin
-    constexpr int kLargestLetters = 12;                          // px, 9 pt
-    constexpr int kSmallestLetters = 9;
     const QPageSize paper(content.paper == PaperSize::A4 ? QPageSize::A4 : QPageSize::Letter);
     const QSizeF page = paper.size(QPageSize::Point) * (kDotsPerInch / kPointsPerInch);
     const QMarginsF margins(kMargin, kMargin, kMargin, kMargin);
     const QSizeF text(page.width() - 2.0 * kMargin, page.height() - 2.0 * kMargin - kFooter);
+    const auto layOut = [&](int letters) {
+        return std::make_unique<LaidOutReport>(content, letterFont(letters), text, mechanism, figure);
+    };
     const auto fill = [&](QPdfWriter &writer) {
         writer.setPageMargins(QMarginsF());
-        int letters = kLargestLetters;
-        const auto layOut = [&](int size) {
-            return std::make_unique<LaidOutReport>(content, letterFont(size), text, mechanism, figure);
-        };
-        std::unique_ptr<LaidOutReport> report = layOut(letters);
-        while (letters > kSmallestLetters && !report->fits()) {
-            report = layOut(--letters);
-        }
-        if (report->endsWithFewLines() &&
-            letters > kSmallestLetters) { // slightly smaller letters may save the last page
-            std::unique_ptr<LaidOutReport> smaller = layOut(letters - 1);
-            report = smaller->endsWithFewLines() ? std::move(report) : std::move(smaller);
-        }
-        report->print(writer, margins);
+        largestFittingReport(layOut)->print(writer, margins);
     };
     return writeWhole(path, makePdf(paper, ReportLayout::tr("Motion of an offset slider-crank"), fill));
 }

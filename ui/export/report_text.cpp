@@ -33,7 +33,10 @@ struct Report {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::Report)
 };
 
-constexpr int kDigits = 6; // significant digits, enough for a calculation by hand
+// Significant digits.
+constexpr int kDigits = 6; // enough for a calculation by hand
+constexpr int kRoundingStepDigits = 3;
+constexpr int kResidualDigits = 2;
 
 QString element(const char *tag, const QString &text)
 {
@@ -63,27 +66,55 @@ enum class TableKind {
     NamesNumbersAndText ///< names in the first column, text in the last one
 };
 
-/// Returns an HTML table. The first row is the header, which is repeated on each page. Names and text are aligned to
-/// the left, numbers to the right. With a column of text, which is broken into lines, the names are broken, too, and
-/// the letters are smaller.
+/// What a column of a table contains.
+enum class ColumnKind { Name, Number, Text };
+
+ColumnKind columnKind(TableKind table, qsizetype column, qsizetype columnCount)
+{
+    if (column == 0 && table != TableKind::Numbers) {
+        return ColumnKind::Name;
+    }
+    const bool isLast = column + 1 == columnCount;
+    return isLast && table == TableKind::NamesNumbersAndText ? ColumnKind::Text : ColumnKind::Number;
+}
+
+/// Returns the attributes of the HTML cells of a column. Names and text are aligned to the left, numbers to the right.
+/// In a table with a column of text, both the text and the names are broken into lines.
+QString cellAttributes(TableKind table, ColumnKind column)
+{
+    constexpr int kWidthOfBrokenNames = 130; // px
+    const bool isBroken = table == TableKind::NamesNumbersAndText && column != ColumnKind::Number;
+    QString attributes = QStringLiteral("class=%1 align=%2")
+                             .arg(QLatin1String(isBroken ? "text" : "unbroken"),
+                                  QLatin1String(column == ColumnKind::Number ? "right" : "left"));
+    if (isBroken && column == ColumnKind::Name) {
+        attributes += QStringLiteral(" width=%1").arg(kWidthOfBrokenNames);
+    }
+    return attributes;
+}
+
+/// Returns the class of an HTML table in the style sheet of the report.
+QString tableClass(TableKind kind)
+{
+    switch (kind) {
+    case TableKind::Numbers: return "numbers";
+    case TableKind::NamesAndNumbers: break;
+    case TableKind::NamesNumbersAndText: return "dense"; // smaller letters
+    }
+    return "plain";
+}
+
+/// Returns an HTML table. The first row is the header, which is repeated on each page.
 QString table(const std::vector<QStringList> &rows, TableKind kind = TableKind::NamesAndNumbers)
 {
-    const bool hasText = kind == TableKind::NamesNumbersAndText;
-    const char *style = hasText ? "dense" : "plain";
-    QString html = QStringLiteral("<table class=%1 cellspacing=0 cellpadding=2>")
-                       .arg(QLatin1String(kind == TableKind::Numbers ? "numbers" : style));
+    QString html = QStringLiteral("<table class=%1 cellspacing=0 cellpadding=2>").arg(tableClass(kind));
     for (const QStringList &row : rows) {
         const bool isHeader = &row == &rows.front();
+        const QLatin1String element(isHeader ? "th" : "td");
         html += isHeader ? "<thead><tr>" : "<tr>";
         for (qsizetype i = 0; i < row.size(); ++i) {
-            const bool isName = i == 0 && kind != TableKind::Numbers;
-            const bool isText = hasText && i + 1 == row.size();
-            const bool isBroken = isText || (hasText && isName);
-            html += QStringLiteral("<%1 class=%2 align=%3%4>%5</%1>")
-                        .arg(QLatin1String(isHeader ? "th" : "td"), QLatin1String(isBroken ? "text" : "unbroken"),
-                             QLatin1String(isText || isName ? "left" : "right"),
-                             QLatin1String(hasText && isName ? " width=130" : ""), // px
-                             subscriptHtml(row[i]));
+            html += QStringLiteral("<%1 %2>%3</%1>")
+                        .arg(element, cellAttributes(kind, columnKind(kind, i, row.size())), subscriptHtml(row[i]));
         }
         html += isHeader ? "</tr></thead>" : "</tr>";
     }
@@ -296,7 +327,7 @@ QString errorTable(const std::vector<ChannelComparison> &comparison, const Refer
                         channel.maxAbs ? withUnit(largest, unit) : largest, place, errorText(inShownUnit(channel.rms)),
                         errorText(channel.percentOfPeak)});
         if (file) {
-            rows.back() << numberText(inShownUnit(channel.roundingStep), 3) << verdictText(channel);
+            rows.back() << numberText(inShownUnit(channel.roundingStep), kRoundingStepDigits) << verdictText(channel);
         }
     }
     return table(rows, file ? TableKind::NamesNumbersAndText : TableKind::NamesAndNumbers);
@@ -367,7 +398,7 @@ QString methodText(const Result &result)
                        nullptr, newton.maxIterations)
                 .arg(numberText(newton.tolerance),
                      newton.toleranceKind == ToleranceKind::Absolute ? Report::tr("absolute") : Report::tr("relative"),
-                     iterationsText(summary), numberText(summary.largestResidual, 2));
+                     iterationsText(summary), numberText(summary.largestResidual, kResidualDigits));
     }
     text +=
         u' ' + Report::tr("%1 time steps from t = %2 s to %3 s, %4 of them solved.")
