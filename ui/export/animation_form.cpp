@@ -77,13 +77,15 @@ Animation AnimationForm::animation() const
 
 void AnimationForm::showOutcome()
 {
+    constexpr int kDigits = 3;
     const Animation chosen = animation();
     const bool fits = chosen.frameCount() <= Animation::kMaxFrames;
     m_outcome->setText(
-        fits ? tr("%n frames: %1 s at the playback speed of %2×.", nullptr, static_cast<int>(chosen.frameCount()))
-                   .arg(numberText(std::abs(chosen.duration) / chosen.speed, 3), numberText(chosen.speed, 3))
-             : tr("More than %1 frames: choose a shorter length, fewer frames per second or a higher playback speed.")
-                   .arg(QString::number(Animation::kMaxFrames)));
+        fits
+            ? tr("%n frames: %1 s at the playback speed of %2×.", nullptr, static_cast<int>(chosen.frameCount()))
+                  .arg(numberText(std::abs(chosen.duration) / chosen.speed, kDigits), numberText(chosen.speed, kDigits))
+            : tr("More than %1 frames: choose a shorter length, fewer frames per second or a higher playback speed.")
+                  .arg(QString::number(Animation::kMaxFrames)));
     m_export->setEnabled(fits);
 }
 

@@ -46,7 +46,10 @@ QString pointName(LinkagePoint point)
 QString angleText(double angle)
 {
     const bool isRadian = notation().units.angle == AngleUnit::Radian;
-    return isRadian ? fixedText(angle, 3) + " rad" : fixedText(kDegreesPerRadian * angle, 1) + "°";
+    constexpr int kDecimalsOfRadians = 3;
+    constexpr int kDecimalsOfDegrees = 1;
+    return isRadian ? fixedText(angle, kDecimalsOfRadians) + " rad"
+                    : fixedText(kDegreesPerRadian * angle, kDecimalsOfDegrees) + "°";
 }
 
 /// Returns whether P is too far away to be drawn, so that the coupler practically translates.

@@ -161,7 +161,7 @@ MechanismView::MechanismView(QWidget *parent)
 void MechanismView::makeChoices()
 {
     const auto addSwitch = [this](const QString &text, const QString &name, bool MechanismSettings::*setting) {
-        m_choices << makeSettingAction(this, text, setting, true, false);
+        m_choices << makeSwitchAction(this, text, setting);
         m_choices.back()->setObjectName(name);
     };
     const auto addZoom = [this](const QString &text, const QList<QKeySequence> &keys, const auto &change) {
@@ -180,8 +180,9 @@ void MechanismView::makeChoices()
     addSwitch(tr("Instant &centre of the coupler"), "showInstantCentre", &MechanismSettings::instantCentre);
     m_choices << new QAction(this);
     m_choices.back()->setSeparator(true);
-    addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [this] { zoomBy(1.0, QRectF(rect()).center()); });
-    addZoom(tr("Zoom &out"), {Qt::Key_Minus}, [this] { zoomBy(-1.0, QRectF(rect()).center()); });
+    constexpr double kOneStep = 1.0;
+    addZoom(tr("Zoom &in"), {Qt::Key_Plus, Qt::Key_Equal}, [this] { zoomBy(kOneStep, QRectF(rect()).center()); });
+    addZoom(tr("Zoom &out"), {Qt::Key_Minus}, [this] { zoomBy(-kOneStep, QRectF(rect()).center()); });
     addZoom(tr("&Fit"), {Qt::Key_0}, [this] { fit(); });
     addActions(m_choices);
 }

@@ -12,6 +12,7 @@
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_slider.h"
 #include "ui/widgets/paragraph.h"
+#include "ui/widgets/spacing.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
@@ -66,7 +67,7 @@ void DesignForm::showEvent(QShowEvent *event)
 void DesignForm::createControls()
 {
     auto *form = new QFormLayout;
-    form->setVerticalSpacing(4);
+    form->setVerticalSpacing(kFormSpacing);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows);
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     m_stroke = addField(form, "designStroke", tr("Stroke"), new NumberBox,
@@ -87,7 +88,8 @@ void DesignForm::createControls()
     }
     m_ratio = addField(form, "designRatio", tr("Ratio b/a"), new NumberSlider,
                        tr("The remaining degree of freedom: the ratio b/a of coupler and crank"));
-    m_ratio->setMinimumWidth(120);
+    constexpr int kMinSliderWidth = 120; // px, so that ratios can be chosen finely
+    m_ratio->setMinimumWidth(kMinSliderWidth);
     m_best->setText(tr("Best transmission angle"));
     m_best->setToolTip(
         tr("The ratio b/a with the largest minimum transmission angle, at most %1").arg(kLongestCoupler));
@@ -96,7 +98,7 @@ void DesignForm::createControls()
     form->addRow(QString(), m_best);
 
     auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(4, 0, 0, 0);
+    rows->setContentsMargins(kPageMargins);
     rows->addLayout(form);
     rows->addWidget(m_refusal);
     rows->addWidget(m_lengths);
@@ -135,7 +137,8 @@ void DesignForm::showParameters()
         shownValue(Measure::Angle, turns ? limits.coupler.minimumTransmissionAngle.angle : best, units));
     m_ratio->setEnabled(turns && range);
     m_best->setEnabled(range.has_value());
-    const auto number = [](double value) { return numberText(value, 5); };
+    constexpr int kDigits = 5;
+    const auto number = [](double value) { return numberText(value, kDigits); };
     QString text = tr("b/a = %1.").arg(number(ratio));
     if (!turns) {
         text += u' ' + tr("The crank does not make full turns: there is no time ratio.");

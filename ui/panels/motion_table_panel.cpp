@@ -20,6 +20,7 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/paragraph.h"
+#include "ui/widgets/spacing.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -67,8 +68,8 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     named("motionTablePanel", this, tr("Table of the motion"));
     m_settings.columns = usualTableChannels();
     setMinimumWidth(1); // in a narrow window the widest boxes become narrower, instead of the window wider
-    m_layout->setContentsMargins(6, 4, 6, 2);
-    m_layout->setSpacing(3);
+    m_layout->setContentsMargins(kTabMargins);
+    m_layout->setSpacing(kRowSpacing);
     m_layout->addLayout(makeControls());
     m_layout->addWidget(m_constantSpeed); // beside the controls of a narrow window it would be a column of letters
     m_layout->addLayout(makeFindLine());
@@ -262,32 +263,50 @@ void MotionTablePanel::refreshNotation()
     showRows();
 }
 
-/// The current position has a table of its own, so that it stays while the rows scroll.
+/// Makes the tables for the chosen columns and notation. The current position has a table of its own, so that it stays
+/// while the rows scroll.
 void MotionTablePanel::makeTables()
 {
     delete m_currentRowTable;
     delete m_table;
     const std::vector<TableColumn> columns = motionTableColumns(m_settings);
-    m_currentRowTable = new NumberTable("presentPosition", tr("Present position"), columns);
     m_table = new NumberTable("motionTable", tr("Table of the motion"), columns);
+    m_currentRowTable = new NumberTable("presentPosition", tr("Present position"), columns);
+    arrangeTable();
+    arrangeCurrentRow();
+    connectTables();
+    fillColumnsMenu();
+    fillQuantities();
+}
+
+void MotionTablePanel::arrangeTable()
+{
+    constexpr int kMinRows = 2; // where the panel itself scrolls
     m_table->horizontalHeader()->hide();
+    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // so that m_currentRowLayout can reserve its width
+    m_table->setSizePolicy(QSizePolicy::Preferred,
+                           QSizePolicy::Ignored); // the panel may become as low as its other widgets need
+    m_table->setMinimumHeight(kMinRows * m_table->verticalHeader()->defaultSectionSize());
+    m_layout->addWidget(m_table, 1);
+}
+
+void MotionTablePanel::arrangeCurrentRow()
+{
+    constexpr int kMyValuesRow = 1; // below the current position
+    constexpr int kNoHeight = 1;    // until alignColumns() knows the rows; a higher table would make the tabs higher
     m_currentRowTable->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_currentRowTable->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // so that m_currentRowLayout can reserve its width
-    m_currentRowTable->setFixedHeight(
-        1);                         // until fitColumns() knows the rows; a higher table would make the tabs higher
-    constexpr int kMyValuesRow = 1; // below the current position
-    constexpr int kMinRows = 2;     // where the panel itself scrolls
+    m_currentRowTable->setFixedHeight(kNoHeight);
     m_currentRowTable->setEditable(kMyValuesRow, kFirstChannelColumn);
     m_currentRowTable->horizontalHeader()->setSectionResizeMode(
         QHeaderView::Fixed);                                             // alignColumns() chooses the widths
     m_currentRowTable->setSelectionMode(QAbstractItemView::NoSelection); // it would hide the colours of the verdicts
-    m_table->setSizePolicy(QSizePolicy::Preferred,
-                           QSizePolicy::Ignored); // the panel may become as low as its other widgets need
-    m_table->setMinimumHeight(kMinRows * m_table->verticalHeader()->defaultSectionSize());
     m_currentRowLayout->setContentsMargins(0, 0, m_table->verticalScrollBar()->sizeHint().width(), 0);
     m_currentRowLayout->addWidget(m_currentRowTable);
-    m_layout->addWidget(m_table, 1);
+}
+
+void MotionTablePanel::connectTables()
+{
     connect(m_currentRowTable, &NumberTable::typed, this, [this](int column, const QString &text) {
         typeValue(m_settings.columns[static_cast<std::size_t>(column - kFirstChannelColumn)], text.trimmed());
         QMetaObject::invokeMethod(this, &MotionTablePanel::showCurrentPosition,
@@ -304,7 +323,11 @@ void MotionTablePanel::makeTables()
         connect(table, &NumberTable::copied, this,
                 [this] { emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings.")); });
     }
-    fillColumnsMenu();
+}
+
+/// Fills the list of the quantities that can be found. The chosen one stays.
+void MotionTablePanel::fillQuantities()
+{
     const int chosen = std::max(0, m_quantity->currentIndex());
     m_quantity->clear();
     for (const OutputChannel &channel : tableChannels()) {
@@ -484,7 +507,8 @@ void MotionTablePanel::alignColumns()
         m_currentRowTable->setColumnWidth(column, width);
         m_table->setColumnWidth(column, width);
     }
-    m_currentRowTable->setFixedHeight(m_currentRowTable->contentSize().height() + 2);
+    constexpr int kFrame = 2; // px, above and below the rows
+    m_currentRowTable->setFixedHeight(m_currentRowTable->contentSize().height() + kFrame);
 }
 
 TablePlace MotionTablePanel::currentPlace() const

@@ -80,6 +80,10 @@ private:
     void fillExportMenu(QToolButton *button);
 
     void makeTables();
+    void arrangeTable();
+    void arrangeCurrentRow();
+    void connectTables();
+    void fillQuantities();
     void refresh();
     void showRows();
     void showCurrentPosition();

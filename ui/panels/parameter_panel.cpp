@@ -10,6 +10,7 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_slider.h"
+#include "ui/widgets/spacing.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -43,8 +44,10 @@ class ParameterSlider : public NumberSlider
 public:
     ParameterSlider()
     {
-        setMinimumWidth(50); // leaves space for large letters
-        setPageStep(10);
+        constexpr int kMinWidth = 50; // px, leaves space for large letters
+        constexpr int kPageStep = 10; // round steps
+        setMinimumWidth(kMinWidth);
+        setPageStep(kPageStep);
     }
 
     double range() const { return m_range; }
@@ -104,9 +107,9 @@ ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
     , m_grid(new QGridLayout(this))
 {
     named("parameterPanel", this, tr("Parameters of the mechanism"));
-    m_grid->setContentsMargins(6, 4, 6, 4);
-    m_grid->setHorizontalSpacing(4);
-    m_grid->setVerticalSpacing(3);
+    m_grid->setContentsMargins(kControlMargins);
+    m_grid->setHorizontalSpacing(kFormSpacing);
+    m_grid->setVerticalSpacing(kRowSpacing);
     m_grid->setColumnStretch(1, 1);
     addRow(Parameter::A, tr("Length of the crank, O₂ to A"), {lengthUnit(100.0)});
     addRow(Parameter::B, tr("Length of the coupler, A to B"), {lengthUnit(200.0)});

@@ -8,6 +8,7 @@
 #include "ui/text/theme.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
+#include "ui/widgets/spacing.h"
 
 #include <QHelpEvent>
 #include <QLabel>
@@ -95,8 +96,8 @@ PolygonView::PolygonView(Session *session, QWidget *parent)
                     });
             });
     auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(2, 0, 0, 0);
-    rows->setSpacing(3);
+    rows->setContentsMargins(kPageMargins);
+    rows->setSpacing(kRowSpacing);
     rows->addLayout(head);
     rows->addWidget(m_canvas, 1);
     connect(session, &Session::resultChanged, this, &PolygonView::refresh);

@@ -3,6 +3,7 @@
 
 #include "ui/widgets/named.h"
 #include "ui/widgets/scrollable.h"
+#include "ui/widgets/spacing.h"
 
 #include <QHBoxLayout>
 #include <QListWidget>
@@ -18,7 +19,7 @@ SegmentedPages::SegmentedPages(const QString &listName, QWidget *parent)
 {
     m_titles->setFrameShape(QFrame::NoFrame);
     m_titles->setFocusPolicy(Qt::TabFocus);
-    m_titles->setSpacing(2);
+    m_titles->setSpacing(kDenseSpacing);
     m_titles->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     m_titles->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Expanding);
     m_titles->viewport()->setBackgroundRole(QPalette::Window);
@@ -29,7 +30,7 @@ SegmentedPages::SegmentedPages(const QString &listName, QWidget *parent)
         }
     });
     auto *columns = new QHBoxLayout(this);
-    columns->setContentsMargins(4, 4, 4, 2);
+    columns->setContentsMargins(kPagesMargins);
     columns->addWidget(m_titles);
     columns->addWidget(m_pages, 1);
 }

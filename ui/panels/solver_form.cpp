@@ -11,6 +11,7 @@
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_table.h"
 #include "ui/widgets/paragraph.h"
+#include "ui/widgets/spacing.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -56,6 +57,7 @@ QString samplingText(const Result &result)
 {
     const SamplingSummary &summary = result.summary;
     const QString samples = QString::number(summary.timeSteps);
+    constexpr int kDigits = 2;
     QStringList parts;
     if (const std::size_t missing = summary.count(Status::NotAssemblable); missing > 0) {
         parts << SolverForm::tr("cannot be assembled at %1 of %2 time steps").arg(QString::number(missing), samples);
@@ -68,11 +70,11 @@ QString samplingText(const Result &result)
         }
         if (summary.found() > 0) {
             parts << SolverForm::tr("iterations: %1").arg(iterationsText(summary))
-                  << SolverForm::tr("residual %1").arg(numberText(summary.largestResidual, 2));
+                  << SolverForm::tr("residual %1").arg(numberText(summary.largestResidual, kDigits));
         }
     }
     if (result.sampleSeconds) {
-        parts << SolverForm::tr("%1 samples in %2 ms").arg(samples, shortNumber(*result.sampleSeconds * 1e3, 2));
+        parts << SolverForm::tr("%1 samples in %2 ms").arg(samples, shortNumber(*result.sampleSeconds * 1e3, kDigits));
     }
     return parts.join("  ·  ");
 }
@@ -88,7 +90,7 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
 {
     named("solverForm", this, tr("Settings and outcome"));
     auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(4, 0, 0, 0);
+    rows->setContentsMargins(kPageMargins);
     rows->addLayout(makeFields());
     rows->addWidget(m_outcome);
     rows->addStretch(1);
@@ -106,7 +108,7 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
 QLayout *SolverForm::makeFields()
 {
     auto *form = new QFormLayout;
-    form->setVerticalSpacing(4);
+    form->setVerticalSpacing(kFormSpacing);
     form->setFieldGrowthPolicy(QFormLayout::FieldsStayAtSizeHint);
     form->setRowWrapPolicy(QFormLayout::WrapLongRows); // on small screens
     addField(form, "methodBox", tr("Method"), m_method, tr("How the curves are computed"));

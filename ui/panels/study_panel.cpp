@@ -40,11 +40,12 @@ Page StudyPanel::makePage() const
                   "Every method is timed at the same time steps of one revolution, and its error is measured against a "
                   "computation with 115 digits.")};
     if (m_result) {
+        constexpr int kDigits = 2;
         const CaseResult &shownCase = m_result->cases.front();
         page = studyPage(shownCase);
-        page.note =
-            tr("%1. Measured on %2, in %3 s.")
-                .arg(mechanismText(Mechanism(shownCase.parameters)), machineText(), numberText(m_result->seconds, 2));
+        page.note = tr("%1. Measured on %2, in %3 s.")
+                        .arg(mechanismText(Mechanism(shownCase.parameters)), machineText(),
+                             numberText(m_result->seconds, kDigits));
         if (shownCase.parameters != m_session->parameters()) {
             page.note += u' ' + tr("The mechanism has changed since: run again.");
         }

@@ -9,6 +9,7 @@
 #include "ui/widgets/named.h"
 #include "ui/widgets/paragraph.h"
 #include "ui/widgets/save_dialog.h"
+#include "ui/widgets/spacing.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -56,11 +57,11 @@ TablePanel::TablePanel(Session *session, const QString &name, const QString &tit
     prepareFindings();
     prepareChartAndScrollArea();
     auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(6, 4, 6, 2);
-    rows->setSpacing(3);
+    rows->setContentsMargins(kTabMargins);
+    rows->setSpacing(kRowSpacing);
     rows->addLayout(makeHead(name));
     auto *columns = new QHBoxLayout;
-    columns->setSpacing(12);
+    columns->setSpacing(kColumnSpacing);
     columns->addWidget(m_chart, 1);
     columns->addWidget(m_scroll, 1);
     rows->addLayout(columns, 1);
@@ -96,7 +97,7 @@ void TablePanel::prepareFindings()
 {
     auto *grid = new QGridLayout(m_findings);
     grid->setContentsMargins(0, 0, 0, 0);
-    grid->setVerticalSpacing(2);
+    grid->setVerticalSpacing(kDenseSpacing);
     grid->setColumnStretch(0, 1);
     m_findings->hide();
 }
@@ -107,12 +108,13 @@ void TablePanel::prepareChartAndScrollArea()
     auto *parts = new QWidget;
     auto *content = new QVBoxLayout(parts);
     content->setContentsMargins(0, 0, 0, 0);
-    content->setSpacing(3);
+    content->setSpacing(kRowSpacing);
     content->addWidget(m_findings);
     m_tablesLayout = new QBoxLayout(QBoxLayout::LeftToRight);
-    m_tablesLayout->setSpacing(12);
+    m_tablesLayout->setSpacing(kColumnSpacing);
     content->addLayout(m_tablesLayout, 1);
-    m_chart->setMinimumWidth(200);
+    constexpr int kMinChartWidth = 200; // px, for the numbers of its axes
+    m_chart->setMinimumWidth(kMinChartWidth);
     m_chart->hide();
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setFocusPolicy(Qt::NoFocus);

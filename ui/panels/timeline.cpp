@@ -11,6 +11,7 @@
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/number_slider.h"
 #include "ui/widgets/popup_position.h"
+#include "ui/widgets/spacing.h"
 
 #include <QAction>
 #include <QEvent>
@@ -70,8 +71,8 @@ Timeline::Timeline(Session *session, QWidget *parent)
     connect(&m_frames, &QTimer::timeout, this, &Timeline::nextFrame);
     createActions();
     auto *rows = new QVBoxLayout(this);
-    rows->setContentsMargins(6, 4, 6, 4);
-    rows->setSpacing(3);
+    rows->setContentsMargins(kControlMargins);
+    rows->setSpacing(kRowSpacing);
     rows->addLayout(createScrubbing());
     rows->addLayout(createButtons());
     createForm();
@@ -148,12 +149,13 @@ QLayout *Timeline::createScrubbing()
 
     m_slider = named("timeSlider", new NumberSlider, tr("Time, slider"));
     m_slider->setSuffix(tr(" s"));
-    m_slider->setMinimumWidth(60);
+    constexpr int kMinSliderWidth = 60; // px, so that times can still be chosen
+    m_slider->setMinimumWidth(kMinSliderWidth);
     connect(m_slider, &NumberSlider::valueChanged, this,
             [this](int step) { m_session->setTime(m_session->sampling().timeStamp(step)); });
 
     auto *row = new QHBoxLayout;
-    row->setSpacing(5);
+    row->setSpacing(kFormSpacing);
     for (const auto &[text, box] : {std::pair{tr("t"), m_timeBox}, {tr("θ₂"), m_angleBox}}) {
         auto *label = new QLabel(text);
         label->setBuddy(box);
@@ -167,7 +169,7 @@ QLayout *Timeline::createScrubbing()
 QLayout *Timeline::createButtons()
 {
     auto *row = new QHBoxLayout;
-    row->setSpacing(2);
+    row->setSpacing(kDenseSpacing);
     const auto addButton = [row](const char *name, QAction *action) {
         auto *button = named(name, new QToolButton);
         if (action) {
@@ -183,7 +185,8 @@ QLayout *Timeline::createButtons()
     m_playButton = addButton("playButton", m_actions[Play]);
     addButton("forwardButton", m_actions[Forward])->setAutoRepeat(true);
     addButton("endButton", m_actions[End]);
-    row->addSpacing(8);
+    constexpr int kBesideStepping = 8; // px, because the loop is a choice and no step
+    row->addSpacing(kBesideStepping);
     addButton("loopButton", m_actions[Loop]);
     row->addStretch(1);
     m_offer = addButton("oneTurnOffer", nullptr);
@@ -206,7 +209,7 @@ void Timeline::createForm()
     m_form = named("runForm", new QFrame(this, Qt::Popup), tr("Time range and speed"));
     m_form->setFrameShape(QFrame::StyledPanel);
     auto *form = new QFormLayout(m_form);
-    form->setVerticalSpacing(4);
+    form->setVerticalSpacing(kFormSpacing);
     m_start = addField(form, "startBox", tr("Start"), new NumberBox, tr("The first time step"));
     m_duration =
         addField(form, "durationBox", tr("Duration"), new NumberBox, tr("From the first time step to the last"));
@@ -307,8 +310,9 @@ void Timeline::showSettings()
     m_steps->setValue(steps);
     m_speedBox->setValue(m_speed);
     m_oneTurn->setEnabled(revolution() <= kLargestParameter);
-    m_timeRangeButton->setText(
-        tr("%1 s · %2× ▾", "duration, playback speed").arg(numberText(duration, 3), numberText(playbackSpeed(), 3)));
+    constexpr int kDigits = 3;
+    m_timeRangeButton->setText(tr("%1 s · %2× ▾", "duration, playback speed")
+                                   .arg(numberText(duration, kDigits), numberText(playbackSpeed(), kDigits)));
     constexpr double kManyTurns = 5.0;
     m_offer->setVisible(isFast() && duration > kManyTurns * revolution());
     showTime();

@@ -57,6 +57,8 @@ namespace
 
 const QString kSamplePath = ":/data/inventor_sample.csv";
 
+constexpr QSize kInitialSize(1400, 900); // px
+
 /// Returns a height (px) at which the error table and its text are visible, also with a large font.
 int panelHeight(const QWidget &tabs)
 {
@@ -90,16 +92,19 @@ QSplitter *layOut(const Views &views)
 {
     auto *left = new QWidget;
     auto *leftColumn = new QVBoxLayout(left);
-    leftColumn->setContentsMargins(6, 6, 3, 6);
+    constexpr QMargins kBesideSplitter{6, 6, 3, 6}; // px; the splitter is on the right
+    leftColumn->setContentsMargins(kBesideSplitter);
     leftColumn->addWidget(views.mechanism, 1);
     leftColumn->addWidget(views.timeline);
     leftColumn->addWidget(views.parameters);
-    left->setMinimumWidth(340);
+    constexpr int kMinWidth = 340; // px, of the controls in the longest language
+    left->setMinimumWidth(kMinWidth);
 
     QSplitter *right = makeSplitter("plotsAndTabs", Qt::Vertical, views.plots, views.tabs);
     right->setStretchFactor(0, 1);
     right->setStretchFactor(1, 0);
-    right->setSizes({600, panelHeight(*views.tabs)});
+    constexpr int kUsualPlotHeight = 600; // px
+    right->setSizes({kUsualPlotHeight, panelHeight(*views.tabs)});
     QObject::connect(views.tabs, &FoldingTabs::foldedChanged, right, [right](bool folded) {
         const int height = right->sizes().value(0) + right->sizes().value(1);
         const int tabs = folded ? 0 : panelHeight(*right->widget(1));
@@ -109,7 +114,7 @@ QSplitter *layOut(const Views &views)
     QSplitter *columns = makeSplitter("columns", Qt::Horizontal, left, right);
     columns->setStretchFactor(0, 2);
     columns->setStretchFactor(1, 3);
-    columns->setSizes({560, 840});
+    columns->setSizes({2 * kInitialSize.width() / 5, 3 * kInitialSize.width() / 5});
     return columns;
 }
 
@@ -124,7 +129,7 @@ MainWindow::MainWindow(QWidget *parent)
 {
     setWindowIcon(QIcon(":/slidercrank.svg"));
     setAcceptDrops(true);
-    resize(1400, 900);
+    resize(kInitialSize);
     if (chosenTheme() != Theme::System) {
         QApplication::setPalette(paletteFor(chosenTheme()));
     }
