@@ -36,7 +36,7 @@ struct Animation {
 /// be read from the back of a lecture room: letters have 1/30 of the shorter side, but at least 12 pixels.
 FigureSize videoSize(const QSize &pixels);
 
-/// Draws the frame at that time (s), with its background, in that logical size from the origin.
+/// Draws the frame at a time (s), with its background, in a rectangle of a logical size that begins at the origin.
 using FrameDrawing = std::function<void(QPainter &, const QSize &, double)>;
 
 /// Receives the number of frames that are done; returns false to cancel.

@@ -110,7 +110,8 @@ void MechanismDrawing::addCircle(QPointF centre, double radius, const QPen &pen,
 void MechanismDrawing::addArrowHead(QPointF tip, QPointF direction, double length, const QColor &colour)
 {
     const QPointF back = tip - length * direction;
-    const QPointF across = 0.36 * length * QPointF(-direction.y(), direction.x());
+    constexpr double kHalfWidth = 0.36; // of the length
+    const QPointF across = kHalfWidth * length * QPointF(-direction.y(), direction.x());
     QPainterPath path;
     path.addPolygon(QPolygonF{tip, back + across, back - across, tip});
     add(path, Qt::NoPen, colour);
@@ -119,7 +120,9 @@ void MechanismDrawing::addArrowHead(QPointF tip, QPointF direction, double lengt
 void MechanismDrawing::addDimension(QPointF from, QPointF to, const QColor &colour)
 {
     const QPointF direction = unitVector(to - from);
-    const double head = std::min(8.0, 0.4 * QLineF(from, to).length());
+    constexpr double kHead = 8.0;         // px
+    constexpr double kLargestShare = 0.4; // of the dimension, so that two heads do not meet
+    const double head = std::min(kHead, kLargestShare * QLineF(from, to).length());
     addLine(from, to, QPen(colour, kHairline));
     addArrowHead(to, direction, head, colour);
     addArrowHead(from, -direction, head, colour);

@@ -102,11 +102,12 @@ void MechanismSketch::addMotionArrows(const ArrowScale &arrows, std::span<const 
         const PlaneVector &vector = motion.*arrows.vector;
         const double amount = vector.length();
         if (amount > 0.0 && std::isfinite(amount) && arrows.amount > 0.0) {
-            const double shortened = std::min(1.0, arrows.largest / amount);
-            const double mmPerUnit = shortened * arrows.length / arrows.amount;
+            constexpr double kRounding = 1e-9; // relative error of an amount
+            const bool isShortened = amount > arrows.largest * (1.0 + kRounding);
+            const double shownAmount = std::min(amount, arrows.largest);
+            const double mmPerUnit = (shownAmount / amount) * arrows.length / arrows.amount;
             const QPointF tail(motion.position.x, motion.position.y);
             const QPointF tip = toPixels(tail + mmPerUnit * QPointF(vector.x, vector.y));
-            const bool isShortened = shortened < 1.0 - 1e-9;
             addArrow(toPixels(tail), tip, arrows, isShortened ? Qt::DashLine : Qt::SolidLine);
             addArrowName({toPixels(tail), tip}, point, arrows);
         }

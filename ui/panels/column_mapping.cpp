@@ -196,7 +196,7 @@ void ColumnMapping::addRow(QGridLayout *grid, int line, std::size_t column)
     row.unit->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     row.why = named(QStringLiteral("why%1").arg(column), plainText());
     for (const QComboBox *combo : {row.meaning, row.unit}) {
-        connect(combo, &QComboBox::currentIndexChanged, this, [this, column] { choose(column); });
+        connect(combo, &QComboBox::currentIndexChanged, this, [this, column] { acceptChoice(column); });
     }
     auto *values = new QLabel(firstValues(m_layout, column));
     values->setTextFormat(Qt::PlainText);
@@ -237,10 +237,10 @@ void ColumnMapping::showChoice(std::size_t row, const ColumnChoice &choice)
     unit.setCurrentIndex(std::max(0, unit.findData(QString::fromStdString(choice.unit))));
 }
 
-void ColumnMapping::choose(std::size_t row)
+void ColumnMapping::acceptChoice(std::size_t row)
 {
     m_rows[row].isChosen = true;
-    showChoice(row, choiceIn(row)); // another meaning has other units
+    showChoice(row, choiceIn(row)); // the list of units depends on the meaning
     readAgain();
 }
 

@@ -49,7 +49,7 @@ private:
     ColumnChoice choiceIn(std::size_t row) const;
     std::vector<ColumnChoice> choices() const;                    ///< of the rows that the user chose
     void showChoice(std::size_t row, const ColumnChoice &choice); ///< in the two lists of the row
-    void choose(std::size_t row);
+    void acceptChoice(std::size_t row); ///< after the meaning or the unit of a column was chosen
     void detectAgain();
     void readAgain();
     void showRow(std::size_t row);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The data of Newton-Raphson at one time: equations, Jacobian, iterations, and the coordinates that result. The
-// equations are in the core's units (mm, rad, s), the coordinates in those of the reference report (mm, °, s).
+// The data of Newton-Raphson at one time: equations, Jacobian, iterations, and the coordinates that result. Lengths are
+// in the chosen unit. Angles are in rad in the equations, and in the chosen unit in the coordinates.
 
 #include "ui/document/result.h"
 #include "ui/panels/page.h"

@@ -86,7 +86,7 @@ protected:
         QPainter painter(this);
         const double top = handle.center().y() - 0.5 * kBandHeight;
         double from = m_free.lower > lowest ? pixel(m_free.lower) : 0.0;
-        if (m_free.length() < 0.0) { // no number is free
+        if (m_free.isEmpty()) {
             from = width();
         }
         const double to = m_free.upper < highest ? std::max(from, pixel(m_free.upper)) : width();

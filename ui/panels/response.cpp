@@ -51,7 +51,7 @@ ResponseRange responseRange(const Parameters &parameters, Parameter parameter)
     case Parameter::Theta20: {
         const double end = nextRoundNumber(std::max(1.25 * std::abs(value), 1.0));
         shown = {-end, end};
-        if (shownFullTurn.length() >= 0.0) { // then the crank turns fully for every value
+        if (!shownFullTurn.isEmpty()) { // then the crank turns fully for every value
             shownFullTurn = shown;
         }
         break;

@@ -82,10 +82,11 @@ QString chartName(std::size_t limit)
     return text ? ResponseView::tr(text).arg(shownUnit(describe(kind).measure)) : limitName(kind);
 }
 
-/// Returns the title without line breaks within a unit.
-QString unbroken(QString title)
+/// Returns the title without a line break behind the slash of a unit such as mm/s.
+QString withUnbrokenSlashes(QString title)
 {
-    return title.replace(u'/', "/\u2060");
+    const QChar wordJoiner(u'\u2060');
+    return title.replace(u'/', QString(u'/') + wordJoiner);
 }
 
 /// Returns the range of the finite values of a limit, without the steep rise of a peak towards infinity.
@@ -236,11 +237,11 @@ void ResponseView::refresh()
 void ResponseView::showResponse()
 {
     const LimitValues currentLimits = limitValues(Mechanism(m_response.parameters));
-    m_sentence->setText(withUnbrokenUnits(fullTurnText(m_response.parameter, m_response.range) + u' ' +
-                                          tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter))));
+    m_sentence->setText(withUnbrokenSlashes(fullTurnText(m_response.parameter, m_response.range) + u' ' +
+                                            tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter))));
     for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
         const QString title = tr("%1: %2").arg(chartName(i), shortNumber(currentLimits[i]));
-        m_titles[i]->setText(unbroken(title));
+        m_titles[i]->setText(withUnbrokenSlashes(title));
         m_charts[i]->setAccessibleName(title);
         m_charts[i]->setContent(chartOf(i));
     }
@@ -349,7 +350,7 @@ void ResponseView::draw(QPainter &painter, const QSize &size) const
         const int row = place / rows.columns;
         painter.translate(place % rows.columns * part.width(), row * part.height());
         painter.drawText(QRect(0, rows.above, part.width(), rows.title - rows.above),
-                         Qt::AlignCenter | Qt::TextWordWrap, unbroken(m_charts[i]->accessibleName()));
+                         Qt::AlignCenter | Qt::TextWordWrap, withUnbrokenSlashes(m_charts[i]->accessibleName()));
         painter.translate(0, rows.title);
         m_charts[i]->paint(painter, part - QSize(0, rows.title), light);
         painter.restore();

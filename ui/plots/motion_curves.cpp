@@ -115,7 +115,7 @@ MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t col
         return curves;
     }
     const Interval shown{std::max(range.lower, m_time.lower), std::min(range.upper, m_time.upper)};
-    if (shown.lower > shown.upper) {
+    if (shown.isEmpty()) {
         return curves;
     }
     const double speed = std::abs(m_mechanism.omega2());

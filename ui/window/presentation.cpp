@@ -72,11 +72,12 @@ void Presentation::setOn(bool on)
     m_messages->setMuted(on);
     m_window->statusBar()->setVisible(!on);
     m_window->menuBar()->setMaximumHeight(on ? 0 : QWIDGETSIZE_MAX); // the shortcuts of a hidden menu bar do not work
-    m_views.tabs->setFolded(true);
+    m_views.tabs->setFolded(true); // folding and unfolding give the tabs the height for the new font
     setFontOfParts(*m_window->centralWidget(), on ? largeFont(*m_window) : QFont());
-    m_views.tabs->setFolded(false); // sets the height for the font, and so does folding
+    m_views.tabs->setFolded(false);
     m_views.tabs->setFolded(on || m_wasFolded);
-    m_views.columns->setSizes(on ? QList<int>{400, 600} : m_widths); // the proportion of the widths
+    const QList<int> largePlots{400, 600}; // the proportion of the widths
+    m_views.columns->setSizes(on ? largePlots : m_widths);
     // The maximized state remains set: a Wayland compositor may end a program that changes both states at once.
     m_window->setWindowState(m_window->windowState().setFlag(Qt::WindowFullScreen, on));
     // The hidden menu bar, which keeps the focus after its menus are left by a key, would take Escape.
