@@ -487,6 +487,9 @@ std::vector<TypedValue> MotionTablePanel::readMyValues(TableRow &row, QStringLis
             continue;
         }
         cell.text = typedHere->byColumn.at(columnName(channel));
+        if (cell.text.startsWith(u'-')) {
+            cell.text.replace(0, 1, "−"); // as in the row above
+        }
         const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
         const TypedValue typed = readTypedValue(number, channel, notation().units);
         if (typed.parsed.fault) {

@@ -324,6 +324,8 @@ private slots:
         values->setData(values->index(1, 2), "22 1/2");
         values->setData(values->index(1, 5), "3.15");
         values->setData(values->index(1, 6), "-4.9");
+        QCoreApplication::processEvents();
+        QCOMPARE(shown.rowOf("presentPosition", 1)[6], "−4.9"); // as in the row of the exact values
         QScrollArea *area = scrollable(&shown.panel);
         area->resize(430, 190);
         area->show();
