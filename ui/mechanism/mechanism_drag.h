@@ -49,7 +49,7 @@ private:
     // A drag of the slider. Between two dead centres its position determines the crank angle. When the slider has
     // reached a dead centre and comes back, the crank continues beyond the dead centre, as with a flywheel.
     std::optional<SliderStroke> m_stroke;
-    int m_pushedAgainst = 0; ///< the end of the stroke that was reached: +1 `to`, -1 `from`, 0 none
+    int m_pushedAgainst = 0; ///< end of the stroke that was reached: +1 is its `to`, -1 its `from`, 0 none
     QPointF m_grip;          ///< from A or B to the pointer
 };
 

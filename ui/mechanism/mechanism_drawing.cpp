@@ -15,18 +15,22 @@
 namespace slidercrank
 {
 
+static constexpr double kMutedInk = 0.6; // share of the ink in the colour of what is less important
+
 MechanismDrawing::MechanismDrawing(const MechanismProjection &projection, const QPalette &palette, const QFont &font)
     : m_colours(seriesColours(palette))
     , m_ink(m_colours.text)
     , m_paper(m_colours.background)
-    , m_muted(faded(m_ink, 0.6))
+    , m_muted(faded(m_ink, kMutedInk))
     , m_font(font)
     , m_smallFont(font)
     , m_projection(projection)
 {
+    constexpr int kSmallestReadable = 9; // px
+    constexpr int kSmaller = 2;          // px
     const int pixels = QFontInfo(font).pixelSize();
     m_font.setPixelSize(pixels);
-    m_smallFont.setPixelSize(std::max(9, pixels - 2));
+    m_smallFont.setPixelSize(std::max(kSmallestReadable, pixels - kSmaller));
 }
 
 void MechanismDrawing::paint(QPainter &painter) const

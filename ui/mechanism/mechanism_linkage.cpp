@@ -70,7 +70,8 @@ void MechanismSketch::avoidScenery()
     constexpr double kLetterOfOffset = 24.0; // px, beside its dimension
     avoid(QRectF(m_O2 - QPointF(kPivot, 0.0), QSizeF(2.0 * kPivot, kHeightOfGround)));
     avoid(rail());
-    for (const DeadCentreMark &mark : deadCentreMarks()) { // one rectangle each: other texts are to be avoided as much
+    // One rectangle for each mark, as for each text: a label rather crosses a mark than two texts.
+    for (const DeadCentreMark &mark : deadCentreMarks()) {
         avoid(QRectF(mark.line.p1(), mark.line.p2()).adjusted(-1.0, 0.0, 1.0, 0.0));
     }
     if (cornerLineCount() > 0) {

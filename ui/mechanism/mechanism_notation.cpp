@@ -23,7 +23,9 @@ constexpr double kBesideJoint = 9.0;
 /// Returns the radius (px) of the arc of a link's angle.
 double arcRadius(const QLineF &link, double largest)
 {
-    return std::clamp(0.5 * link.length(), 14.0, largest);
+    constexpr double kShareOfLink = 0.5; // so that the arc ends before the other joint
+    constexpr double kSmallest = 14.0;   // px, larger than a joint
+    return std::clamp(kShareOfLink * link.length(), kSmallest, largest);
 }
 
 /// Returns a value (mm, rad, s) with its unit, as it is shown.

@@ -354,7 +354,8 @@ void MechanismView::refresh()
     update();
 }
 
-/// Returns the height at which the button hides the slider at no time: at the top, or above the numbers of the grid.
+/// Returns the top (px) of the button, where it never hides the slider: at the upper edge, or above the numbers of the
+/// grid.
 int MechanismView::flipButtonTop() const
 {
     constexpr int kAroundLine = 40; // px, the slider and its mark

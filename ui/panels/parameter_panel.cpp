@@ -332,14 +332,17 @@ void ParameterPanel::showRow(Parameter parameter)
     const bool isLength = unit.unit.dimension == Dimension::Length;
 
     // The range of the slider must include the number and must not be much larger than the mechanism.
-    constexpr double kMuchTooLong = 50.0;
+    constexpr double kMaxRangeRatio = 50.0; // the range over the size of the mechanism
+    constexpr double kUsualRangeRatio = 1.5;
+    constexpr double kRounding = 1e-9; // relative
     const double size = isLength ? unit.fromCore(std::max({parameters.a, parameters.b, std::abs(parameters.c)}))
-                                 : std::max(std::abs(value), unit.range / kMuchTooLong);
+                                 : std::max(std::abs(value), unit.range / kMaxRangeRatio);
     const auto fits = [&](double range) {
-        return range > 0.0 && std::abs(value) <= range && range <= kMuchTooLong * size * (1.0 + 1e-9);
+        return range > 0.0 && std::abs(value) <= range && range <= kMaxRangeRatio * size * (1.0 + kRounding);
     };
     if (!row.slider->isSliderDown() && !fits(row.slider->range())) { // the range is fixed during a drag
-        row.slider->setRange(fits(unit.range) ? unit.range : nextRoundNumber(1.5 * size), isPositive(parameter));
+        row.slider->setRange(fits(unit.range) ? unit.range : nextRoundNumber(kUsualRangeRatio * size),
+                             isPositive(parameter));
     }
     row.slider->setNumber(value);
     if (isLength) { // shade the lengths with which the crank cannot make a full turn
