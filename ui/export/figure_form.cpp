@@ -123,14 +123,18 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     prepareFields(options);
-    QLayout *form = makeForm(options);
+    QLayout *form = makeForm();
+    QLayout *plots = makePlots(options);
+    enum Row { Fields, Plots, Buttons };
+    enum Column { Left, Preview, ColumnCount };
     auto *layout = new QGridLayout(this);
-    layout->addLayout(form, 0, 0);
-    layout->setColumnMinimumWidth(0, form->sizeHint().width()); // otherwise the preview cuts long labels
-    layout->addWidget(m_preview, 0, 1);
-    layout->addWidget(buttons, 1, 0, 1, 2);
-    fitPreview(QSize(form->sizeHint().width(), buttons->sizeHint().height()));
-    layout->setColumnStretch(1, 1);
+    layout->addLayout(form, Fields, Left);
+    layout->setColumnMinimumWidth(Left, form->sizeHint().width()); // otherwise the preview cuts long labels
+    layout->addWidget(m_preview, Fields, Preview);
+    layout->addLayout(plots, Plots, Left, 1, ColumnCount); // beside the preview, their names would leave it no width
+    layout->addWidget(buttons, Buttons, Left, 1, ColumnCount);
+    fitPreview(QSize(form->sizeHint().width(), plots->sizeHint().height() + buttons->sizeHint().height()));
+    layout->setColumnStretch(Preview, 1);
     connect(m_width, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
     connect(m_fontSize, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &FigureForm::changeUnit);
@@ -158,19 +162,20 @@ void FigureForm::prepareFields(const FigureOptions &options)
     m_preview->setFrameShape(QFrame::Box);
     m_preview->setAlignment(Qt::AlignCenter);
     m_preview->setAccessibleName(tr("Preview"));
+    m_outcome->setWordWrap(true);
 }
 
 /// Makes the preview so small that the dialog fits the screen. `others`: the width beside it and the height below it,
 /// px.
 void FigureForm::fitPreview(const QSize &others)
 {
-    constexpr QSize kMargins(60, 80); // px, with the frame and the title bar of the dialog
+    constexpr QSize kMargins(60, 100); // px, with the space between the rows, the frame and the title bar
     const QSize available = screen()->availableSize() - others - kMargins;
     m_preview->setMinimumSize(available.boundedTo(kMaxPreviewSize).expandedTo(kMinPreviewSize));
 }
 
 /// Arranges the fields with their labels.
-QLayout *FigureForm::makeForm(const FigureOptions &options)
+QLayout *FigureForm::makeForm()
 {
     auto *width = new QHBoxLayout;
     width->addWidget(m_width);
@@ -181,16 +186,16 @@ QLayout *FigureForm::makeForm(const FigureOptions &options)
     form->addRow(label, width);
     form->addRow(tr("&Font size"), m_fontSize);
     form->addRow(tr("F&ormat"), m_format);
-    addPlots(options, *form);
     form->addRow(m_cursor);
     form->addRow(m_outcome);
     return form;
 }
 
-void FigureForm::addPlots(const FigureOptions &options, QFormLayout &form)
+/// Arranges a check box for each plot as the plots are arranged in the window.
+QLayout *FigureForm::makePlots(const FigureOptions &options)
 {
     const bool hasErrorPlots = m_subject.plots.size() >= kPlotCount;
-    const int columns = hasErrorPlots ? 3 : 2; // as in the window
+    const int columns = hasErrorPlots ? 3 : 2;
     auto *grid = new QGridLayout;
     const auto isChosen = [&](const QString &name) { return options.plots.isEmpty() || options.plots.contains(name); };
     // If none of the plots is chosen, the stored choice is that of a different figure: then all plots are checked.
@@ -203,7 +208,7 @@ void FigureForm::addPlots(const FigureOptions &options, QFormLayout &form)
         grid->addWidget(box, place / columns, place % columns);
         m_plots.push_back(box);
     }
-    form.addRow(grid);
+    return grid;
 }
 
 FigureOptions FigureForm::options() const

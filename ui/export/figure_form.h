@@ -15,7 +15,6 @@
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
-class QFormLayout;
 class QLabel;
 class QPushButton;
 
@@ -53,9 +52,9 @@ public:
 
 private:
     void prepareFields(const FigureOptions &options);
-    QLayout *makeForm(const FigureOptions &options);
+    QLayout *makeForm();
     void fitPreview(const QSize &others);
-    void addPlots(const FigureOptions &options, QFormLayout &form);
+    QLayout *makePlots(const FigureOptions &options);
     void changeUnit();
     void showPreview();
 

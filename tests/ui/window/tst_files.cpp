@@ -351,6 +351,20 @@ private slots:
         QCOMPARE(dialog()->directory().path(), m_folder->path()); // the folder of the last saved file
     }
 
+    /// A former defect: on small screens, the names of the plots left the preview a width of a few millimetres.
+    void thePreviewOfAFigureIsLarge()
+    {
+        openSample(); // nine plots
+        action("Figure…")->trigger();
+        const auto *form = view<FigureForm>();
+        settle();
+        const auto *preview = child<QLabel>(*form, "previewLabel");
+        QVERIFY2(2 * preview->width() > form->width(), qPrintable(QString::number(preview->width())));
+        QVERIFY(form->width() <= form->screen()->availableSize().width());
+        QVERIFY(form->height() <= form->screen()->availableSize().height());
+        view<FigureForm>()->reject();
+    }
+
     void theAnimationHasTheSettingsOfItsForm()
     {
         view<MechanismView>()->setSettings({}); // without the angle, which counts the revolutions
