@@ -35,38 +35,47 @@ struct Scale {
     double halfRange = 0.0;
 };
 
-Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std::span<const double> model)
+/// The half range of the model's motion with which errors are compared (Scale::halfRange). `model`: its values, one for
+/// each value of the reference; only those where the reference has a value count.
+double halfRangeOfMotion(const Mechanism &mechanism, const ReferenceSeries &reference, std::span<const double> model)
 {
     const auto [coordinate, order] = reference.channel;
-    const auto inFileUnit = [&](double size) { return toFileUnit(reference.channel, size); };
-    Scale scale;
-    ValueRange range; // the values of the model where the reference has one
+    const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
+    const bool belongsToLine = coordinate == R4y || coordinate == Theta4;
+    const bool isSpeedOfCrank = coordinate == Theta2 && order != Order::Position;
+    if (belongsToGround || belongsToLine || isSpeedOfCrank) { // constant
+        const double size = isAngle(coordinate) ? 1.0 : mechanism.a();
+        return toFileUnit(reference.channel, size) * std::pow(std::abs(mechanism.omega2()), static_cast<int>(order));
+    }
+    ValueRange range;
     for (std::size_t i = 0; i < model.size(); ++i) {
         if (std::isfinite(reference.values[i])) {
             range.include(model[i]);
         }
     }
-    scale.peak = rangeOf(reference.values).size();
-    scale.size = std::max(scale.peak, inFileUnit(naturalSize(mechanism.parameters(), reference.channel)));
-    scale.smallestStep =
-        std::max(kArithmeticStep * scale.size, kSmallestFractionOfLargestStep * reference.rounding.stepAt(scale.peak));
-    scale.halfRange = 0.5 * range.width();
-    const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
-    const bool belongsToLine = coordinate == R4y || coordinate == Theta4;
-    if (coordinate == Theta2 && order == Order::Position) {
-        scale.halfRange = std::min(scale.halfRange, inFileUnit(std::numbers::pi));
-    } else if (belongsToGround || belongsToLine || coordinate == Theta2) {
-        scale.halfRange = inFileUnit(isAngle(coordinate) ? 1.0 : mechanism.a()) *
-                          std::pow(std::abs(mechanism.omega2()), static_cast<int>(order));
-    }
-    return scale;
+    const double halfRange = 0.5 * range.width();
+    // Crank angles are compared up to whole turns: in a file of many turns, they range over half a turn to either side.
+    return coordinate == Theta2 ? std::min(halfRange, toFileUnit(reference.channel, std::numbers::pi)) : halfRange;
+}
+
+Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std::span<const double> model)
+{
+    const Channel channel = reference.channel;
+    const double peak = rangeOf(reference.values).size();
+    const double size = std::max(peak, toFileUnit(channel, naturalSize(mechanism.parameters(), channel)));
+    const double fractionOfLargestStep = kSmallestFractionOfLargestStep * reference.rounding.stepAt(peak);
+    return {.peak = peak,
+            .size = size,
+            .smallestStep = std::max(kArithmeticStep * size, fractionOfLargestStep),
+            .halfRange = halfRangeOfMotion(mechanism, reference, model)};
 }
 
 /// The effect of rounded time stamps: the exact motion half a rounding step of the time earlier and later.
 struct RoundedTimeEffect {
     Trajectory early;
     Trajectory late;
-    double largestDrift = kInfinity; ///< limit of drift(), as a multiple of half the range of the motion
+    /// drift() returns at most this multiple of half the range of the motion; infinite: nothing limits it.
+    double largestDrift = kInfinity;
 
     /// Returns whether the mechanism can be assembled within the rounding of the row's time stamp.
     bool isMotionPossible(Channel channel, std::size_t row) const
@@ -151,15 +160,22 @@ std::optional<double> rmsError(const ReferenceSeries &series, std::span<const do
     return count > 0 ? std::optional(unit * std::sqrt(squares / static_cast<double>(count))) : std::nullopt;
 }
 
+/// The model with which the columns of a file are compared.
+struct ComparedModel {
+    const Mechanism &mechanism;
+    const Trajectory &trajectory; ///< its motion at the time stamps of the file
+    FittedMechanism fitted{};
+};
+
 /// Compares the column `series` of the reference. `effect`: null if the time stamps are exact.
-ChannelComparison compareSeries(const Mechanism &mechanism, const Trajectory &trajectory,
-                                const ReferenceData &reference, const ReferenceSeries &series,
-                                const RoundedTimeEffect *effect, const FittedMechanism &fitted)
+ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceData &reference,
+                                const ReferenceSeries &series, const RoundedTimeEffect *effect)
 {
     const Channel channel = series.channel;
-    const std::vector<double> &models = trajectory[channel];
+    const FittedMechanism &fitted = compared.fitted;
+    const std::vector<double> &models = compared.trajectory[channel];
     assert(models.size() == reference.time.size() && series.values.size() == models.size());
-    const Scale scale = scaleOf(mechanism, series, models);
+    const Scale scale = scaleOf(compared.mechanism, series, models);
     ChannelComparison result;
     result.channel = channel;
     result.peak = scale.peak;
@@ -226,50 +242,61 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
                              sample(mechanism, std::move(late), channels, kClosedFormSettings)};
 }
 
+/// Calls `function` with the index of each column of the reference; in several threads if the columns are long.
+template <class Function>
+void forEachSeries(const ReferenceData &reference, const Function &function)
+{
+    inParallel(reference.series.size(), function, reference.time.size() > kMinTimeStampsForThreads);
+}
+
+/// Compares the columns that differ once more, assuming that the time stamps were rounded, although the clock does not
+/// show it, and replaces their comparisons by those that do not differ then. The assumed rounding lowers an excess by
+/// at most kExcessOfCloseness. If the time stamps are evenly spaced, the best verdict is `Close`; otherwise columns
+/// that are close may agree. `clock`: that of the reference. `compared`, `reference`: those of `channels`.
+void compareWithRoundedClock(std::vector<ChannelComparison> &channels, Clock clock, const ComparedModel &compared,
+                             const ReferenceData &reference)
+{
+    const auto canImprove = [&](const ChannelComparison &channel) {
+        const bool isTooFarOff = channel.excess > 2.0 * kExcessOfCloseness; // an excess up to one of them may remain
+        return !isTooFarOff &&
+               (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even));
+    };
+    if (clock.rounded || std::ranges::none_of(channels, canImprove)) {
+        return;
+    }
+    clock.rounded = true;
+    std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(compared.mechanism, reference, clock);
+    if (!effect) {
+        return;
+    }
+    effect->largestDrift = kExcessOfCloseness;
+    forEachSeries(reference, [&](std::size_t i) {
+        if (!canImprove(channels[i])) {
+            return;
+        }
+        const ChannelComparison again = compareSeries(compared, reference, reference.series[i], &*effect);
+        if (again.verdict != Verdict::Differs) {
+            channels[i] = again;
+            channels[i].clockIsRounded = clock.even;
+            channels[i].verdict = clock.even ? Verdict::Close : again.verdict;
+        }
+    });
+}
+
 } // namespace
 
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference, const FittedMechanism &fitted)
 {
     const Clock clock = clockOf(reference.time, reference.timeRounding);
-    const bool isLong = reference.time.size() > kMinTimeStampsForThreads;
-    const auto comparisonOf = [&](std::size_t i, const std::optional<RoundedTimeEffect> &effect) {
-        return compareSeries(mechanism, model, reference, reference.series[i], effect ? &*effect : nullptr, fitted);
-    };
-    std::vector<ChannelComparison> result(reference.series.size());
-    const std::optional<RoundedTimeEffect> shownEffect = effectOfRoundedTime(mechanism, reference, clock);
-    inParallel(
-        result.size(), [&](std::size_t i) { result[i] = comparisonOf(i, shownEffect); }, isLong);
-
-    // A second comparison assumes that the time stamps were rounded, although the clock does not show it. It lowers an
-    // excess by at most kExcessOfCloseness. If the time stamps are evenly spaced, the best verdict is `Close`.
-    const auto canImprove = [&](const ChannelComparison &channel) {
-        return channel.excess <= 2.0 * kExcessOfCloseness &&
-               (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even));
-    };
-    if (clock.rounded || std::ranges::none_of(result, canImprove)) {
-        return result;
-    }
-    Clock roundedClock = clock;
-    roundedClock.rounded = true;
-    std::optional<RoundedTimeEffect> assumedEffect = effectOfRoundedTime(mechanism, reference, roundedClock);
-    if (!assumedEffect) {
-        return result;
-    }
-    assumedEffect->largestDrift = kExcessOfCloseness;
-    const auto compareAgain = [&](std::size_t i) {
-        if (!canImprove(result[i])) {
-            return;
-        }
-        const ChannelComparison again = comparisonOf(i, assumedEffect);
-        if (again.verdict != Verdict::Differs) {
-            result[i] = again;
-            result[i].clockIsRounded = clock.even;
-            result[i].verdict = clock.even ? Verdict::Close : again.verdict;
-        }
-    };
-    inParallel(result.size(), compareAgain, isLong);
-    return result;
+    const ComparedModel compared{mechanism, model, fitted};
+    const std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock);
+    std::vector<ChannelComparison> channels(reference.series.size());
+    forEachSeries(reference, [&](std::size_t i) {
+        channels[i] = compareSeries(compared, reference, reference.series[i], effect ? &*effect : nullptr);
+    });
+    compareWithRoundedClock(channels, clock, compared, reference);
+    return channels;
 }
 
 void findRoundedTime(std::vector<ChannelComparison> &channels, const Mechanism &mechanism, const Trajectory &model,
@@ -285,7 +312,7 @@ void findRoundedTime(std::vector<ChannelComparison> &channels, const Mechanism &
     for (std::size_t i = 0; effect && i < channels.size(); ++i) {
         if (differs(channels[i])) {
             const ChannelComparison assumed =
-                compareSeries(mechanism, model, reference, reference.series[i], &*effect, {});
+                compareSeries({mechanism, model}, reference, reference.series[i], &*effect);
             channels[i].isWithinRoundedTime = assumed.verdict == Verdict::Agrees;
         }
     }
