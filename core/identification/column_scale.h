@@ -40,24 +40,25 @@ std::span<const double> unitFactors(Channel channel);
 /// The sign with which a coordinate is counted: that of the first of its columns in the fit, or 1 if there is none.
 double signOfCoordinate(const Observations &observations, const Fit &fit, Coordinate coordinate);
 
-/// The factor by which the prediction of `model` has to be multiplied to fit a column best that `fit` does not use.
-/// `model`: that of the fit at the same or at another speed of the crank. The factor is negative if the column has the
-/// opposite sign to the columns of the same coordinate that the fit uses.
-double bestScale(const Observations &observations, const Fit &fit, const Model &model, Index column);
+/// The factor of a reading with which the motion of a model fits a column best, by least squares. A position may have
+/// any origin; a derivative has none.
+double bestFactor(const Observations &observations, const Model &model, Index column);
 
-/// The result of bestScale(), and whether the prediction then explains the column.
+/// How a column that a fit does not use is related to its prediction.
 struct ColumnScale {
+    /// The prediction has to be multiplied by it. Negative if the column has the opposite sign to the columns of the
+    /// same coordinate that the fit uses.
     double factor = kNone;
     bool isExplained = false;    ///< after multiplication by the factor, the residuals are rounding or small
     bool isNearRounding = false; ///< they are as small as rounding
 };
 
-/// Compares a derivative, which has no origin, with the prediction of `model` like bestScale(). `othersAreExact`: see
-/// largestFurtherResidual().
+/// Compares a derivative with its prediction by `model`, which is that of the fit at the same or at another speed of
+/// the crank. `othersAreExact`: see largestFurtherResidual().
 ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index column,
                      bool othersAreExact);
 
-/// The usual factor, ±1 or a unit conversion, that is nearest to the one with which the prediction fits a column.
+/// The usual factor, ±1 or ± a unit conversion, that is nearest to bestFactor().
 double usualFactor(const Observations &observations, const Fit &fit, Index column);
 
 } // namespace slidercrank

@@ -59,12 +59,10 @@ double deviationInPercentOfPeak(const Observations &observations, const Fit &fit
 }
 
 /// The same as deviationInPercentOfPeak(), with the factor that suits the column best: a derivative is multiplied by it
-/// if the speed of the crank or the unit is another one.
+/// if the speed of the crank or the unit is different.
 double percentOfPeakAtBestScale(const Observations &observations, const Fit &fit, Index k)
 {
-    // The scale is relative to this sign, the factor of deviationInPercentOfPeak() is not.
-    const double sign = signOfCoordinate(observations, fit, observations.columns[k].channel.coordinate);
-    return deviationInPercentOfPeak(observations, fit, k, sign * bestScale(observations, fit, fit.model, k));
+    return deviationInPercentOfPeak(observations, fit, k, bestFactor(observations, fit.model, k));
 }
 
 /// Largest deviation at the best scale, in percent of the peak, with which a derivative may be that of the mechanism at

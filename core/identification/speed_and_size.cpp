@@ -67,7 +67,8 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
         if (column.containsAngles() || column.isConstant() || column.channel.order == fittedOrder) {
             continue;
         }
-        const double factor = bestScale(observations, fit, fit.model, k);
+        const double factor =
+            bestFactor(observations, fit.model, k) * signOfCoordinate(observations, fit, column.channel.coordinate);
         const double ratio = ratioOfSpeeds(factor, column.channel.order, fittedOrder);
         start.model = atSpeed(observations, fit, ratio * fit.model.mechanism.omega2);
         if (std::optional<Fit> together = addInSimplestReading(observations, start, k, isGeometryExact)) {
@@ -92,7 +93,7 @@ Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::K
             continue;
         }
         start.model = fit.model;
-        scaleLengths(start.model.mechanism, std::abs(bestScale(observations, fit, fit.model, k)));
+        scaleLengths(start.model.mechanism, std::abs(bestFactor(observations, fit.model, k)));
         if (std::optional<Fit> together = addInSimplestReading(observations, start, k, isGeometryExact)) {
             return *std::move(together);
         }
