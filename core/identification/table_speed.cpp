@@ -18,9 +18,9 @@ namespace slidercrank
 namespace
 {
 
-/// The speed that a derivative shows if it is in a certain unit.
+/// A speed that a derivative shows, if it is in one of unitFactors(): the derivative votes for this speed.
 struct Vote {
-    Index column = 0;
+    Index column = 0;   ///< of the observations
     double speed = 0.0; ///< rad/s; with a sign only if isVelocity
     bool isVelocity = false;
     bool isNearRounding = false;  ///< at this speed, the residuals of the column are as small as rounding
@@ -79,33 +79,42 @@ ColumnScale scaleOfDerivative(const Observations &observations, const Fit &fit, 
             .isNearRounding = isNearRounding(observations, *together, std::ssize(together->columns) - 1)};
 }
 
-/// The votes of the derivatives that the fit does not use and the mechanism explains, without those of lengths if the
-/// fit contains only angles, which do not show the size of the mechanism. If the residuals of some of them are as small
-/// as rounding, only these vote: the others may be difference quotients, whose speed is too low.
+/// The votes of a derivative, one for each of unitFactors(); those that do not contradict its unit come first. `scale`:
+/// that of the derivative at ω2 = 1 rad/s, which is the true ω2 to the power of its order, times its unit.
+std::vector<Vote> votesOfColumn(const ObservedColumn &column, Index k, const Model &model, const ColumnScale &scale)
+{
+    const bool isVelocity = column.channel.order == Order::Velocity;
+    std::vector<Vote> votes;
+    for (const double unit : unitFactors(column.channel)) {
+        const double speed = isVelocity ? scale.factor / unit : std::sqrt(std::abs(scale.factor) / unit);
+        votes.push_back({.column = k,
+                         .speed = speed,
+                         .isVelocity = isVelocity,
+                         .isNearRounding = scale.isNearRounding,
+                         .contradictsUnit = contradictsUnit(column, model, unit)});
+    }
+    std::ranges::stable_sort(votes, {}, &Vote::contradictsUnit);
+    return votes;
+}
+
+/// The votes of the derivatives that the fit does not use and the mechanism explains. Derivatives of lengths do not
+/// vote if the fit contains only angles, which do not show the size of the mechanism. If the residuals of some
+/// derivatives are as small as rounding, only these vote: the others may be difference quotients, whose speed is too
+/// low.
 std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
 {
     const bool areExact = isExact(observations, fit);
-    const bool areLengthsOpen = observations.containOnlyAngles(fit.columns);
+    const bool isSizeOpen = observations.containOnlyAngles(fit.columns);
     std::vector<Vote> votes;
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
-        const bool isSizeOpen = areLengthsOpen && !column.containsAngles();
-        if (fit.usesColumn(k) || column.channel.order == Order::Position || isSizeOpen) {
+        const bool mayVote = column.isDerivative() && (column.containsAngles() || !isSizeOpen);
+        if (fit.usesColumn(k) || !mayVote) {
             continue;
         }
-        // The scale of a derivative of order n is ω2ⁿ times its unit.
         const ColumnScale scale = scaleOfDerivative(observations, fit, k, areExact);
-        if (!scale.isExplained) {
-            continue;
-        }
-        const bool isVelocity = column.channel.order == Order::Velocity;
-        for (const double unit : unitFactors(column.channel)) {
-            const double speed = isVelocity ? scale.factor / unit : std::sqrt(std::abs(scale.factor) / unit);
-            votes.push_back({.column = k,
-                             .speed = speed,
-                             .isVelocity = isVelocity,
-                             .isNearRounding = scale.isNearRounding,
-                             .contradictsUnit = contradictsUnit(column, fit.model, unit)});
+        if (scale.isExplained) {
+            std::ranges::copy(votesOfColumn(column, k, fit.model, scale), std::back_inserter(votes));
         }
     }
     if (std::ranges::any_of(votes, &Vote::isNearRounding)) {
@@ -125,21 +134,22 @@ struct Support {
     auto rank() const { return std::pair(columns, -contradictedUnits); }
 };
 
-/// Counts the columns that vote for the speed of a candidate. Each counts once.
+/// Counts the columns that vote for the speed of a candidate. Each counts once. `votes`: those of a column that do not
+/// contradict its unit come before those that do.
 Support countSupport(const Vote &candidate, const std::vector<Vote> &votes)
 {
     Support support{.speed = candidate.speed};
     Indices columns;
-    for (const bool contradicts : {false, true}) { // a column that agrees in two units counts for the stated one
-        for (const Vote &vote : votes) {
-            const bool isCounted = std::ranges::find(columns, vote.column) != columns.end();
-            if (vote.contradictsUnit != contradicts || isCounted || !haveSameMagnitude(vote.speed, candidate.speed)) {
-                continue;
-            }
-            columns.push_back(vote.column);
-            support.columns += 1;
-            support.contradictedUnits += contradicts ? 1 : 0;
-            support.speed = vote.isVelocity ? vote.speed : support.speed;
+    for (const Vote &vote : votes) {
+        const bool isCounted = std::ranges::find(columns, vote.column) != columns.end();
+        if (isCounted || !haveSameMagnitude(vote.speed, candidate.speed)) {
+            continue;
+        }
+        columns.push_back(vote.column);
+        support.columns += 1;
+        support.contradictedUnits += vote.contradictsUnit ? 1 : 0;
+        if (vote.isVelocity) {
+            support.speed = vote.speed;
         }
     }
     return support;
