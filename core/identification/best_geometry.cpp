@@ -84,7 +84,7 @@ double coarsestStep(const Observations &observations, const Indices &columns)
 ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
     Indices columns = shapeColumns(searched);
-    const Indices higherColumns = shapeColumns(searched, 1);
+    const Indices higherColumns = higherShapeColumns(searched);
     ConstrainedFit lowest = findConstrainedGeometry(wholeFile, searched, columns, given);
     const bool hasUsualOrigins = std::ranges::all_of(lowest.fit.unknowns, &Unknown::isParameter);
     const bool isUnchanged = isExact(searched, lowest.fit) && (hasUsualOrigins || searched.hasAngle());
@@ -100,7 +100,7 @@ ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, co
                                                const Parameters &given)
 {
     constexpr double kFiner = 3.0; // with similar steps, the lower derivatives have shown the geometry as well
-    const Indices columns = shapeColumns(searched, 1);
+    const Indices columns = higherShapeColumns(searched);
     const bool areFiner = kFiner * coarsestStep(searched, columns) < coarsestStep(searched, shapeColumns(searched));
     return areFiner ? findConstrainedGeometry(wholeFile, searched, columns, given) : ConstrainedFit{};
 }

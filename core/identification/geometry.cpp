@@ -12,6 +12,7 @@
 #include <functional>
 #include <numbers>
 #include <set>
+#include <span>
 
 namespace slidercrank
 {
@@ -175,17 +176,23 @@ double misfitOfRegressions(const Observations &observations, const Indices &colu
     return misfit;
 }
 
-/// Chooses the size of a mechanism with a = 1 mm and the readings of the columns, so that its motion fits them best.
-/// Returns the model with these readings and lengths and, if it follows the angle in the file, with the speed that
-/// follows from the derivatives. `moments`: those of each column and its motion.
-Candidate scaleToColumns(Model model, const Observations &observations, const Indices &columns,
-                         const std::vector<Moments> &moments, const Parameters &given, Origins origins)
+/// Fits the reading of each of some columns. `moments`: those of each column and its motion.
+std::vector<Regression> fitColumns(const Observations &observations, const Indices &columns,
+                                   const std::vector<Moments> &moments, const Model &model, Origins origins)
 {
     std::vector<Regression> regressions;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const ObservedColumn &column = observations.columns[columns[i]];
         regressions.push_back(fitColumn(column, moments[i], model, allowedOrigin(column.channel, origins)));
     }
+    return regressions;
+}
+
+/// Gives a mechanism with a = 1 mm the size, and the columns the readings, that `regressions` show, the result of
+/// fitColumns(). A model that follows the angle in the file also gets the speed that the derivatives show.
+Candidate scaleToColumns(Model model, const Observations &observations, const Indices &columns,
+                         const std::vector<Regression> &regressions, const Parameters &given)
+{
     const Scale scale = scaleOfColumns(observations, columns, regressions, model, given);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Index k = columns[i];
@@ -249,8 +256,12 @@ GridResult searchGrid(const Observations &observations, const Indices &columns, 
                 for (Index k = 0; k < motion.cols(); ++k) {
                     moments.push_back(computeMoments(motion.col(k), observations.columns[columns[k]].values));
                 }
-                replaceIfBetter(usual, scaleToColumns(model, observations, columns, moments, given, Origins::Usual));
-                replaceIfBetter(any, scaleToColumns(model, observations, columns, moments, given, Origins::Any));
+                const auto candidateWith = [&](Origins origins) {
+                    return scaleToColumns(model, observations, columns,
+                                          fitColumns(observations, columns, moments, model, origins), given);
+                };
+                replaceIfBetter(usual, candidateWith(Origins::Usual));
+                replaceIfBetter(any, candidateWith(Origins::Any));
             }
             result.usualOrigins.push_back(std::move(usual));
             result.anyOrigins.push_back(std::move(any));
@@ -350,6 +361,24 @@ Indices changingColumns(const Observations &observations, Coordinate coordinate)
     return columns;
 }
 
+/// A position in the orders of a coordinate (position, velocity, acceleration) that the file contains.
+enum class OrderInFile { Lowest, SecondLowest };
+
+/// The column of this order of each of some coordinates, as far as it exists; only columns that change count.
+Indices columnsOfOrderInFile(const Observations &observations, std::span<const Coordinate> coordinates,
+                             OrderInFile orderInFile)
+{
+    const std::size_t lowerOrders = orderInFile == OrderInFile::Lowest ? 0 : 1;
+    Indices columns;
+    for (const Coordinate coordinate : coordinates) {
+        const Indices changing = changingColumns(observations, coordinate);
+        if (changing.size() > lowerOrders) {
+            columns.push_back(changing[lowerOrders]);
+        }
+    }
+    return columns;
+}
+
 /// The model of a geometry, in which each of `columns` that it does not use has usualFactor() (a sign and a unit).
 Model withUsualFactors(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
@@ -364,25 +393,22 @@ Model withUsualFactors(const Observations &observations, const Fit &geometry, co
 
 } // namespace
 
-Indices shapeColumns(const Observations &observations, std::size_t skipped)
+Indices shapeColumns(const Observations &observations)
 {
-    Indices columns;
-    const auto append = [&](Coordinate coordinate) {
-        const Indices changing = changingColumns(observations, coordinate);
-        if (changing.size() > skipped) {
-            columns.push_back(changing[skipped]);
-        }
-    };
-    append(Theta3);
-    append(R4x);
-    if (columns.empty() && skipped == 0) {
-        std::ranges::for_each(std::array{R3x, R3y, R2x, R2y}, append);
+    Indices columns = columnsOfOrderInFile(observations, std::array{Theta3, R4x}, OrderInFile::Lowest);
+    if (columns.empty()) {
+        columns = columnsOfOrderInFile(observations, std::array{R3x, R3y, R2x, R2y}, OrderInFile::Lowest);
     }
-    const auto isPosition = [&](Index k) { return !observations.columns[k].isDerivative(); };
-    if (observations.hasAngle() && std::ranges::any_of(columns, isPosition)) {
-        std::erase_if(columns, std::not_fn(isPosition));
+    const auto isDerivative = [&](Index k) { return observations.columns[k].isDerivative(); };
+    if (observations.hasAngle() && !std::ranges::all_of(columns, isDerivative)) {
+        std::erase_if(columns, isDerivative);
     }
     return columns;
+}
+
+Indices higherShapeColumns(const Observations &observations)
+{
+    return columnsOfOrderInFile(observations, std::array{Theta3, R4x}, OrderInFile::SecondLowest);
 }
 
 bool determineLengths(const Observations &observations, const Indices &columns)

@@ -12,10 +12,13 @@ namespace slidercrank
 {
 
 /// Columns that show the shape of the mechanism: for each of θ3 and R4_x, in this order, the column of the lowest order
-/// in the file (positions have the order 0), after `skipped` lower ones. If the file has none of them and nothing is
-/// skipped, the same for the centres of the links. In a file with the angle of the crank, derivatives are left out if
-/// there is a position, because they depend on the unknown speed.
-Indices shapeColumns(const Observations &observations, std::size_t skipped = 0);
+/// that changes (positions have the order 0). If the file has none of them, the same for the centres of the links. In a
+/// file with the angle of the crank, derivatives are left out if there is a position, because they depend on the
+/// unknown speed.
+Indices shapeColumns(const Observations &observations);
+
+/// For each of θ3 and R4_x, in this order, the column of the second lowest order that changes.
+Indices higherShapeColumns(const Observations &observations);
 
 /// Whether the columns determine lengths, and not only ratios of lengths.
 bool determineLengths(const Observations &observations, const Indices &columns);
