@@ -33,7 +33,7 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
 {
     constexpr double kDeviations = 8.0; // robust standard deviations: noise does not reach them in any file
     constexpr double kNormal = 1.4826;  // standard deviation of noise, in medians of its absolute values
-    constexpr double kRoundings = 2.0;  // bounds of rounding: the fit has errors, too
+    constexpr double kRoundings = 2.0;  // bounds of rounding: one for the value, one for the error of the fit
     constexpr double kLateness = 0.2;   // intervals between rows by which a row may be late or early
     const ObservedColumn &column = observations.columns[fit.columns[place]];
     const Values residuals = fit.residuals.col(place);

@@ -73,7 +73,7 @@ RoundNumber roundInUsualUnits(Unknown unknown, double value, double standardErro
 struct EstimatedUnknown {
     Unknown unknown;
     std::optional<Parameter> parameter{}; ///< the parameter whose value at t = 0 of the file it is; nullopt for origins
-    double size = 1.0;                    ///< the size with which its error is compared
+    double size = 1.0;                    ///< parameterSize(); 1 mm or 1 rad for origins
     bool isFixed = false;                 ///< its value no longer changes, see fixUnknown()
 };
 
@@ -92,7 +92,7 @@ struct Estimate {
 
 /// Makes an estimate in which no unknown is fixed yet. `unrounded`: the parameters of the last fit at t = 0 of the
 /// file. θ20 of a model that follows the angle in the file is the origin of that angle, so that it is an origin here
-/// and no parameter. The errors of origins are compared with 1 mm or 1 rad.
+/// and no parameter.
 Estimate makeEstimate(const LastFit &lastFit, const Parameters &unrounded)
 {
     const Model &model = lastFit.fit.model;

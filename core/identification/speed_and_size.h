@@ -25,8 +25,8 @@ struct SpeedAndSize {
 };
 
 /// Adds the columns to a fit of the geometry that show what it leaves open: in a table over the crank angle the speed,
-/// and beside angles, which show only ratios of lengths, the size. `drive`: the kind of the drive. `givenSpeed`:
-/// chooses among speeds that the units of a table leave open, rad/s.
+/// and beside angles, which show only ratios of lengths, the size. `drive`: the kind of the drive. `givenSpeed`
+/// (rad/s): preferred among the speeds that a table allows if it does not show the unit of its derivatives.
 SpeedAndSize withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
                               double givenSpeed);
 

@@ -33,7 +33,7 @@ bool movesAlongY(const ReferenceData &data)
 /// The columns whose headings may be exchanged, because the result does not explain the columns under these headings.
 std::vector<Channel> findDoubtfulHeadings(const Identification &result)
 {
-    constexpr double kMinPercent = 10.0; // of the peak: another heading changes a column by more than a filter does
+    constexpr double kMinPercent = 10.0; // of the peak: a filter leaves less, a wrong heading leaves more
     if (result.outcome == Identification::Outcome::None) {
         return {{Theta3, Order::Position}, {R4x, Order::Position}};
     }
