@@ -145,8 +145,8 @@ bool isUnneeded(const Observations &observations, const Fit &freeFit, const Fit 
     if (explainsAsWell(observations, fixedFit, freeFit)) {
         return true;
     }
-    const bool isFiltered = !isExact(observations, freeFit) && isSystematic(observations, freeFit);
-    const bool mayComeFromFilter = isFiltered || isSmallOrigin(observations, freeFit.model, origin, usual);
+    const bool mayComeFromFilter =
+        isSystematic(observations, freeFit) || isSmallOrigin(observations, freeFit.model, origin, usual);
     return mayComeFromFilter && hasSmallResiduals(observations, fixedFit);
 }
 
