@@ -317,16 +317,6 @@ double dependence(const Fit &fit)
     return largest;
 }
 
-bool isNoise(const Fit &fit)
-{
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
-        if (!changeSignLikeNoise(fit.residuals.col(place))) {
-            return false;
-        }
-    }
-    return true;
-}
-
 Eigen::VectorXd stepToMinimum(const Fit &fit)
 {
     const Eigen::VectorXd step = -0.5 * computeCovariance(fit) * fit.gradient; // the covariance is 2 curvature⁻¹

@@ -127,9 +127,6 @@ bool isShortArc(const Observations &observations, const Model &model);
 /// The largest value of dependence() (noise.h) among the columns of the fit; at least 1.
 double dependence(const Fit &fit);
 
-/// Whether the residuals of every column change their sign as often as independent errors do (noise.h).
-bool isNoise(const Fit &fit);
-
 /// The step from the unknowns of a fit to the minimum of the misfit, as its gradient and curvature predict it. The step
 /// is long if the search has ended in a long and curved valley of the misfit. 0 for an unknown that changes no column.
 Eigen::VectorXd stepToMinimum(const Fit &fit);
