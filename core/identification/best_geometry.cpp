@@ -45,27 +45,23 @@ ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Obse
     return fit.isFinite() ? withoutFreedoms(searched, withUsualReadings(searched, std::move(fit))) : ConstrainedFit{};
 }
 
-/// Whether `higher`, the fit of the geometry to higher derivatives, is better than `lowest`, the fit to the lower ones.
-/// Over the time, it has to explain both together better; in a file with θ2, only its own columns. `columns`: those of
-/// both.
-bool explainsBetter(const Observations &searched, const Fit &higher, const Fit &lowest, const Indices &columns)
+/// Whether `higher`, the fit of the geometry to higher derivatives, is better than `lowest`, the fit to the lower ones:
+/// over the time, if it explains both together better. If rounding explains the lower ones, and the higher ones are
+/// difference quotients of them, `lowest` explains everything, and `higher` has to do the same. In a file with θ2, the
+/// higher derivatives depend on a speed that is not known yet, so that the misfits cannot be compared; there, rounding
+/// has to explain its own columns. `columns`: those of both.
+bool isHigherBetter(const Observations &searched, const Fit &higher, const Fit &lowest, const Indices &columns)
 {
     if (searched.hasAngle()) {
-        // The higher derivatives depend on a speed that is not known yet, so that the misfits cannot be compared.
-        return isExact(searched, higher) && !isExact(searched, lowest);
+        return isExact(searched, higher);
     }
-    if (isExact(searched, lowest)) {
-        // The origins of `lowest` may be wrong nevertheless. Both geometries are fitted to all columns and compared.
-        const Fit ofHigher = repeatFit(searched, higher, columns);
-        const bool areQuotients =
-            std::ranges::all_of(higher.columns, [&](Index k) { return searched.columns[k].isDifference; });
-        if (areQuotients && !isExact(searched, ofHigher)) {
-            return false; // `lowest` explains everything: its own columns, and the others as their difference quotients
-        }
-        return ofHigher.misfit + kSameMisfit < repeatFit(searched, lowest, columns).misfit;
+    const Fit allByHigher = fitWithFreeOrigins(searched, higher, columns);
+    const auto isQuotient = [&](Index k) { return searched.columns[k].isDifference; };
+    const bool doesLowestExplainAll = isExact(searched, lowest) && std::ranges::all_of(higher.columns, isQuotient);
+    if (doesLowestExplainAll && !isExact(searched, allByHigher)) {
+        return false;
     }
-    // A filter may have changed the lower derivatives. Fitting the geometries again would adapt both to its errors.
-    return misfitWithFreeOrigins(searched, higher, columns) < misfitWithFreeOrigins(searched, lowest, columns);
+    return allByHigher.misfit < fitWithFreeOrigins(searched, lowest, columns).misfit;
 }
 
 /// The largest rounding step of some columns, relative to the range of the column; infinite without columns.
@@ -93,7 +89,7 @@ ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observation
     }
     ConstrainedFit higher = findConstrainedGeometry(wholeFile, searched, higherColumns, given);
     columns.insert(columns.end(), higherColumns.begin(), higherColumns.end());
-    return explainsBetter(searched, higher.fit, lowest.fit, columns) ? higher : lowest;
+    return isHigherBetter(searched, higher.fit, lowest.fit, columns) ? higher : lowest;
 }
 
 ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, const Observations &searched,

@@ -457,11 +457,10 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
     return bestWithAnyOrigins.misfit < best.misfit ? bestWithAnyOrigins : best;
 }
 
-double misfitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns)
+Fit fitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns)
 {
-    constexpr int kIterations = 5; // enough, because the predictions are linear in the origins
     if (!geometry.isFinite()) {
-        return kInfinity;
+        return geometry;
     }
     Unknowns origins;
     for (const Index k : columns) {
@@ -469,25 +468,7 @@ double misfitWithFreeOrigins(const Observations &observations, const Fit &geomet
             origins.push_back({Unknown::Kind::Origin, k});
         }
     }
-    const Model start = withUsualFactors(observations, geometry, columns);
-    return fitModel(observations, start, columns, origins, kIterations).misfit;
-}
-
-Fit repeatFit(const Observations &observations, const Fit &geometry, const Indices &columns)
-{
-    if (!geometry.isFinite()) {
-        return geometry;
-    }
-    Model start = withUsualFactors(observations, geometry, columns);
-    Unknowns unknowns = geometry.unknowns;
-    for (const Index k : columns) {
-        const ObservedColumn &column = observations.columns[k];
-        const Unknown origin{Unknown::Kind::Origin, k};
-        if (!column.isDerivative() && !geometry.isFree(origin)) {
-            unknowns.push_back(origin);
-        }
-    }
-    return fitModel(observations, std::move(start), columns, unknowns);
+    return fitModel(observations, withUsualFactors(observations, geometry, columns), columns, origins);
 }
 
 } // namespace slidercrank

@@ -33,12 +33,8 @@ bool determineLengths(const Observations &observations, const Indices &columns);
 Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,
                  const Parameters &given);
 
-/// The misfit of a geometry in `columns`, if only the origins of their positions are fitted again. Infinite if the
-/// geometry is not finite.
-double misfitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns);
-
-/// Fits all unknowns of a geometry, and the origins of the positions among `columns`, again to `columns`. Not finite if
-/// the geometry is not finite.
-Fit repeatFit(const Observations &observations, const Fit &geometry, const Indices &columns);
+/// Fits only the origins of the positions among `columns` again, so that a geometry explains `columns` as well as it
+/// can. Not finite if the geometry is not finite.
+Fit fitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns);
 
 } // namespace slidercrank
