@@ -212,7 +212,6 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const 
     if (!result.fit.isFinite()) {
         return result;
     }
-    const Unknowns freeOrigins = originsAmong(result.fit);
     if (result.fit.columns == earlier.fit.columns) {
         result.possibleOrigins = earlier.possibleOrigins;
         result.possibleErrors = earlier.possibleErrors;
@@ -220,13 +219,12 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const 
         freeOriginsAgain(observations, result.fit, earlier.possibleOrigins);
     }
     for (const Unknown origin : originsAmong(result.fit)) {
-        const bool wasTakenBack = std::ranges::find(freeOrigins, origin) == freeOrigins.end();
         const double usual = nearestUsualValue(observations, result.fit.model, origin);
         Fit fixedFit = fitWithFixed(observations, result.fit, origin, usual);
-        if (!wasTakenBack && !isUnneeded(observations, result.fit, fixedFit, origin, usual)) {
+        if (!isUnneeded(observations, result.fit, fixedFit, origin, usual)) {
             continue;
         }
-        if (wasTakenBack || originMayExist(observations, result.fit, fixedFit, origin, usual)) {
+        if (originMayExist(observations, result.fit, fixedFit, origin, usual)) {
             addPossibleErrors(result.possibleErrors, result.fit, fixedFit);
             result.possibleOrigins.push_back(origin);
         }

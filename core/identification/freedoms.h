@@ -34,8 +34,8 @@ Fit withUsualReadings(const Observations &observations, Fit fit);
 /// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
 /// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are possible
 /// errors. `earlier`: the result from which `fit` was made; {} if there is none. If columns were added, its possible
-/// origins keep their usual values, but their possible errors become those that all columns leave. A fit that is not
-/// finite remains as it is.
+/// origins are free again at first, so that their possible errors become those that all columns leave. A fit that is
+/// not finite remains as it is.
 ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ConstrainedFit &earlier = {});
 
 } // namespace slidercrank
