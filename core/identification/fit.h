@@ -71,10 +71,6 @@ inline Parameter toParameter(Unknown unknown)
 /// The size with which an error of a parameter is compared: a + b + |c| (mm) for lengths, |ω2| (rad/s), or a radian.
 double parameterSize(Parameter parameter, const Parameters &parameters);
 
-/// Two fits whose misfits differ by less are equally good. The ratio of their likelihoods is less than exp(10): even
-/// among a thousand fits, chance seldom prefers one by as much.
-inline constexpr double kSameMisfit = 20.0;
-
 /// A fitted model. Where a function has a parameter `place`, it is about the column fit.columns[place] and its
 /// residuals fit.residuals.col(place); a parameter `k` is the index of a column of the observations.
 struct Fit {

@@ -27,16 +27,6 @@ bool isLastColumnExplained(const Observations &observations, const Fit &together
            (isExplained(observations, together, place) && together.rms.back() < largestRms);
 }
 
-/// Whether the columns of `fit` are explained as well by the model of `together`, which was fitted to them and to a
-/// further column. Unlike explainsAsWell(), does not raise the limit for systematic residuals, because the further
-/// column must not bend the curve of the others.
-bool areOthersStillExplained(const Observations &observations, const Fit &together, const Fit &fit,
-                             bool isGeometryExact)
-{
-    const Fit others = evaluateModel(observations, together.model, fit.columns);
-    return others.misfit - fit.misfit <= kSameMisfit || (isGeometryExact && isExact(observations, others));
-}
-
 /// The origin with which the prediction, multiplied by a factor, fits a column of positions best; 0 for derivatives.
 double bestOrigin(const Observations &observations, const Fit &fit, Index k, double factor)
 {
@@ -119,11 +109,11 @@ std::optional<Fit> tryToAddColumn(const Observations &observations, const Fit &f
     Indices columns = fit.columns;
     columns.push_back(k);
     Fit together = fitModel(observations, model, columns, fit.unknowns);
-    if (!together.isFinite() || !isLastColumnExplained(observations, together, isGeometryExact) ||
-        !areOthersStillExplained(observations, together, fit, isGeometryExact)) {
+    if (!together.isFinite() || !isLastColumnExplained(observations, together, isGeometryExact)) {
         return std::nullopt;
     }
-    return together;
+    const Fit others = evaluateModel(observations, together.model, fit.columns);
+    return explainsAsWell(observations, others, fit) ? std::optional(std::move(together)) : std::nullopt;
 }
 
 std::optional<Fit> addInSimplestReading(const Observations &observations, const Fit &fit, Index k, bool isGeometryExact)

@@ -206,7 +206,7 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
         Model model = fit.model;
         model.mechanism = changed;
         Fit other = fitModel(observations, model, fit.columns, fit.unknowns);
-        if (other.misfit < fit.misfit + kSameMisfit) {
+        if (explainsAsWell(observations, other, fit)) {
             return other;
         }
     }
