@@ -49,9 +49,6 @@ inline constexpr std::array kLengthUnits{1.0, 10.0, 25.4, 1000.0};
 inline constexpr double kMillisecond = 1e-3;
 inline constexpr std::array kTimeUnits{1.0, kMillisecond};
 
-/// Relative rounding error of a unit that conventions have changed.
-inline constexpr double kSameUnit = 1e-9;
-
 /// A convention and the columns that it changes. In a table over the crank angle, AngleUnit, Sign and ZeroPoint of θ2
 /// change the abscissa.
 struct Convention {

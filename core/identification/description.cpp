@@ -21,7 +21,6 @@ namespace
 /// one is chosen in which the crank has the given length.
 void convertToUnitOfMostColumns(LastFit &last, const Parameters &given)
 {
-    constexpr double kSameLength = 0.01; // fraction of the given length
     Indices lengths;
     Indices sliderLine; // R4_y, which has been fitted in the same unit, but shows none
     for (const Index k : last.fit.columns) {
@@ -37,7 +36,7 @@ void convertToUnitOfMostColumns(LastFit &last, const Parameters &given)
                                      [&](Index k) { return std::abs(last.fit.model.readings[k].factor) == unit; });
     };
     const auto rank = [&](double unit) {
-        const bool isGivenLength = std::abs(last.fit.model.mechanism.a * unit - given.a) < kSameLength * given.a;
+        const bool isGivenLength = std::abs(last.fit.model.mechanism.a * unit - given.a) < kTypedDifference * given.a;
         return std::pair(columnsWith(unit), isGivenLength);
     };
     double mostFrequentUnit = 1.0;

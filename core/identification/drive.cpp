@@ -56,12 +56,12 @@ bool areNoise(const Values &residuals, const Observations &observations, const V
 /// angles, rad.
 Polynomial fitPolynomial(const Observations &observations, const Values &angles, double halfStep, Index terms)
 {
-    constexpr double kMaxBounds = 2.5;   // the largest error, in bounds of rounding: an encoder truncates
-    constexpr double kArithmetic = 1e-9; // rad: rounding errors of angles that are printed with all digits
+    constexpr double kMaxBounds = 2.5; // the largest error, in bounds of rounding: an encoder truncates
     const double halfSpan = 0.5 * observations.span();
     const LinearFit fit = fitPowers(observations, angles, terms);
     const Values errors = fit.residuals.abs();
-    // Half a rounding step of the angle, and the motion of the crank during half a step of the time.
+    // Half a rounding step of the angle, the motion of the crank during half a step of the time, and the arithmetic of
+    // the program that printed all digits of the angle (of 1 rad).
     const double bound = halfStep + std::abs(fit.coefficients[1]) / halfSpan * observations.timeHalfStep + kArithmetic;
     // As in the misfit (fit.h), not below the variance of rounding, even if a few residuals happen to be smaller. If
     // all errors are rounding, it counts twice, so that the standard errors become too large and not too small.

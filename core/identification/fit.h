@@ -49,6 +49,9 @@ double valueOf(const Model &model, Unknown unknown);
 /// An error of each parameter, at indexOf(Parameter), in mm, rad and s.
 using ParameterErrors = std::array<double, kParameterCount>;
 
+/// Relative difference that a parameter may have from the same one as a person has typed it, with few digits.
+inline constexpr double kTypedDifference = 2e-3;
+
 inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
 
 // The parameters are the first kinds of unknowns, in the same order.

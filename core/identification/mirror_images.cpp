@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/mirror_images.h"
 
+#include "core/identification/residual_test.h"
+
 #include "core/mechanism/turn.h"
 
 #include <algorithm>
@@ -97,13 +99,12 @@ int countUnusualCrankReadings(const Fit &fit, const Model &model)
     return (isClockwise ? 1 : 0) + (isHalfTurnOff ? 1 : 0);
 }
 
-/// Whether the file has a column R4_y that is not c.
+/// Whether the file has a column R4_y that is not c, apart from noise.
 bool isSliderLineShifted(const Observations &observations, const Model &model)
 {
-    constexpr double kTolerance = 0.02; // fraction of a: the error of c in a noisy file
     const auto isOtherLine = [&](const ObservedColumn &column) {
         return column.channel == kSliderLine &&
-               std::abs(median(column.values) - model.mechanism.c) > kTolerance * model.mechanism.a;
+               std::abs(median(column.values) - model.mechanism.c) > kLargestNoise * model.mechanism.a;
     };
     return std::ranges::any_of(observations.columns, isOtherLine);
 }
@@ -173,7 +174,6 @@ struct ImageRank {
 
 ImageRank rankImage(const Observations &observations, const Fit &fit, const Model &model, const Parameters &given)
 {
-    constexpr double kSameLength = 1e-3;   // fraction of a: the c of a fit is never exactly the given one
     constexpr double kReversedCrank = 1.5; // more than the distance of the opposite c, which is 1
     const Parameters &m = model.mechanism;
     const int unusualReadings = countUnusualReadings(observations, fit, model);
@@ -181,7 +181,7 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
     const bool isDisplacementNegated =
         countSigns(observations, fit, model, isFrameShifted).lengths.isDisplacementNegated;
     const bool isGivenAssembly = m.branch == given.branch;
-    const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
+    const bool isGivenC = std::abs(m.c - given.c) <= kTypedDifference * m.a;
     const bool isReversed = m.omega2 * given.omega2 < 0.0;
     const double sumOfOffsets = std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a; // not 0, even if both offsets are
     const double distanceOfC = std::abs(m.c - given.c) / sumOfOffsets;

@@ -207,10 +207,9 @@ void observeTime(Observations &observations, const ReferenceData &data)
 /// between two rows hides the direction; a quarter leaves a margin. `angle`: rad, without jumps.
 bool hidesTurns(const Values &angle)
 {
-    constexpr double kQuarter = 0.25 * kTurn;
     constexpr double kMinFraction = 0.05; // of the pairs of neighbouring rows: more than some outliers and gaps
     const Index pairs = angle.size() - 1;
-    return ((angle.tail(pairs) - angle.head(pairs)).abs() > kQuarter).cast<double>().mean() > kMinFraction;
+    return ((angle.tail(pairs) - angle.head(pairs)).abs() > kQuarterTurn).cast<double>().mean() > kMinFraction;
 }
 
 /// Continues the angle of the crank at its usual speed across gaps in time, in which the crank may have made turns that
@@ -253,7 +252,6 @@ void observeTableAngle(Observations &observations, const CrankAngles &crank)
 bool areChosen(const Values &angle)
 {
     constexpr double kPartsOfDistance = 6.0; // halves and thirds
-    constexpr double kArithmetic = 1e-9;     // relative to the distance
     if (angle.size() < 2) {
         return false;
     }
@@ -267,7 +265,6 @@ bool areChosen(const Values &angle)
 /// crank makes.
 void observeAngleColumn(Observations &observations, const ReferenceData &data)
 {
-    constexpr double kExact = 1e-9; // of the range: the error of angles that are not rounded
     const ReferenceSeries *const crank = data.find(kCrankAngle);
     if (!crank) {
         return;
@@ -276,7 +273,7 @@ void observeAngleColumn(Observations &observations, const ReferenceData &data)
     if (column.values.isFinite().all() && !hidesTurns(column.values)) {
         const double rounding = column.halfSteps.maxCoeff();
         const double motionOfClock = observations.timeHalfStep / observations.span() * column.range;
-        const double exact = motionOfClock + kExact * column.range;
+        const double exact = motionOfClock + kArithmetic * column.range;
         observations.angleHalfStep = areChosen(column.values) ? std::min(rounding, exact) : rounding;
         observations.angle = column.values;
         countTurnsInGaps(observations.angle, observations.time);
@@ -348,7 +345,7 @@ double findLengthUnit(const ReferenceData &data)
     std::optional<double> unit;
     for (const ReferenceSeries &series : data.series) {
         const double factor = series.rounding.unitFactor;
-        if (!isAngle(series.channel.coordinate) && std::abs(factor / unit.value_or(factor) - 1.0) > kSameUnit) {
+        if (!isAngle(series.channel.coordinate) && std::abs(factor / unit.value_or(factor) - 1.0) > kArithmetic) {
             return 1.0;
         }
         unit = isAngle(series.channel.coordinate) ? unit : factor;

@@ -23,6 +23,9 @@ using Indices = std::vector<Index>; ///< indices of rows or columns of the obser
 
 inline constexpr Channel kSliderLine{R4y, Order::Position};
 
+/// Rounding errors of numbers that a program has computed and not rounded any further, relative to their size.
+inline constexpr double kArithmetic = 1e-9;
+
 struct ObservedColumn {
     Channel channel{};
     Values values{};         ///< NaN in a gap

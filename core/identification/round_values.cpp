@@ -85,8 +85,8 @@ struct Estimate {
 
     double standardError(Index k) const
     {
-        constexpr double kArithmetic = 1e-13; // relative accuracy of the computation
-        return std::max(std::sqrt(std::max(covariance(k, k), 0.0)), kArithmetic * unknowns[k].size);
+        constexpr double kAccuracy = 1e-13; // of the computation, relative to the size
+        return std::max(std::sqrt(std::max(covariance(k, k), 0.0)), kAccuracy * unknowns[k].size);
     }
 };
 

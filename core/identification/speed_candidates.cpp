@@ -164,9 +164,8 @@ double findSpeedOfOneTurn(const Observations &observations)
 std::vector<Trial> computePeriodogram(const Observations &observations, const Indices &columns,
                                       const CrossingCount &crossings)
 {
-    constexpr Index kRows = 400; // limits the time that the periodogram of a long file takes
     const double speedOfOneTurn = findSpeedOfOneTurn(observations);
-    const Observations selected = selectRows(observations, kRows);
+    const Observations selected = selectRows(observations, kSearchedRows);
     std::vector<Trial> trials;
     for (const double turns : possibleTurns(crossings)) {
         if (!selected.stop.stop_requested()) {

@@ -33,12 +33,11 @@ bool haveSameMagnitude(double value, double other)
     return std::abs(std::abs(value / other) - 1.0) < kTolerance;
 }
 
-/// Whether a speed has the magnitude of the given one, apart from rounding: other units lead to speeds that may be
-/// similar by chance.
+/// Whether a speed has the magnitude of the given one. (haveSameMagnitude() allows more, but in other units speeds may
+/// be similar by chance.)
 bool isGivenSpeed(double speed, double givenSpeed)
 {
-    constexpr double kTolerance = 2e-3;
-    return std::abs(std::abs(speed / givenSpeed) - 1.0) < kTolerance;
+    return std::abs(std::abs(speed / givenSpeed) - 1.0) < kTypedDifference;
 }
 
 /// Whether a derivative is probably not in a unit: it is a length, the file states a different unit, or it states none

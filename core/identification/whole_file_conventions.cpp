@@ -19,13 +19,8 @@ namespace
 
 using Kind = Convention::Kind;
 
-/// Parameters of an exact file, whose standard errors are tiny, may differ by this fraction of their size from those
-/// that a person has typed with few digits. The size of a length is a + b + |c|; that of an angle is a radian, so that
-/// it may differ by 0.1°.
-constexpr double kTypedDifference = 2e-3;
-
-/// How far a parameter may be from the given one: three standard errors, or kTypedDifference of its size if this is
-/// more.
+/// How far a parameter may be from the given one: three standard errors, or kTypedDifference of parameterSize() if this
+/// is more, as in an exact file, whose standard errors are tiny. (An angle may differ by 0.1°.)
 double toleranceOf(Parameter parameter, const Parameters &given, double standardError)
 {
     const double ofTyping = kTypedDifference * parameterSize(parameter, given);
