@@ -174,6 +174,7 @@ struct ImageRank {
 
 ImageRank rankImage(const Observations &observations, const Fit &fit, const Model &model, const Parameters &given)
 {
+    constexpr double kSameLength = 1e-3;   // fraction of a: the c of a fit is never exactly the given one
     constexpr double kReversedCrank = 1.5; // more than the distance of the opposite c, which is 1
     const Parameters &m = model.mechanism;
     const int unusualReadings = countUnusualReadings(observations, fit, model);
@@ -181,7 +182,7 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
     const bool isDisplacementNegated =
         countSigns(observations, fit, model, isFrameShifted).lengths.isDisplacementNegated;
     const bool isGivenAssembly = m.branch == given.branch;
-    const bool isGivenC = std::abs(m.c - given.c) <= kTypedDifference * m.a;
+    const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
     const bool isReversed = m.omega2 * given.omega2 < 0.0;
     const double sumOfOffsets = std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a; // not 0, even if both offsets are
     const double distanceOfC = std::abs(m.c - given.c) / sumOfOffsets;
