@@ -52,30 +52,38 @@ bool contradictsUnit(const ObservedColumn &column, const Model &model, double un
     return unitOfAngles != 1.0 && unit != unitOfAngles;
 }
 
-/// The result of fitScale() at a speed of 1 rad/s. If the positions were rounded more coarsely than the derivative,
-/// they do not determine the mechanism well enough: then that of a mechanism fitted to both, if one explains both.
-ColumnScale scaleOfDerivative(const Observations &observations, const Fit &fit, Index k, bool areExact)
+/// The scale of a derivative at 1 rad/s by a mechanism that is fitted to it together with the columns of the fit;
+/// nullopt if no mechanism explains them all. `start`: the scale by the fit alone, with which the search starts.
+std::optional<ColumnScale> scaleOfJointFit(const Observations &observations, const Fit &fit, Index k,
+                                           const ColumnScale &start, bool areExact)
 {
-    Fit start = fit;
-    start.model.mechanism.omega2 = 1.0;
-    const ColumnScale scale = fitScale(observations, fit, start.model, k, areExact);
-    if (scale.isExplained) {
-        return scale;
-    }
+    // The scale of a velocity is ω2, and that of an acceleration ±ω2².
     const Channel channel = observations.columns[k].channel;
     const bool isVelocity = channel.order == Order::Velocity;
-    const double sign = isVelocity ? 1.0 : std::copysign(1.0, scale.factor);
-    start.model.mechanism.omega2 = isVelocity ? scale.factor : std::sqrt(std::abs(scale.factor));
-    start.model.readings[k] = {sign * signOfCoordinate(observations, fit, channel.coordinate), 0.0};
-    start.unknowns.push_back({Unknown::Kind::Omega2});
-    const std::optional<Fit> together = tryToAddColumn(observations, start, start.model, k, areExact);
+    const double sign = isVelocity ? 1.0 : std::copysign(1.0, start.factor);
+    Fit withSpeed = fit;
+    Model &model = withSpeed.model;
+    model.mechanism.omega2 = isVelocity ? start.factor : std::sqrt(std::abs(start.factor));
+    model.readings[k] = {sign * signOfCoordinate(observations, fit, channel.coordinate), 0.0};
+    withSpeed.unknowns.push_back({Unknown::Kind::Omega2});
+    const std::optional<Fit> together = tryToAddColumn(observations, withSpeed, model, k, areExact);
     if (!together) {
-        return scale;
+        return std::nullopt;
     }
     const double speed = together->model.mechanism.omega2;
-    return {.factor = isVelocity ? speed : sign * speed * speed,
-            .isExplained = true,
-            .isNearRounding = isNearRounding(observations, *together, std::ssize(together->columns) - 1)};
+    return ColumnScale{.factor = isVelocity ? speed : sign * speed * speed,
+                       .isExplained = true,
+                       .isNearRounding = isNearRounding(observations, *together, std::ssize(together->columns) - 1)};
+}
+
+/// The scale of a derivative at 1 rad/s. If the mechanism of the fit does not explain the derivative, its positions may
+/// have been rounded too coarsely to determine it; then the scale is that of scaleOfJointFit(), if there is one.
+ColumnScale scaleOfDerivative(const Observations &observations, const Fit &fit, Index k, bool areExact)
+{
+    Model atUnitSpeed = fit.model;
+    atUnitSpeed.mechanism.omega2 = 1.0;
+    const ColumnScale scale = fitScale(observations, fit, atUnitSpeed, k, areExact);
+    return scale.isExplained ? scale : scaleOfJointFit(observations, fit, k, scale, areExact).value_or(scale);
 }
 
 /// The votes of a derivative, one for each of unitFactors(); those that do not contradict its unit come first. `scale`:
