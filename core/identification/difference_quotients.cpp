@@ -49,39 +49,65 @@ Quotients computeQuotients(const Stencil &stencil, const Values &abscissa, const
     return quotients;
 }
 
-/// Whether `column` contains the quotients of `lower` times one factor for all rows.
-bool containsQuotients(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column,
-                       const ObservedColumn &lower)
+/// The values of a column, and the quotients of a lower one times the factor that suits all rows best.
+struct ScaledQuotients {
+    Values values;
+    Values predictions;
+    Values bounds; ///< the largest errors of the predictions because of the rounding of the lower column
+
+    /// Whether most values are predicted within some bounds and are not zero within them, which would prove nothing.
+    bool areWithin(const Values &largestErrors) const
+    {
+        constexpr double kMinFraction = 0.8;       // of the rows: the others may lie beside gaps or jumps
+        constexpr double kMinMovingFraction = 0.4; // of the rows
+        const Eigen::ArrayX<bool> agrees = (values - predictions).abs() <= largestErrors;
+        const Eigen::ArrayX<bool> agreesAndMoves = agrees && values.abs() > largestErrors;
+        return agrees.cast<double>().mean() > kMinFraction && agreesAndMoves.cast<double>().mean() > kMinMovingFraction;
+    }
+};
+
+ScaledQuotients scaleQuotients(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column,
+                               const ObservedColumn &lower)
 {
-    constexpr double kMinFraction = 0.8;       // of the rows: the others may lie beside gaps or jumps
-    constexpr double kMinMovingFraction = 0.4; // of the rows: values that are zero within rounding prove nothing
-    // Fraction of the range of the column. Agreement within a larger bound of rounding would prove nothing.
-    constexpr double kMaxBound = 0.05;
     const Quotients quotients = computeQuotients(stencil, abscissa, lower);
     const Values values = column.values.segment(kReach, quotients.values.size());
     const Values products = gapsAsZeros(quotients.values * values);
     // By least squares, without gaps and without values that are zero, which prove nothing.
     const double factor = products.sum() / (products != 0.0).select(quotients.values.square(), 0.0).sum();
-    const Values bounds = column.halfSteps.segment(kReach, values.size()) + std::abs(factor) * quotients.bounds;
-    const Eigen::ArrayX<bool> agrees =
-        (values - factor * quotients.values).abs() <= bounds && bounds < kMaxBound * column.range;
-    const Eigen::ArrayX<bool> agreesAndMoves = agrees && values.abs() > bounds;
-    return agrees.cast<double>().mean() > kMinFraction && agreesAndMoves.cast<double>().mean() > kMinMovingFraction;
+    return {values, factor * quotients.values, std::abs(factor) * quotients.bounds};
 }
 
-bool containsDifferences(const Observations &observations, const ObservedColumn &column)
+/// Sets isDifference and isOfPrintedValues of a column.
+void markDifferences(const Observations &observations, ObservedColumn &column)
 {
+    // Fraction of the range of the column. Agreement within a larger bound of rounding would prove nothing.
+    constexpr double kMaxBound = 0.05;
+    // Fraction of the errors that rounding causes in quotients. A derivative would differ from them by more.
+    constexpr double kMaxErrorOfPrinted = 0.02;
+    constexpr Index kMinPrintedRows = 6; // with a free factor, fewer quotients may agree by chance
+    // Fraction of the range of the lower column: half of the largest rounding step, if its values are really rounded.
+    // The rounding of values with all digits is overestimated, because they also have errors of the arithmetic.
+    constexpr double kMinHalfStep = 1e-9;
+    const Values halfSteps = column.halfSteps.segment(kReach, column.values.size() - 2 * kReach);
     for (const ObservedColumn &lower : observations.columns) {
         const int order = static_cast<int>(column.channel.order) - static_cast<int>(lower.channel.order);
+        if (lower.channel.coordinate != column.channel.coordinate) {
+            continue;
+        }
+        const bool isRounded = lower.halfSteps.maxCoeff() > kMinHalfStep * lower.range;
         for (const Stencil &stencil : kStencils) {
-            const bool isOfSameCoordinate = lower.channel.coordinate == column.channel.coordinate;
-            if (isOfSameCoordinate && stencil.order == order &&
-                containsQuotients(stencil, observations.abscissa(), column, lower)) {
-                return true;
+            if (stencil.order != order) {
+                continue;
             }
+            const ScaledQuotients quotients = scaleQuotients(stencil, observations.abscissa(), column, lower);
+            const Values bounds = halfSteps + quotients.bounds;
+            const Values provingBounds = (bounds < kMaxBound * column.range).select(bounds, kNone);
+            const bool areOfPrintedValues = isRounded && quotients.values.size() >= kMinPrintedRows &&
+                                            quotients.areWithin(kMaxErrorOfPrinted * quotients.bounds);
+            column.isOfPrintedValues = column.isOfPrintedValues || areOfPrintedValues;
+            column.isDifference = column.isDifference || areOfPrintedValues || quotients.areWithin(provingBounds);
         }
     }
-    return false;
 }
 
 /// Whether many values repeat the one before or lie on the line through their neighbours, although the column is curved
@@ -106,7 +132,7 @@ Observations withComputedColumnsMarked(Observations observations)
     constexpr Index kMinRows = 2 * kReach + 1;
     for (ObservedColumn &column : observations.columns) {
         if (observations.size() >= kMinRows && !column.isConstant()) {
-            column.isDifference = containsDifferences(observations, column);
+            markDifferences(observations, column);
             column.isInterpolated = isInterpolatedOrHeld(observations, column);
         }
     }

@@ -67,12 +67,13 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
     return readings;
 }
 
-/// Whether the last column of a fit may be used: one that contains difference quotients may be a genuine derivative
-/// nevertheless.
+/// Whether the last column of a fit may be used: one that seems to contain difference quotients may be a genuine
+/// derivative nevertheless.
 bool isLastColumnGenuine(const Observations &observations, const Fit &fit)
 {
     const Index place = std::ssize(fit.columns) - 1;
-    return !observations.columns[fit.columns[place]].isDifference || isWithinRounding(observations, fit, place);
+    const ObservedColumn &column = observations.columns[fit.columns[place]];
+    return !column.isOfPrintedValues && (!column.isDifference || isNearRounding(observations, fit, place));
 }
 
 /// Fits column k together with the columns of a fit, in the simplest reading with which a mechanism explains them all:

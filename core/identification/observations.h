@@ -36,8 +36,9 @@ struct ObservedColumn {
     bool hadJumps = false;   ///< it had jumps by whole turns, which have been removed
 
     // Set by withComputedColumnsMarked().
-    bool isDifference = false;   ///< it contains difference quotients of a lower column
-    bool isInterpolated = false; ///< it was interpolated linearly, or holds the last of fewer values
+    bool isDifference = false; ///< it contains difference quotients of a lower column, or values that agree with them
+    bool isOfPrintedValues = false; ///< it certainly contains difference quotients: those of the printed values
+    bool isInterpolated = false;    ///< it was interpolated linearly, or holds the last of fewer values
 
     bool containsAngles() const { return isAngle(channel.coordinate); } ///< angles, or derivatives of angles
     bool isDerivative() const { return channel.order != Order::Position; }

@@ -509,6 +509,30 @@ private slots:
         }
     }
 
+    /// A former defect: no mechanism was found, because second differences of positions with one decimal are so coarse
+    /// that they agree with an acceleration as well as with quotients.
+    void secondDifferencesOfCoarsePositionsAreNoAcceleration()
+    {
+        constexpr double kSpeed = 12.566; // rad/s
+        constexpr int kStep = 10;         // °
+        const auto printed = [](double degrees) {
+            return std::round(10.0 * sliderPosition(30.0, 90.0, -3.0, degrees * kDegree)) / 10.0;
+        };
+        std::string text = "theta2 (deg),x (mm),a (mm/s^2)\n";
+        for (int degrees = 0; degrees <= 360; degrees += kStep) {
+            const double difference = printed(degrees + kStep) - 2.0 * printed(degrees) + printed(degrees - kStep);
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%d,%.1f,%.1f\n", degrees, printed(degrees),
+                          difference * std::pow(kSpeed / (kStep * kDegree), 2.0));
+            text += line.data();
+        }
+        const Identification found =
+            identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism({.omega2 = kSpeed}));
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(hasLengths(found, 30.0, 90.0, -3.0, 0.02));
+        QVERIFY(leavesOut(found, kSliderAcceleration, Reason::FiniteDifferences));
+    }
+
     void roundsTheOriginOfTheAngleTogetherWithTheLengths()
     {
         const Identification found = identifyTable("crank angle (deg),x (mm)", 10.0, 37, [](double degrees) {
