@@ -7,6 +7,7 @@
 #include "ui/text/axis_scale.h"
 #include "ui/text/channel_text.h"
 #include "ui/text/enum_table.h"
+#include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
 #include "ui/text/written_number.h"
 
