@@ -237,7 +237,7 @@ void ResponseView::refresh()
 void ResponseView::showResponse()
 {
     const LimitValues currentLimits = limitValues(Mechanism(m_response.parameters));
-    m_sentence->setText(withUnbrokenSlashes(fullTurnText(m_response.parameter, m_response.range) + u' ' +
+    m_sentence->setText(withUnbrokenUnits(fullTurnText(m_response.parameter, m_response.range) + u' ' +
                                             tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter))));
     for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
         const QString title = tr("%1: %2").arg(chartName(i), shortNumber(currentLimits[i]));

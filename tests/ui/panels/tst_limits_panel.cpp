@@ -304,6 +304,13 @@ private slots:
         }
     }
 
+    /// A former defect: a line of the sentence ended between ≥ and the number.
+    void theSentenceIsNotBrokenWithinAnEquation()
+    {
+        const ShownResponse shown(Parameter::B);
+        QVERIFY(child<QLabel>(shown.view, "responseSentence")->text().contains(u"b\u00a0≥\u00a045\u00a0mm"));
+    }
+
     /// A former defect: only the table of the motion had the separators of the language.
     void writesTheNumbersWithTheChosenSeparators()
     {
