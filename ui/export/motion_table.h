@@ -28,7 +28,8 @@ struct TablePlace {
 };
 
 /// Returns the places of the rows: at equal steps of θ2 from 0° to 360°, or the time steps. An angle has the first time
-/// at which the crank has it, except that the row of 360° ends the revolution that the row of 0° begins.
+/// at which the crank has it, except that the row of 360° ends the revolution that the row of 0° begins if the crank
+/// turns counter-clockwise.
 std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,
                                     const Sampling &sampling);
 

@@ -98,7 +98,7 @@ private:
     TablePlace currentPlace() const;
 
     std::optional<OutputChannel> wantedChannel() const;
-    double wantedValue() const; ///< in the core's unit: mm, rad, s ///< mm, rad, s
+    double wantedValue() const; ///< in the core's unit: mm, rad, s
     void showWantedUnit();
     void goToNext();
     QString noPosition() const; ///< the answer if no position has the wanted value
