@@ -11,7 +11,8 @@ namespace slidercrank
 /// Finds the geometry from the lowest derivatives of R4_x and θ3 in the file (usually their positions), and again from
 /// the next higher ones, because a filter or a sensor may have changed the lower ones. Returns the better geometry:
 /// over the time, the one with the lower misfit in all of these columns; in a file with θ2, the second one if rounding
-/// explains its columns. If rounding explains the lower derivatives with their usual origins, nothing has changed them,
+/// explains its columns. Difference quotients of exactly explained positions show no better geometry unless it is exact
+/// in all columns. If rounding explains the lower derivatives with their usual origins, nothing has changed them,
 /// and the second search is omitted; also if rounding explains them with any origins in a file with θ2. If θ3 and
 /// R4_x come from two mechanisms, each of which explains one of them exactly and over at least a turn, the geometry is
 /// that of R4_x.

@@ -74,38 +74,44 @@ ScaledQuotients scaleQuotients(const Stencil &stencil, const Values &abscissa, c
     const Values products = gapsAsZeros(quotients.values * values);
     // By least squares, without gaps and without values that are zero, which prove nothing.
     const double factor = products.sum() / (products != 0.0).select(quotients.values.square(), 0.0).sum();
-    return {values, factor * quotients.values, std::abs(factor) * quotients.bounds};
+    return {.values = values, .predictions = factor * quotients.values, .bounds = std::abs(factor) * quotients.bounds};
 }
 
-/// Sets isDifference and isOfPrintedValues of a column.
+/// Whether the column agrees with the quotients within the rounding of both columns.
+bool agreeWithinRounding(const ScaledQuotients &quotients, const ObservedColumn &column)
+{
+    // Fraction of the range of the column. Agreement within a larger bound would prove nothing.
+    constexpr double kMaxBound = 0.05;
+    const Values bounds = column.halfSteps.segment(kReach, quotients.values.size()) + quotients.bounds;
+    return quotients.areWithin((bounds < kMaxBound * column.range).select(bounds, kNone));
+}
+
+/// Whether the column repeats the quotients of the printed values of `lower`. A derivative would differ from them by
+/// the errors that the rounding of these values causes.
+bool arePrintedQuotients(const ScaledQuotients &quotients, const ObservedColumn &lower)
+{
+    constexpr double kMaxError = 0.02; // fraction of the largest error that the rounding causes
+    constexpr Index kMinRows = 6;      // with a free factor, fewer quotients may agree by chance
+    // Fraction of the range of `lower`. The half steps of values with all digits are overestimated, because they also
+    // allow for errors of the arithmetic.
+    constexpr double kMinHalfStep = 1e-9;
+    const bool isRounded = lower.halfSteps.maxCoeff() > kMinHalfStep * lower.range;
+    return isRounded && quotients.values.size() >= kMinRows && quotients.areWithin(kMaxError * quotients.bounds);
+}
+
+/// Sets isDifference and isPrintedDifference of a column.
 void markDifferences(const Observations &observations, ObservedColumn &column)
 {
-    // Fraction of the range of the column. Agreement within a larger bound of rounding would prove nothing.
-    constexpr double kMaxBound = 0.05;
-    // Fraction of the errors that rounding causes in quotients. A derivative would differ from them by more.
-    constexpr double kMaxErrorOfPrinted = 0.02;
-    constexpr Index kMinPrintedRows = 6; // with a free factor, fewer quotients may agree by chance
-    // Fraction of the range of the lower column: half of the largest rounding step, if its values are really rounded.
-    // The rounding of values with all digits is overestimated, because they also have errors of the arithmetic.
-    constexpr double kMinHalfStep = 1e-9;
-    const Values halfSteps = column.halfSteps.segment(kReach, column.values.size() - 2 * kReach);
     for (const ObservedColumn &lower : observations.columns) {
         const int order = static_cast<int>(column.channel.order) - static_cast<int>(lower.channel.order);
-        if (lower.channel.coordinate != column.channel.coordinate) {
-            continue;
-        }
-        const bool isRounded = lower.halfSteps.maxCoeff() > kMinHalfStep * lower.range;
         for (const Stencil &stencil : kStencils) {
-            if (stencil.order != order) {
+            if (lower.channel.coordinate != column.channel.coordinate || stencil.order != order) {
                 continue;
             }
             const ScaledQuotients quotients = scaleQuotients(stencil, observations.abscissa(), column, lower);
-            const Values bounds = halfSteps + quotients.bounds;
-            const Values provingBounds = (bounds < kMaxBound * column.range).select(bounds, kNone);
-            const bool areOfPrintedValues = isRounded && quotients.values.size() >= kMinPrintedRows &&
-                                            quotients.areWithin(kMaxErrorOfPrinted * quotients.bounds);
-            column.isOfPrintedValues = column.isOfPrintedValues || areOfPrintedValues;
-            column.isDifference = column.isDifference || areOfPrintedValues || quotients.areWithin(provingBounds);
+            const bool isPrintedDifference = arePrintedQuotients(quotients, lower);
+            column.isPrintedDifference = column.isPrintedDifference || isPrintedDifference;
+            column.isDifference = column.isDifference || isPrintedDifference || agreeWithinRounding(quotients, column);
         }
     }
 }

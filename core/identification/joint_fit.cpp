@@ -73,7 +73,7 @@ bool isLastColumnGenuine(const Observations &observations, const Fit &fit)
 {
     const Index place = std::ssize(fit.columns) - 1;
     const ObservedColumn &column = observations.columns[fit.columns[place]];
-    return !column.isOfPrintedValues && (!column.isDifference || isNearRounding(observations, fit, place));
+    return !column.isPrintedDifference && (!column.isDifference || isNearRounding(observations, fit, place));
 }
 
 /// Fits column k together with the columns of a fit, in the simplest reading with which a mechanism explains them all:

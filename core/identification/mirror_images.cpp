@@ -111,15 +111,16 @@ bool isSliderLineShifted(const Observations &observations, const Model &model)
 
 /// The signs of lengths and of angles in the columns of a fit.
 struct SignCounts {
-    SignCount lengths;
-    SignCount angles;
+    SignCount lengths{};
+    SignCount angles{};
+    bool isFrameShifted = false; ///< the file measures lengths from a point other than O2
 };
 
-/// Counts the negated columns of a fit, apart from R4_y. `isFrameShifted`: the file measures lengths from a point other
-/// than O2. Then a position with an origin of its own is no displacement, and its sign counts.
-SignCounts countSigns(const Observations &observations, const Fit &fit, const Model &model, bool isFrameShifted)
+/// Counts the negated columns of a fit, apart from R4_y. In a shifted frame, a position with an origin of its own is no
+/// displacement, and its sign counts.
+SignCounts countSigns(const Observations &observations, const Fit &fit, const Model &model)
 {
-    SignCounts signs;
+    SignCounts signs{.isFrameShifted = isSliderLineShifted(observations, model)};
     for (const Index k : fit.columns) {
         const ObservedColumn &column = observations.columns[k];
         if (column.channel == kSliderLine) {
@@ -127,7 +128,7 @@ SignCounts countSigns(const Observations &observations, const Fit &fit, const Mo
         }
         const bool isNegated = model.readings[k].factor < 0.0;
         const bool hasOrigin = fit.isFree({Unknown::Kind::Origin, k});
-        const bool isDisplacement = hasOrigin && !column.containsAngles() && !isFrameShifted;
+        const bool isDisplacement = hasOrigin && !column.containsAngles() && !signs.isFrameShifted;
         if (isDisplacement) {
             signs.lengths.isDisplacementNegated = signs.lengths.isDisplacementNegated || isNegated;
             continue;
@@ -152,20 +153,19 @@ int countHalfTurns(const Observations &observations, const Fit &fit, const Model
 
 /// The number of unusual readings that a model with the columns and unknowns of a fit needs: θ2 clockwise or half a
 /// turn off, R4_y that is not c, each negated column (all columns of lengths, or all of angles, count once), and each
-/// angle that is half a turn off. The sign of a displacement does not count.
-int countUnusualReadings(const Observations &observations, const Fit &fit, const Model &model)
+/// angle that is half a turn off. The sign of a displacement does not count. `signs`: those of the model.
+int countUnusualReadings(const Observations &observations, const Fit &fit, const Model &model, const SignCounts &signs)
 {
-    const bool isFrameShifted = isSliderLineShifted(observations, model);
-    const SignCounts signs = countSigns(observations, fit, model, isFrameShifted);
-    return countUnusualCrankReadings(fit, model) + (isFrameShifted ? 1 : 0) + countHalfTurns(observations, fit, model) +
-           signs.lengths.countUnusualReadings() + signs.angles.countUnusualReadings();
+    return countUnusualCrankReadings(fit, model) + (signs.isFrameShifted ? 1 : 0) +
+           countHalfTurns(observations, fit, model) + signs.lengths.countUnusualReadings() +
+           signs.angles.countUnusualReadings();
 }
 
 /// Orders the images: that with the lowest rank, compared member by member, is preferred.
 struct ImageRank {
     int unusualReadingsAndAssembly; ///< unusualReadings, and one more for another assembly than the given one
     bool isOtherThanGiven;          ///< the assembly or c is not that of the given mechanism
-    bool isDisplacementNegated;     ///< although the direction is free, the positive one is likelier
+    bool isDisplacementNegated;     ///< a displacement may have any direction, but that of x is likelier
     int unusualReadings; ///< countUnusualReadings(): the given assembly with one is preferred to the other without any
     double distance; ///< from the given mechanism: 0 … 1 for c, and kReversedCrank if it turns in the other direction
 
@@ -177,10 +177,8 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
     constexpr double kSameLength = 1e-3;   // fraction of a: the c of a fit is never exactly the given one
     constexpr double kReversedCrank = 1.5; // more than the distance of the opposite c, which is 1
     const Parameters &m = model.mechanism;
-    const int unusualReadings = countUnusualReadings(observations, fit, model);
-    const bool isFrameShifted = isSliderLineShifted(observations, model);
-    const bool isDisplacementNegated =
-        countSigns(observations, fit, model, isFrameShifted).lengths.isDisplacementNegated;
+    const SignCounts signs = countSigns(observations, fit, model);
+    const int unusualReadings = countUnusualReadings(observations, fit, model, signs);
     const bool isGivenAssembly = m.branch == given.branch;
     const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
     const bool isReversed = m.omega2 * given.omega2 < 0.0;
@@ -188,7 +186,7 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
     const double distanceOfC = std::abs(m.c - given.c) / sumOfOffsets;
     return {.unusualReadingsAndAssembly = unusualReadings + (isGivenAssembly ? 0 : 1),
             .isOtherThanGiven = !(isGivenAssembly && isGivenC),
-            .isDisplacementNegated = isDisplacementNegated,
+            .isDisplacementNegated = signs.lengths.isDisplacementNegated,
             .unusualReadings = unusualReadings,
             .distance = distanceOfC + (isReversed ? kReversedCrank : 0.0)};
 }

@@ -37,8 +37,8 @@ struct ObservedColumn {
 
     // Set by withComputedColumnsMarked().
     bool isDifference = false; ///< it contains difference quotients of a lower column, or values that agree with them
-    bool isOfPrintedValues = false; ///< it certainly contains difference quotients: those of the printed values
-    bool isInterpolated = false;    ///< it was interpolated linearly, or holds the last of fewer values
+    bool isPrintedDifference = false; ///< it certainly contains difference quotients: those of the printed values
+    bool isInterpolated = false;      ///< it was interpolated linearly, or holds the last of fewer values
 
     bool containsAngles() const { return isAngle(channel.coordinate); } ///< angles, or derivatives of angles
     bool isDerivative() const { return channel.order != Order::Position; }

@@ -39,7 +39,7 @@ bool isExplained(const Observations &observations, const Fit &fit, Index place);
 bool isExact(const Observations &observations, const Fit &fit);
 
 /// Whether a fit with no more unknowns explains its columns as well as `best`, a fit of the same columns, does: its
-/// residuals are rounding, or its misfit is higher by less than 20. As the misfit counts each independent
+/// residuals are rounding, or its misfit is higher by less than 20 (kSameMisfit). As the misfit counts each independent
 /// error of systematic residuals several times (dependence() in noise.h), the share of each column is divided by that
 /// number.
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best);
