@@ -40,10 +40,10 @@ struct Scale {
 double halfRangeOfMotion(const Mechanism &mechanism, const ReferenceSeries &reference, std::span<const double> model)
 {
     const auto [coordinate, order] = reference.channel;
-    const bool belongsToGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
-    const bool belongsToLine = coordinate == R4y || coordinate == Theta4;
+    const bool isOfGround = coordinate == R1x || coordinate == R1y || coordinate == Theta1;
+    const bool isFixedInSlider = coordinate == R4y || coordinate == Theta4;
     const bool isSpeedOfCrank = coordinate == Theta2 && order != Order::Position;
-    if (belongsToGround || belongsToLine || isSpeedOfCrank) { // constant
+    if (isOfGround || isFixedInSlider || isSpeedOfCrank) { // constant
         const double size = isAngle(coordinate) ? 1.0 : mechanism.a();
         return toFileUnit(reference.channel, size) * std::pow(std::abs(mechanism.omega2()), static_cast<int>(order));
     }

@@ -59,8 +59,8 @@ bool areDays(const RawColumn &column)
            range.width() < kLongestStep * static_cast<double>(range.count);
 }
 
-/// Returns how many units of time stamps without a unit are in a second, if they are so large that they are in ms, µs
-/// or ns since 1970, or in days since a date; otherwise 1.
+/// Returns the number of units of the time stamps in a second. If no unit is stated, very large numbers are in ms, µs
+/// or ns since 1970, large ones may be in days since a date, and others are in s.
 double unitsPerSecond(const RawColumn &column)
 {
     constexpr double kDay = 86'400.0;      // s

@@ -139,23 +139,24 @@ std::string withoutDigits(std::string heading)
     return heading;
 }
 
-/// Returns how far down a column is in the list of those that may be chosen as a channel:
-///
-/// 0. its heading leaves the meaning open, and it does not only rise, as the crank angle does,
-/// 1. its heading leaves the meaning open,
-/// 2. it has a suitable unit or none, and does not only rise,
-/// 3. it has a suitable unit or none, and does not turn like the crank,
-/// 4. it has a suitable unit or none.
-///
-/// Returns nullopt if it is used or does not change, or if its meaning is known not to be a channel.
-std::optional<int> rankAsChannel(const RawColumn &column)
+/// Columns that may be chosen as a channel, the likeliest ones first.
+enum class Candidate {
+    OpenAndReturning, ///< its heading leaves the meaning open, and it does not only rise, as the crank angle does
+    Open,             ///< its heading leaves the meaning open
+    Returning,        ///< it has a suitable unit or none, and does not only rise
+    NotTurning,       ///< it has a suitable unit or none, and does not turn like the crank
+    Turning           ///< it has a suitable unit or none
+};
+
+/// Returns nullopt if the column is used or does not change, or if its meaning is known not to be a channel.
+std::optional<Candidate> candidateFor(const RawColumn &column)
 {
     const ColumnReason reason = column.use.reason;
     const bool isFree = !column.isUsed() && rangeOf(column.values).width() > 0.0 && reason != ColumnReason::RowNumber &&
                         reason != ColumnReason::SameTimeStamps && reason != ColumnReason::CrankPin;
     const bool returns = findReversal(column.values).has_value();
     if (isFree && leavesOpen(reason)) {
-        return returns ? 0 : 1;
+        return returns ? Candidate::OpenAndReturning : Candidate::Open;
     }
     const bool hasUnit =
         column.use.unit.empty() || parseUnit(column.use.unit) || column.meaning.kind >= NameMeaning::Kind::Quantity;
@@ -163,24 +164,24 @@ std::optional<int> rankAsChannel(const RawColumn &column)
         return std::nullopt;
     }
     if (returns) {
-        return 2;
+        return Candidate::Returning;
     }
-    return makesTurn(column) ? 4 : 3;
+    return makesTurn(column) ? Candidate::Turning : Candidate::NotTurning;
 }
 
-/// Returns the first column with the lowest rankAsChannel() apart from the one with that index, or null. Of several
+/// Returns the first of the likeliest candidates apart from the column with the index `notColumn`, or null. Of several
 /// points, it is the last one, as programs number them from the crank to the slider.
 const RawColumn *likeliestChannel(std::span<const RawColumn> columns, std::size_t notColumn)
 {
     const RawColumn *best = nullptr;
     for (const RawColumn &column : columns) {
-        const std::optional<int> rank = column.index == notColumn ? std::nullopt : rankAsChannel(column);
-        if (rank && (!best || *rank < *rankAsChannel(*best))) {
+        const std::optional<Candidate> candidate = column.index == notColumn ? std::nullopt : candidateFor(column);
+        if (candidate && (!best || *candidate < *candidateFor(*best))) {
             best = &column;
         }
     }
     for (const RawColumn &other : columns) {
-        const bool isPoint = best && other.index != notColumn && rankAsChannel(other) &&
+        const bool isPoint = best && other.index != notColumn && candidateFor(other) &&
                              other.use.reason == ColumnReason::UnknownBody &&
                              withoutDigits(other.use.heading) == withoutDigits(best->use.heading);
         best = isPoint ? &other : best;
@@ -203,7 +204,7 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
     std::vector<ColumnChoice> choices{choice(*likeliest)};
     for (const RawColumn &other : columns) {
         const bool isOfSamePoint = !likeliest->meaning.owner.empty() && other.meaning.owner == likeliest->meaning.owner;
-        const bool isOpen = other.index != notColumn && rankAsChannel(other) && leavesOpen(other.use.reason);
+        const bool isOpen = other.index != notColumn && candidateFor(other) && leavesOpen(other.use.reason);
         const auto isSameChannel = [&](const ColumnChoice &earlier) { return earlier.channel == likelyChannel(other); };
         if (isOfSamePoint && isOpen && std::ranges::none_of(choices, isSameChannel)) {
             choices.push_back(choice(other));

@@ -149,10 +149,12 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     if (!isSure && isTransposed(examined)) {
         throw ReadError{.line = lines.front().number, .fault = {ReadFault::Kind::Transposed}};
     }
-    TableTop top{std::vector<Heading>(row.cells.size()), row.line, row.delimiter};
+    TableTop top{.headings = std::vector<Heading>(row.cells.size()), .firstRow = row.line, .delimiter = row.delimiter};
     if (labelled) {
         layout.headerLine = lines[labelled->line].number;
-        top = {headingsOfLabels(*labelled, lines[labelled->line]), labelled->line, labelled->delimiter};
+        top = {.headings = headingsOfLabels(*labelled, lines[labelled->line]),
+               .firstRow = labelled->line,
+               .delimiter = labelled->delimiter};
     } else if (header) {
         layout.headerLine = lines[header->line].number;
         top = readTop(lines, *header, row);

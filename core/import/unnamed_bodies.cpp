@@ -72,8 +72,8 @@ std::vector<RawColumn *> anglesOfDerivative(const RawColumn &derivative, std::ve
     return angles;
 }
 
-/// Gives the derivative of an angle to the crank if that is the only angle which it can belong to, or if it is even.
-/// Returns false if it may be that of the crank or of another angle.
+/// Gives the derivative of an angle to the crank if it can be that of no other angle, or if it is even. Returns false
+/// if it may be that of the crank or of another angle.
 bool assignDerivative(RawColumn &derivative, const std::vector<RawColumn *> &angles)
 {
     const std::vector<RawColumn *> ownAngles = anglesOfDerivative(derivative, angles);
