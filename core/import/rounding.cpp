@@ -197,7 +197,9 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
     m_lastPlaces = places;
     m_lastMagnitude = magnitude;
     ++m_values;
-    m_trailingZeros += static_cast<std::uint64_t>(std::max(std::min(places.last, 0) - places.printed, 0));
+    const int trailingZeros = std::max(std::min(places.last, 0) - places.printed, 0);
+    m_trailingZeros += static_cast<std::uint64_t>(trailingZeros);
+    m_paddedValues += trailingZeros > 0 ? 1 : 0;
     m_coarsestPlace = std::max(m_coarsestPlace, places.printed);
     m_smallestExponent = std::min(m_smallestExponent, places.first);
     if (std::abs(places.first) > kLargestExponent) {
@@ -207,14 +209,23 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
     ++m_decades[static_cast<std::size_t>(places.first + kLargestExponent)][std::min(length, kMaxDigits - 1)];
 }
 
+bool RoundingObserver::isPadded() const
+{
+    // By chance, one value in ten ends with one zero, and one in a hundred with two.
+    return 4 * m_trailingZeros >= m_values + 16 && 2 * m_paddedValues >= m_values;
+}
+
 std::vector<RoundedDecade> RoundingObserver::roundedDecades(bool areTimeStamps) const
 {
+    // Without padding, a program prints all values with the same digits; but many of a formula end early by chance,
+    // such as those at 30°, 60° and 90°.
+    const bool haveEqualDigits = areTimeStamps || !isPadded();
     std::vector<RoundedDecade> decades;
     for (int exponent = -kLargestExponent; exponent <= kLargestExponent; ++exponent) {
         const auto &counts = m_decades[static_cast<std::size_t>(exponent + kLargestExponent)];
         const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
         // The decade ends at the place at which this number of its values has ended.
-        const double needed = std::min(total, areTimeStamps ? 0.9 * total : 0.25 * (total + 8.0));
+        const double needed = haveEqualDigits ? 0.9 * total : std::min(total, 0.25 * (total + 8.0));
         double ended = 0.0;
         int place = exponent + 1;
         for (std::size_t i = 0; i < kMaxDigits && ended < needed; ++i) {
@@ -234,9 +245,7 @@ int RoundingObserver::coarsestPlaceOf(const Rounding &rounding, const RoundedDec
     constexpr int kFewestDigitsByHand = 3; // fewer may be chosen numbers: 5, 10, 20
     const bool isRelative = rounding.rule == Rounding::Rule::SignificantDigits;
     int coarsest = m_coarsestPlace;
-    // By chance, one value in ten ends with one zero, and one in a hundred with two. More zeros are padding.
-    const bool isPadded = 4 * m_trailingZeros >= m_values + 16;
-    if (isPadded && m_coarsestPlace < 0) { // the last printed digits say nothing
+    if (isPadded() && m_coarsestPlace < 0) { // the last printed digits say nothing
         const bool isLong = isRelative && rounding.digits > kDigitsOfAChosenNumber;
         coarsest = isLong ? INT_MAX : 0;
     }

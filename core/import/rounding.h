@@ -70,12 +70,16 @@ struct RoundedDecade;
 /// Infers the rule of a column from its numbers as they were printed.
 ///
 /// Take the values of one decade (with the same power of ten of the first digit). If they are rounded at one place,
-/// one value in ten has its last non-zero digit one place earlier, and one in a hundred two places earlier. So the
-/// values are rounded at the coarsest place where clearly more than a quarter of them have ended. (Some programs print
-/// some rows with more digits than others: the rule describes the coarser half.) The rule of the column is the one that
-/// is closest to the places of all decades, weighted by their numbers of values. It is never coarser than the coarsest
-/// printed place, unless the largest values, at least six, all end earlier (-2120, beside 853); if the numbers are
-/// padded with zeros, it is never coarser than whole numbers, unless it has many significant digits.
+/// one value in ten has its last non-zero digit one place earlier, and one in a hundred two places earlier. So they are
+/// rounded at the place where nine of ten have ended: in a table of a formula, many more values end early by chance,
+/// such as those at 30°, 60° and 90°. If the numbers are padded with zeros, it is the coarsest place where clearly more
+/// than a quarter have ended, because some programs print some rows with more digits than others: the rule describes
+/// the coarser half.
+///
+/// The rule of the column is the one that is closest to the places of all decades, weighted by their numbers of values.
+/// It is never coarser than the coarsest printed place, unless the largest values, at least six, all end earlier
+/// (-2120, beside 853); if the numbers are padded with zeros, it is never coarser than whole numbers, unless it has
+/// many significant digits.
 ///
 /// A value that repeats the one before it says nothing new: a mechanism may stand still. If a column repeats one
 /// number, it is rounded at the last digit of that number, or to a whole number.
@@ -86,10 +90,13 @@ public:
     void observe(PrintedPlaces places, double value);
 
     /// Infers the rule. The digits of time stamps are not random: in 0.0333, 0.0667, 0.1, every third ends early. So
-    /// they are rounded at the place where nearly all have ended.
+    /// they are rounded at the place where nine of ten have ended, also if they are padded.
     Rounding infer(double unitFactor, bool areTimeStamps) const;
 
 private:
+    /// Whether most values end with zeros that say nothing, as in 139.397000.
+    bool isPadded() const;
+
     /// Returns the places at which the values of all decades were rounded, from the smallest decade.
     std::vector<RoundedDecade> roundedDecades(bool areTimeStamps) const;
 
@@ -105,6 +112,7 @@ private:
 
     std::uint64_t m_values = 0;        ///< number of values that are not zero and differ from the one before
     std::uint64_t m_trailingZeros = 0; ///< number of zeros printed after the last non-zero decimal of these values
+    std::uint64_t m_paddedValues = 0;  ///< number of these values that end with such zeros
     int m_coarsestPlace = INT_MIN;     ///< of the last printed digits
     int m_finestPlace = INT_MAX;
     int m_smallestExponent = INT_MAX;
