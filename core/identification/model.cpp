@@ -14,9 +14,10 @@ Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observatio
             continue;
         }
         const double speed = model.crankSpeed(observations, row);
+        const double acceleration = model.crankAcceleration(observations, row);
         for (Index place = 0; place < result.cols(); ++place) {
             const Channel channel = observations.columns[columns[place]].channel;
-            result(row, place) = motionAtSpeed(motion, channel, speed, model.alpha2);
+            result(row, place) = motionAtSpeed(motion, channel, speed, acceleration);
         }
     }
     return result;

@@ -7,8 +7,8 @@
 //
 // The angle of the crank follows from the time, θ2 = ω2 t + θ20, or from the angle in the file, θ2 = factor · angle +
 // θ20. Its speed, which derivatives need, is ω2 + α2 t. Only a run-up has an angular acceleration α2 other than 0, and
-// its angle is always that in the file. Lengths are in mm, angles in rad, time in s; t is zero in the middle of the
-// file.
+// its angle is always that in the file. Over the time, the angle may also have a ripple. Lengths are in mm, angles in
+// rad, time in s; t is zero in the middle of the file.
 
 #include "core/identification/observations.h"
 
@@ -30,22 +30,52 @@ struct ColumnReading {
     friend bool operator==(const ColumnReading &, const ColumnReading &) = default;
 };
 
+/// An oscillation of the angle of the crank, once per turn: cosine · cos φ + sine · sin φ (rad) with φ = ω2 t. A crank
+/// whose speed varies has it.
+struct Ripple {
+    double cosine = 0.0;
+    double sine = 0.0;
+
+    bool isZero() const { return cosine == 0.0 && sine == 0.0; }
+    double angle(double phase) const { return cosine * std::cos(phase) + sine * std::sin(phase); }
+    double derivative(double phase) const
+    {
+        return sine * std::cos(phase) - cosine * std::sin(phase);
+    } ///< by the phase
+};
+
 struct Model {
     Parameters mechanism{};                ///< θ20: in the middle of the file, or where the angle in the file is zero
     bool followsAngle = false;             ///< θ2 follows from the angle in the file
     double angleFactor = 1.0;              ///< ±1 times a unit conversion
     double alpha2 = 0.0;                   ///< angular acceleration of the crank, rad/s²
+    Ripple ripple{};                       ///< only if the angle is not that in the file
     std::vector<ColumnReading> readings{}; ///< reading of each column of the observations
 
-    /// The angle (rad) and the speed (rad/s) of the crank in a row.
+    /// The angle (rad), the speed (rad/s) and the acceleration (rad/s²) of the crank in a row.
     double crankAngle(const Observations &observations, Index row) const
     {
-        return mechanism.theta20 +
-               (followsAngle ? angleFactor * observations.angle[row] : mechanism.omega2 * observations.time[row]);
+        if (followsAngle) {
+            return mechanism.theta20 + angleFactor * observations.angle[row];
+        }
+        const double phase = mechanism.omega2 * observations.time[row];
+        return mechanism.theta20 + phase + (ripple.isZero() ? 0.0 : ripple.angle(phase));
     }
     double crankSpeed(const Observations &observations, Index row) const
     {
-        return mechanism.omega2 + (alpha2 == 0.0 ? 0.0 : alpha2 * observations.time[row]);
+        double speed = mechanism.omega2;
+        if (alpha2 != 0.0) {
+            speed += alpha2 * observations.time[row];
+        }
+        if (!ripple.isZero()) {
+            speed += mechanism.omega2 * ripple.derivative(mechanism.omega2 * observations.time[row]);
+        }
+        return speed;
+    }
+    double crankAcceleration(const Observations &observations, Index row) const
+    {
+        const double w = mechanism.omega2;
+        return alpha2 - (ripple.isZero() ? 0.0 : w * w * ripple.angle(w * observations.time[row]));
     }
 };
 

@@ -4,6 +4,7 @@
 #include "core/identification/geometry.h"
 #include "core/identification/residual_test.h"
 #include "core/identification/round_values.h"
+#include "core/identification/varying_speed.h"
 
 #include "core/mechanism/turn.h"
 
@@ -33,6 +34,10 @@ constexpr double kMaxErrorOfCrank = 0.03;
 /// A parameter is left open if systematic residuals can change it by a larger fraction of its size (see
 /// worstCaseErrors()).
 constexpr double kMaxSystematicError = 0.1;
+
+/// A parameter is left open if it would change by a larger fraction of its size at a varying speed of the crank that
+/// explains the residuals as well (see changesByRipple()).
+constexpr double kMaxChangeByRipple = 0.03;
 
 /// The residual of fit.columns[place] in the units of files.
 ColumnResidual describeResidual(const Observations &observations, const Fit &fit, Index place)
@@ -91,12 +96,14 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
     // other coordinate confirms that it is the one that moved.
     const bool isEverythingOpen =
         areResidualsSystematic && isShortArc(lastFit.observations, fit.model) && hasOneCoordinate(lastFit);
+    const ParameterErrors changes = lastFit.isExact ? ParameterErrors{} : changesByRipple(lastFit);
     ParameterFlags open{};
     for (const Unknown unknown : fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = indexOf(toParameter(unknown));
             const bool isCouplerOrOffset = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
             open[i] = isEverythingOpen || (isCouplerOpen && isCouplerOrOffset) ||
+                      changes[i] > kMaxChangeByRipple * sizes[i] ||
                       errors[i] > maxRelativeError(unknown, areResidualsSystematic) * sizes[i];
         }
     }

@@ -396,6 +396,32 @@ private slots:
         QCOMPARE(found.lack, Identification::Lack::UnevenSpeed);
     }
 
+    /// Without θ2, a speed that varies once per turn looks like other lengths and another origin.
+    void statesNoLengthsThatAVaryingSpeedMayImitate()
+    {
+        for (const double amplitude : {0.02, 0.05}) { // rad
+            for (const bool hasPosition : {true, false}) {
+                std::string text = hasPosition ? "t [s],R4_x_diff [mm/s],R4_x [mm]\n" : "t [s],R4_x_diff [mm/s]\n";
+                for (int row = 0; row <= 60; ++row) {
+                    const double t = row / 60.0;
+                    const double phase = kTurn * t;
+                    const double angle = phase + amplitude * std::sin(phase);
+                    Parameters p = kOrdinary;
+                    p.omega2 = kTurn * (1.0 + amplitude * std::cos(phase));
+                    std::array<char, 80> line{};
+                    std::snprintf(line.data(), line.size(), hasPosition ? "%.6f,%.3f,%.3f\n" : "%.6f,%.3f\n", t,
+                                  static_cast<double>(textbookValue(p, {R4x, Order::Velocity}, angle)),
+                                  static_cast<double>(textbookValue(p, {R4x, Order::Position}, angle)));
+                    text += line.data();
+                }
+                const Identification found = identified(std::get<ReferenceData>(readReferenceData(text)));
+                const Parameters &lengths = found.parameters;
+                const double error = std::abs(lengths.b / lengths.a / (kOrdinary.b / kOrdinary.a) - 1.0);
+                QVERIFY2(!found.hasMechanism() || error < 0.05, qPrintable(QString::number(amplitude)));
+            }
+        }
+    }
+
     void usesTheAngleOfAnUnevenCrank()
     {
         struct Row {
