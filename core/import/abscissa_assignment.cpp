@@ -119,7 +119,7 @@ bool isNameOpen(const RawColumn &column)
         (meaning.kind == Kind::Quantity && meaning.hasUnknownWords && meaning.doubt == NameMeaning::Doubt::None);
     const std::vector<std::string> words = wordsOf(column.name);
     return isUnknown && meaning.reason != ColumnReason::UnknownBody && meaning.reason != ColumnReason::UnknownUnit &&
-           !namesOtherQuantity(words) && std::ranges::none_of(words, namesAngleOrRate);
+           std::ranges::none_of(words, namesOtherQuantity) && std::ranges::none_of(words, namesAngleOrRate);
 }
 
 /// Returns whether an unused column may be the time although its name leaves that open: its values only rise, and it

@@ -34,8 +34,9 @@ ColumnChoice choiceFor(const RawTable &table, const RawColumn &column, ColumnRol
 bool mayBeAbscissa(const RawColumn &column)
 {
     const bool isFree = !column.isUsed() || column.use.channel == kCrankAngle;
-    return isFree && !namesOtherQuantity(wordsOf(column.name)) && column.meaning.reason != ColumnReason::UnknownUnit &&
-           rangeOf(column.values).count == column.values.size() && column.values.size() > 1 &&
+    return isFree && std::ranges::none_of(wordsOf(column.name), namesOtherQuantity) &&
+           column.meaning.reason != ColumnReason::UnknownUnit && rangeOf(column.values).count == column.values.size() &&
+           column.values.size() > 1 &&
            (isTurningAngle(column) || (!isConstant(column) && !findReversal(column.values)));
 }
 

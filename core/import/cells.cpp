@@ -357,7 +357,7 @@ std::string excerpt(std::string_view text)
         return std::string(text);
     }
     std::size_t length = kLongest;
-    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) {
+    while (length > 0 && (byteOf(text[length]) & 0xC0U) == 0x80U) {
         --length;
     }
     return std::string(text.substr(0, length)) + "…";

@@ -21,6 +21,12 @@ inline bool isBlank(char c)
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
 }
 
+/// Returns the value of a byte, from 0 to 255.
+inline unsigned byteOf(char c)
+{
+    return static_cast<unsigned char>(c);
+}
+
 inline bool isDigit(char c)
 {
     return c >= '0' && c <= '9';

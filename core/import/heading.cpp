@@ -77,8 +77,9 @@ bool isRemarkInBrackets(std::string_view content)
 bool areBracketsOfName(std::string_view text, std::size_t begin, std::string_view content)
 {
     const NameMeaning whole = meaningOf(text, {});
-    const bool isPoint = begin == 1 && content == "A"; // "x(A)"
-    const bool isIndex = isPoint || isDigits(content) || (text[begin] == '[' && looksNumeric(content));
+    const bool isPoint = begin == 1 && content == "A";                   // "x(A)"
+    const bool isVariable = content == "t" && !isBlank(text[begin - 1]); // "Main.Crank.theta(t)"
+    const bool isIndex = isPoint || isVariable || isDigits(content) || (text[begin] == '[' && looksNumeric(content));
     return isIndex || (whole.kind != Kind::Nothing && !whole.hasUnknownWords);
 }
 
@@ -102,7 +103,8 @@ std::string_view unitBehindSymbol(std::string_view text, std::string_view name)
 std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_t begin, std::size_t end)
 {
     const std::string_view name = trimmed(text.substr(0, begin));
-    const std::string_view content = withoutPreposition(trimmed(text.substr(begin + 1, end - begin - 1)), name);
+    const std::string_view bracketed = withoutOrigin(trimmed(text.substr(begin + 1, end - begin - 1)));
+    const std::string_view content = withoutPreposition(bracketed, name);
     if (parseUnit(content) || isUnitOfNoQuantity(content)) {
         return content;
     }
@@ -267,8 +269,8 @@ bool isSecondDerivative(const Heading &heading)
     return isAcceleration && isMarked && meaning.doubt == Doubt::None;
 }
 
-/// Returns whether the name is "v_p" or "a_p", of the piston. "vp" and "ap" are such names in a row without "v" and
-/// "a", whose derivatives they would be.
+/// Returns whether the name is "v_p", "a_p" or "xp_dot", of the piston. "vp" and "ap" are such names in a row without
+/// "v" and "a", whose derivatives they would be.
 bool isOfPiston(const Heading &heading, std::span<const Heading> row)
 {
     const Words words = wordsOf(heading.name);
@@ -276,7 +278,8 @@ bool isOfPiston(const Heading &heading, std::span<const Heading> row)
         const std::string symbol = words[0].substr(0, 1);
         return std::ranges::none_of(row, [&](const Heading &other) { return lowered(other.name) == symbol; });
     }
-    return words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p";
+    const bool isMarked = words.size() == 2 && isAmong(words[0], "xp sp") && isAmong(words[1], "dot ddot d dd");
+    return isMarked || (words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p");
 }
 
 /// Returns whether the name is that of a displacement and no differential: "DX" of Adams, or "dx" beside "vx".

@@ -57,10 +57,9 @@ int takeDerivatives(Words &words)
         words = {"d", words[0].substr(1)};
     }
     for (std::size_t i = 0; i < words.size();) {
-        const bool hasNext = i + 1 < words.size();
-        const WordMeaning *const two = hasNext ? findWord(words[i] + '_' + words[i + 1], WordUse::Derivative) : nullptr;
-        const bool isOfSymbol = i > 0 && findWord(words[i - 1], WordUse::Symbol);
-        const bool isLabel = !isOfSymbol && hasNext && findWord(words[i], WordUse::Label); // "Punto B", but "x punto"
+        const WordMeaning *const two = findWord(pairAt(words, i), WordUse::Derivative);
+        const bool isOfSymbol = i == 1 && findWord(words[0], WordUse::Symbol);
+        const bool isLabel = !isOfSymbol && i + 1 < words.size() && findWord(words[i], WordUse::Label); // but "x punto"
         const WordMeaning *const entry = two ? two : findWord(words[i], WordUse::Derivative);
         if (entry && !isLabel) {
             count += static_cast<int>(*entry->order);

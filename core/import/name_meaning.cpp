@@ -472,6 +472,9 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
     if (const std::optional<Channel> channel = channelSpelled(words, derivatives)) {
         return {Kind::ChannelName, *channel, ColumnReason::KnownName};
     }
+    if (words.size() == 3 && isAmong(words[0], "omega w") && words[1] == "2" && words[2] == "t") { // "ω₂t (deg)"
+        words.erase(words.begin() + 1);
+    }
     splitJoint(words, lastPart);
     if (beginsWithPointA(words, derivatives, parseUnit(unit)) || hasIndexA(words)) {
         return {.reason = ColumnReason::CrankPin};

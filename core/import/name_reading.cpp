@@ -68,11 +68,15 @@ bool includeNumber(NameReading &reading, std::string_view digits, Entries entrie
     return isAmong(digits, "1 2 3");
 }
 
-/// Returns whether a symbol can stand for a quantity of that order, as in "velocity v" or "crank angle α".
-bool isOfOrder(const WordMeaning &symbol, std::optional<Order> order)
+/// Returns whether a symbol can stand for the quantity in the words before it, as in "velocity v", "velocity ṙ₁" or
+/// "crank angle α".
+bool isOfOrder(const WordMeaning &symbol, const NameReading &before)
 {
+    const std::optional<Order> order = before.order;
     const bool isAlpha = symbol.dimension == Dimension::Angle && symbol.order == Order::Acceleration;
-    return !order || !symbol.order || symbol.order == order || (isAlpha && order == Order::Position);
+    const bool isDerivative =
+        order && symbol.order == Order::Position && before.derivatives == static_cast<int>(*order);
+    return !order || !symbol.order || symbol.order == order || (isAlpha && order == Order::Position) || isDerivative;
 }
 
 /// Includes the letter of a joint: "joint B", "velocity of B".
@@ -115,12 +119,17 @@ bool isPlace(const Words &words, std::size_t at)
     return isAmong(words[at], "at en bei in an") && at + 1 < words.size() && isAmong(words[at + 1], "a b");
 }
 
-/// Returns whether the name of a joint stands at that word: "of point B", "del punto B". Directly behind a symbol, as
-/// in "x punto B", such a word is a derivative.
-bool isNameOfJoint(const Words &words, std::size_t at)
+/// Returns where the letter of a joint stands whose name begins at that word: "of point B", "del punto B", and behind a
+/// quantity "point B". Directly behind a symbol, as in "x punto B", such a word is a derivative. Returns nullopt if
+/// there is none.
+std::optional<std::size_t> findJoint(const NameReading &before, const Words &words, std::size_t at)
 {
-    return isAmong(words[at], "of de del von du di do") && at + 2 < words.size() &&
-           findWord(words[at + 1], WordUse::Label) && words[at + 2].size() == 1;
+    const bool hasPreposition = isAmong(words[at], "of de del von du di do");
+    const std::size_t label = hasPreposition ? at + 1 : at;
+    const bool isJoint = label + 1 < words.size() && findWord(words[label], WordUse::Label) &&
+                         words[label + 1].size() == 1 &&
+                         (hasPreposition || (before.isOrderNamed && findWord(words[label + 1], WordUse::Index)));
+    return isJoint ? std::optional(label + 1) : std::nullopt;
 }
 
 /// Returns whether an index may belong to the symbol or quantity before it: "x_s", "velocity B", "ω_BC", but not the Bp
@@ -188,7 +197,7 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
         return true;
     }
     const WordMeaning *const symbol = isOfBody ? nullptr : findWord(word, WordUse::Symbol);
-    if (symbol && (symbol->axis != ' ' || (!reading.hasSymbol && isOfOrder(*symbol, reading.order)))) {
+    if (symbol && (symbol->axis != ' ' || (!reading.hasSymbol && isOfOrder(*symbol, reading)))) {
         return includeSymbol(reading, word, *symbol);
     }
     const WordMeaning *const derivative = findWord(word, WordUse::Derivative);
@@ -274,21 +283,6 @@ bool includeWord(NameReading &reading, std::string_view word, Entries entries)
     return includeCompound(reading, word, entries) || includeStem(reading, word);
 }
 
-/// Returns whether a word says that the name is of a quantity that is no channel: "error", "force", "Messabweichung".
-bool isOfOtherQuantity(std::string_view word)
-{
-    constexpr std::size_t kShortestPart = 4; // bytes
-    constexpr std::size_t kShortestStem = 5; // bytes: "blad" is an error in Polish, but not the stem of "blade"
-    constexpr std::size_t kLongestEnding = 2;
-    bool isOther = findWord(word, WordUse::OtherQuantity);
-    for (std::size_t rest = 1; rest + kShortestPart <= word.size(); ++rest) {
-        const bool isPart = rest > kLongestEnding || word.size() - rest >= kShortestStem;
-        isOther = isOther || (isPart && (findWord(word.substr(rest), WordUse::OtherQuantity) ||
-                                         findWord(word.substr(0, word.size() - rest), WordUse::OtherQuantity)));
-    }
-    return isOther;
-}
-
 /// Includes a word that is unknown after the words before it. Returns false if it contradicts them, or makes the name
 /// that of another quantity. A normal or tangential component, as in "a_BAn", has an index and no word.
 bool includeUnknown(NameReading &reading, std::string_view word)
@@ -298,7 +292,7 @@ bool includeUnknown(NameReading &reading, std::string_view word)
                              (word.ends_with('n') || word.ends_with('t'));
     NameReading alone;
     const bool isKnown = word.size() >= kShortestWord && includeWord(alone, word, Entries::All);
-    if (isKnown || isOfOtherQuantity(word)) {
+    if (isKnown || namesOtherQuantity(word)) {
         return false;
     }
     reading.unknown.text += word;
@@ -340,8 +334,9 @@ bool isNameOfElement(const Words &words, std::size_t at)
 bool includeWords(NameReading &reading, const Words &words, Entries entries)
 {
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string two = i + 1 < words.size() ? words[i] + '_' + words[i + 1] : std::string();
-        const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler); // "link 3", "O2"
+        const std::string two = pairAt(words, i);
+        const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler) || // "link 3", "O2", "r1"
+                            (entries == Entries::All && findWord(two, WordUse::Symbol));
         bool isIncluded = true;
         if (isNameOfElement(words, i)) {
             reading.unknown.point = words[i] + words[i + 1];
@@ -350,8 +345,8 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
             isIncluded = includeJoint(reading, words[0]);
         } else if (isPlace(words, i)) {
             isIncluded = includePlace(reading, words[++i]);
-        } else if (isNameOfJoint(words, i)) {
-            i += 2;
+        } else if (const std::optional<std::size_t> joint = findJoint(reading, words, i)) {
+            i = *joint;
             isIncluded = includeJoint(reading, words[i]);
         } else if (isNumberOfPoint(reading, words, i)) {
             reading.unknown.point = reading.unknown.point.empty() ? words[i - 1] + words[i] : reading.unknown.point;

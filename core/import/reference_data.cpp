@@ -11,6 +11,7 @@
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <iterator>
@@ -282,30 +283,11 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
     }
 }
 
-/// Returns whether a fault may only mean that the text is no table.
-bool mayMeanNoTable(Fault fault)
-{
-    switch (fault) {
-    case Fault::UnitsContradict:
-    case Fault::NamesMissing:
-    case Fault::MoreHeadings:
-    case Fault::FewerHeadings:
-    case Fault::AnotherTable:
-    case Fault::TimeTwice:
-    case Fault::NoTime:
-    case Fault::NoChannel:
-    case Fault::NoCertainChannel:
-    case Fault::NoNumbers:
-    case Fault::NoRow: return true;
-    default: return false;
-    }
-}
-
 /// Returns whether the file in which a fault was found is no table at all.
 bool isNoTable(const FileBytes &file, Fault fault)
 {
     std::string converted;
-    return mayMeanNoTable(fault) && isProse(splitLines(decodeText(file.bytes, converted)));
+    return std::ranges::count(kFaultsOfOtherTexts, fault) > 0 && isProse(splitLines(decodeText(file.bytes, converted)));
 }
 
 /// Returns the data of a table whose columns have their roles.
@@ -318,6 +300,10 @@ ReferenceData toData(RawTable &table)
     for (ReferenceSeries &series : data.series) {
         findStep(series, data.time);
     }
+    using enum ReadFault::Kind;
+    constexpr std::array kFaultsOfOtherTexts{UnitsContradict,  NamesMissing, MoreHeadings, FewerHeadings,
+                                             AnotherTable,     TimeTwice,    NoTime,       NoChannel,
+                                             NoCertainChannel, NoNumbers,    NoRow};
     for (RawColumn &column : table.columns) {
         column.use.difference =
             column.use.role == ColumnRole::Channel ? differenceIn(data, column.use.channel) : std::nullopt;

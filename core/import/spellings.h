@@ -24,10 +24,16 @@ class Spellings
 public:
     explicit Spellings(std::initializer_list<Spelling> table);
 
+    /// Adds the replacement of each character of `from` by `to`, or, if both have the same number of bytes, by the
+    /// character at the same place in `to`.
+    void addCharacters(std::string_view from, std::string_view to);
+
     /// Returns the text with all spellings replaced. Where several match, the first one in the table applies.
     std::string replacedIn(std::string_view text) const;
 
 private:
+    void add(const Spelling &spelling);
+
     std::array<std::vector<Spelling>, 256> m_spellings; ///< by the first byte of `from`
 };
 

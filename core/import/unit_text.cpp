@@ -19,6 +19,8 @@ namespace slidercrank
 namespace
 {
 
+using enum Dimension;
+
 struct NamedUnit {
     std::string_view names;
     Unit unit;
@@ -37,14 +39,10 @@ const Spellings kUnitSpellings{{"×π rad", "pirad"},
                                {"min^-1", "rpm"},
                                {"min-1", "rpm"},
                                {"min⁻¹", "rpm"},
-                               {" per ", "/"},
-                               {"_per_", "/"},
-                               {"_PER_", "/"},
-                               {".per.", "/"},
                                {"-per-", "/"},
                                {"_s_2", "/s2"},
                                {".s.2", "/s2"},
-                               {"Per", "/"},
+                               {"per", "/"},
                                {" pro ", "/"},
                                {" por ", "/"},
                                {" par ", "/"},
@@ -69,6 +67,12 @@ const Spellings kUnitSpellings{{"×π rad", "pirad"},
                                {"^\\circ", "deg"},
                                {"\\circ", "deg"},
                                {"\\", ""},
+                               {"° ' \"", "deg"},
+                               {"°'\"", "deg"},
+                               {"° ′ ″", "deg"},
+                               {"°′″", "deg"},
+                               {"deg min sec", "deg"},
+                               {"deg min", "deg"},
                                {"\"", "in"},
                                {"''", "in"},
                                {"'", "ft"},
@@ -93,14 +97,9 @@ const Spellings kUnitSpellings{{"×π rad", "pirad"},
                                {"\u2212", "-"},
                                {" cw", ""},
                                {" ccw", ""},
-                               {" CW", ""},
-                               {" CCW", ""},
                                {" atdc", ""},
-                               {" ATDC", ""},
                                {" atc", ""},
-                               {" ATC", ""},
-                               {"aTDC", ""},
-                               {"ATDC", ""},
+                               {"atdc", ""},
                                {"\t", " "},
                                {".", " "},
                                {"·", " "},
@@ -117,56 +116,55 @@ const Spellings kUnitSpellings{{"×π rad", "pirad"},
                                {"$", ""}};
 
 /// A new name of a unit is added to a row.
-constexpr std::array<NamedUnit, 33> kUnits{{
-    {"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros millimetro millimetri",
-     {Dimension::Length, 0, 1.0}},
-    {"cm cms см 厘米 сантиметр сантиметров centimeter centimetre centimeters centimetres centimetro centimetros "
-     "centimetri",
-     {Dimension::Length, 0, 10.0}},
-    {"m mts mtr м 米 meter metre meters metres metern metro metros metri", {Dimension::Length, 0, 1e3}},
-    {"um micron microns", {Dimension::Length, 0, 1e-3}},
-    {"dm", {Dimension::Length, 0, 100.0}},
-    {"km", {Dimension::Length, 0, 1e6}},
-    {"in inch inches pulgada pulgadas pulg pouce pouces polegada polegadas pollice pollici zoll pol tum tommer duim "
-     "cale palce inç дюйм дюйма дюймов 英寸 インチ",
-     {Dimension::Length, 0, 25.4}},
-    {"thou mil mils", {Dimension::Length, 0, 0.0254}},
-    {"ft foot feet fuß", {Dimension::Length, 0, 304.8}},
-    {"yd yard yards", {Dimension::Length, 0, 914.4}},
-    {"g", {Dimension::Length, 2, 9806.65}},
-    {"deg gr град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados gradi "
-     "grau graus graden grader grade grad grd stopnie stopni stopniach градусах градусов градусы derece ca cad degca "
-     "cadeg kw degkw owk degowk degv degпкв degПКВ",
-     {Dimension::Angle, 0, 1.0}},
-    {"dps", {Dimension::Angle, 1, 1.0}},
-    {"ips", {Dimension::Length, 1, 25.4}},
-    {"fpm", {Dimension::Length, 1, 304.8 / 60.0}},
-    {"kph kmh", {Dimension::Length, 1, 1e6 / 3600.0}},
-    {"mph", {Dimension::Length, 1, 1'609'344.0 / 3600.0}},
-    {"gal", {Dimension::Length, 2, 10.0}},
-    {"arcmin", {Dimension::Angle, 0, 1.0 / 60.0}},
-    {"fps", {Dimension::Length, 1, 304.8}},
-    {"rad рад radian radians radianes radianos radianti radianen", {Dimension::Angle, 0, kDegreesPerRadian}},
-    {"mrad", {Dimension::Angle, 0, 1e-3 * kDegreesPerRadian}},
-    {"pirad pi π", {Dimension::Angle, 0, 180.0}},
-    {"gon gons gradian gradians grads", {Dimension::Angle, 0, 0.9}},
-    {"rev revs revolution revolutions turn turns r u об tr tour tours giri vuelta vueltas umdrehung umdrehungen obr "
-     "omw varv "
-     "omdr",
-     {Dimension::Angle, 0, 360.0}},
-    {"rpm", {Dimension::Angle, 1, 6.0}},
-    {"hz hertz cps", {Dimension::Angle, 1, 360.0}},
-    {"s с сек 秒 초 sn sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo seconden seg "
-     "segundo segundos segon segons sekundy sekund",
-     {Dimension::Time, 0, 1.0}},
-    {"ms мс msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden millisecondi "
-     "millisecondes",
-     {Dimension::Time, 0, 1e3}},
-    {"us usec micros microsecond microseconds microsegundos mikrosekunden", {Dimension::Time, 0, 1e6}},
-    {"ns nanosecond nanoseconds", {Dimension::Time, 0, 1e9}},
-    {"min мин mins minute minutes minuto minutos minuten minuti", {Dimension::Time, 0, 1.0 / 60.0}},
-    {"h ч час hr hour hours hora horas stunde stunden", {Dimension::Time, 0, 1.0 / 3600.0}},
-}};
+constexpr auto kUnits = std::to_array<NamedUnit>(
+    {{"mm мм 毫米 millimeter millimetre millimeters millimetres millimetern milimetro milimetros millimetro millimetri",
+      {Length, 0, 1.0}},
+     {"cm cms см 厘米 сантиметр сантиметров centimeter centimetre centimeters centimetres centimetro centimetros "
+      "centimetri",
+      {Length, 0, 10.0}},
+     {"m mts mtr м 米 meter metre meters metres metern metro metros metri", {Length, 0, 1e3}},
+     {"um micron microns", {Length, 0, 1e-3}},
+     {"dm", {Length, 0, 100.0}},
+     {"km", {Length, 0, 1e6}},
+     {"in inch inches pulgada pulgadas pulg pouce pouces polegada polegadas pollice pollici zoll pol tum tommer duim "
+      "cale palce inç дюйм дюйма дюймов 英寸 インチ",
+      {Length, 0, 25.4}},
+     {"thou mil mils", {Length, 0, 0.0254}},
+     {"ft foot feet fuß", {Length, 0, 304.8}},
+     {"yd yard yards", {Length, 0, 914.4}},
+     {"g", {Length, 2, 9806.65}},
+     {"deg gr град 度 도 độ derajat fok aste astetta stupne stupnu degs degree degrees degre degres grado grados gradi "
+      "grau graus graden grader grade grad grd stopnie stopni stopniach градусах градусов градусы derece ca cad degca "
+      "cadeg kw degkw owk degowk degv degпкв degПКВ",
+      {Angle, 0, 1.0}},
+     {"dps", {Angle, 1, 1.0}},
+     {"ips", {Length, 1, 25.4}},
+     {"fpm", {Length, 1, 304.8 / 60.0}},
+     {"kph kmh", {Length, 1, 1e6 / 3600.0}},
+     {"mph", {Length, 1, 1'609'344.0 / 3600.0}},
+     {"gal", {Length, 2, 10.0}},
+     {"arcmin", {Angle, 0, 1.0 / 60.0}},
+     {"fps", {Length, 1, 304.8}},
+     {"rad рад radian radians radianes radianos radianti radianen", {Angle, 0, kDegreesPerRadian}},
+     {"mrad", {Angle, 0, 1e-3 * kDegreesPerRadian}},
+     {"pirad pi π", {Angle, 0, 180.0}},
+     {"gon gons gradian gradians grads", {Angle, 0, 0.9}},
+     {"rev revs revolution revolutions turn turns r u об tr tour tours giri vuelta vueltas umdrehung umdrehungen obr "
+      "omw varv "
+      "omdr",
+      {Angle, 0, 360.0}},
+     {"rpm", {Angle, 1, 6.0}},
+     {"hz hertz cps", {Angle, 1, 360.0}},
+     {"s с сек 秒 초 sn sec secs second seconds sek sekunde sekunden seconde secondes secondi secondo seconden seg "
+      "segundo segundos segon segons sekundy sekund",
+      {Time, 0, 1.0}},
+     {"ms мс msec msecs millis millisecond milliseconds milisegundo milisegundos millisekunden millisecondi "
+      "millisecondes",
+      {Time, 0, 1e3}},
+     {"us usec micros microsecond microseconds microsegundos mikrosekunden", {Time, 0, 1e6}},
+     {"ns nanosecond nanoseconds", {Time, 0, 1e9}},
+     {"min мин mins minute minutes minuto minutos minuten minuti", {Time, 0, 1.0 / 60.0}},
+     {"h ч час hr hour hours hora horas stunde stunden", {Time, 0, 1.0 / 3600.0}}});
 
 std::optional<Unit> unitNamed(std::string_view name)
 {
@@ -221,7 +219,7 @@ std::optional<Unit> numeratorNamed(const UnitFactor &factor)
     if (unit) {
         unit->order = factor.power;
     }
-    return unit && unit->dimension != Dimension::Time ? unit : std::nullopt;
+    return unit && unit->dimension != Time ? unit : std::nullopt;
 }
 
 struct ScaledUnit {
@@ -265,11 +263,11 @@ std::optional<Unit> parseProduct(std::string_view product)
             continue;
         }
         const std::optional<Unit> time = unitNamed(factor.name);
-        const bool isTime = time && time->dimension == Dimension::Time && factor.power != 0;
+        const bool isTime = time && time->dimension == Time && factor.power != 0;
         if (isTime && (unit || isDivided || factor.power < 0)) {
-            unit = unit.value_or(Unit{Dimension::Angle, 0, kDegreesPerRadian}); // 1/s is rad/s
+            unit = unit.value_or(Unit{Angle, 0, kDegreesPerRadian}); // 1/s is rad/s
             unit->order += std::abs(factor.power);
-            if (unit->dimension == Dimension::Time || unit->order > kLargestOrder) {
+            if (unit->dimension == Time || unit->order > kLargestOrder) {
                 return std::nullopt;
             }
             unit->factor *= std::pow(time->factor, std::abs(factor.power));
@@ -318,9 +316,9 @@ std::optional<Unit> parseUnit(std::string_view text)
         return std::nullopt;
     }
     const ScaledUnit scaled = splitPower(text);
-    std::optional<Unit> unit = parseProduct(lowered(kUnitSpellings.replacedIn(scaled.unit)));
+    std::optional<Unit> unit = parseProduct(kUnitSpellings.replacedIn(lowered(scaled.unit)));
     if (unit) {
-        unit->factor *= unit->dimension == Dimension::Time ? 1.0 / scaled.power : scaled.power; // units in a second
+        unit->factor *= unit->dimension == Time ? 1.0 / scaled.power : scaled.power; // units in a second
     }
     return unit;
 }

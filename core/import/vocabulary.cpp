@@ -16,39 +16,71 @@ namespace
 
 using Words = std::vector<std::string>;
 
-/// Letters outside ASCII and commands of LaTeX, and their plain spelling. Accents of their own (U+0300 …) follow the
-/// letter.
-const Spellings kLetterSpellings{
-    {"ő", "o"},       {"ű", "u"},       {"ť", "t"},       {"ľ", "l"},       {"ď", "d"},       {"ň", "n"},
-    {"á", "a"},       {"à", "a"},       {"ă", "a"},       {"å", "a"},       {"æ", "ae"},      {"č", "c"},
-    {"ě", "e"},       {"ë", "e"},       {"ğ", "g"},       {"ı", "i"},       {"î", "i"},       {"ï", "i"},
-    {"ř", "r"},       {"š", "s"},       {"ş", "s"},       {"ș", "s"},       {"ţ", "t"},       {"ț", "t"},
-    {"ý", "y"},       {"ů", "u"},       {"û", "u"},       {"ž", "z"},       {"ø", "o"},       {"â", "a"},
-    {"ã", "a"},       {"ä", "a"},       {"ą", "a"},       {"ç", "c"},       {"ć", "c"},       {"é", "e"},
-    {"è", "e"},       {"ê", "e"},       {"ę", "e"},       {"í", "i"},       {"ì", "i"},       {"ó", "o"},
-    {"ò", "o"},       {"ô", "o"},       {"õ", "o"},       {"ö", "o"},       {"ú", "u"},       {"ù", "u"},
-    {"ü", "u"},       {"ñ", "n"},       {"ł", "l"},       {"ś", "s"},       {"ż", "z"},       {"В", "в"},
-    {"К", "к"},       {"О", "о"},       {"П", "п"},       {"С", "с"},       {"У", "у"},       {"Х", "х"},
-    {"Ш", "ш"},       {"А", "а"},       {"Б", "б"},       {"Г", "г"},       {"Д", "д"},       {"Е", "е"},
-    {"Ж", "ж"},       {"З", "з"},       {"И", "и"},       {"Й", "й"},       {"Л", "л"},       {"М", "м"},
-    {"Н", "н"},       {"Р", "р"},       {"Т", "т"},       {"Ф", "ф"},       {"Ц", "ц"},       {"Ч", "ч"},
-    {"Щ", "щ"},       {"Ъ", "ъ"},       {"Ы", "ы"},       {"Ь", "ь"},       {"Э", "э"},       {"Ю", "ю"},
-    {"Я", "я"},       {"Ё", "е"},       {"ё", "е"},       {"İ", "I"},       {"Á", "A"},       {"À", "A"},
-    {"Â", "A"},       {"Ä", "A"},       {"Ã", "A"},       {"Å", "A"},       {"É", "E"},       {"È", "E"},
-    {"Ê", "E"},       {"Í", "I"},       {"Ó", "O"},       {"Ö", "O"},       {"Ô", "O"},       {"Ø", "O"},
-    {"Ú", "U"},       {"Ü", "U"},       {"Ñ", "N"},       {"Ç", "C"},       {"Č", "C"},       {"Ć", "C"},
-    {"Ł", "L"},       {"Ř", "R"},       {"Š", "S"},       {"Ś", "S"},       {"Ş", "S"},       {"Ž", "Z"},
-    {"Ż", "Z"},       {"\u0300", ""},   {"\u0301", ""},   {"\u0303", ""},   {"a\u0308", "a"}, {"o\u0308", "o"},
-    {"u\u0308", "u"}, {"A\u0308", "A"}, {"O\u0308", "O"}, {"U\u0308", "U"}, {"\u0307", "' "}, {"\u0308", "'' "},
-    {"ẋ", "x' "},     {"ẍ", "x'' "},    {"Ẋ", "x' "},     {"Ẍ", "x'' "},    {"ẏ", "y' "},     {"ÿ", "y'' "},
-    {"ṡ", "s' "},     {"ḋ", "d' "},     {"ṙ", "r' "},     {"Ẏ", "y' "},     {"Ṡ", "s' "},     {"Ḋ", "d' "},
-    {"Ṙ", "r' "},     {"′", "'"},       {"’", "'"},       {"´", "'"},       {"″", "''"},      {"θ", "theta"},
-    {"ϑ", "theta"},   {"Θ", "theta"},   {"φ", "phi"},     {"ϕ", "phi"},     {"Φ", "phi"},     {"ψ", "psi"},
-    {"Ψ", "psi"},     {"ω", "omega"},   {"Ω", "omega"},   {"α", "alpha"},   {"β", "beta"},    {"ε", "epsilon"},
-    {"ϵ", "epsilon"}, {"ß", "ss"},      {"ˍtt", "'' "},   {"ˍt", "' "},     {"²", "2"},       {"³", "3"},
-    {"⁴", "4"},       {"ₓ", "x"},       {"ᵦ", "b"},       {"₁", "1"},       {"₂", "2"},       {"₃", "3"},
-    {"₄", "4"},       {"n°", ""},       {"nº", ""},       {"°", ""},        {"aTDC", "atdc"}, {"der(", "dot "},
-    {"\\var", ""},    {"\\,", ""}};
+/// Letters outside ASCII, and their plain spelling: one for all letters of a row, or one for each. Accents of their own
+/// (U+0300 …) follow the letter.
+constexpr auto kLetters =
+    std::to_array<Spelling>({{"áàăåâãäą", "a"},
+                             {"čçć", "c"},
+                             {"ď", "d"},
+                             {"ěëéèêę", "e"},
+                             {"ğ", "g"},
+                             {"ıîïíì", "i"},
+                             {"ľł", "l"},
+                             {"ňñ", "n"},
+                             {"őøóòôõö", "o"},
+                             {"ř", "r"},
+                             {"šşșś", "s"},
+                             {"ťţț", "t"},
+                             {"űůûúùü", "u"},
+                             {"ý", "y"},
+                             {"žż", "z"},
+                             {"ÁÀÂÄÃÅ", "A"},
+                             {"ÇČĆ", "C"},
+                             {"ÉÈÊ", "E"},
+                             {"İÍ", "I"},
+                             {"Ł", "L"},
+                             {"Ñ", "N"},
+                             {"ÓÖÔØ", "O"},
+                             {"Ř", "R"},
+                             {"ŠŚŞ", "S"},
+                             {"ÚÜ", "U"},
+                             {"ŽŻ", "Z"},
+                             {"ЁАБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯё", "еабвгдежзийклмнопрстуфхцчшщъыьэюяе"},
+                             {"ẋẊ", "x' "},
+                             {"ẍẌ", "x'' "},
+                             {"ẏẎ", "y' "},
+                             {"ÿ", "y'' "},
+                             {"ṡṠ", "s' "},
+                             {"ḋḊ", "d' "},
+                             {"ṙṘ", "r' "},
+                             {"′’´", "'"},
+                             {"θϑΘ", "theta"},
+                             {"φϕΦ", "phi"},
+                             {"ψΨ", "psi"},
+                             {"ωΩ", "omega"},
+                             {"α", "alpha"},
+                             {"β", "beta"},
+                             {"εϵ", "epsilon"},
+                             {"₁", "1"},
+                             {"²₂", "2"},
+                             {"³₃", "3"},
+                             {"⁴₄", "4"},
+                             {"ₓ", "x"},
+                             {"ᵦ", "b"},
+                             {"°", ""},
+                             {"\u0300\u0301\u0303", ""}});
+
+/// The letters, and groups of characters and commands of LaTeX, with their plain spelling.
+const Spellings kLetterSpellings = [] {
+    Spellings table{{"ß", "ss"},       {"æ", "ae"},      {"″", "''"},      {"a\u0308", "a"}, {"o\u0308", "o"},
+                    {"u\u0308", "u"},  {"A\u0308", "A"}, {"O\u0308", "O"}, {"U\u0308", "U"}, {"\u0307", "' "},
+                    {"\u0308", "'' "}, {"ˍtt", "'' "},   {"ˍt", "' "},     {"n°", ""},       {"nº", ""},
+                    {"aTDC", "atdc"},  {"der(", "dot "}, {"\\var", ""},    {"\\,", ""}};
+    for (const Spelling &letters : kLetters) {
+        table.addCharacters(letters.from, letters.to);
+    }
+    return table;
+}();
 
 constexpr std::string_view kTimeWords =
     "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd denbora 시간 "
@@ -77,156 +109,153 @@ using enum Dimension;
 using enum Order;
 using enum Body;
 constexpr std::nullopt_t kOpen = std::nullopt;
-constexpr std::array kRows{
-    // Quantities.
-    WordMeaning{Word,
-                "position positions posicion posizione posizioni posicao posicoes posicio positie polozenie lage pos "
-                "displacement disp posn "
-                "displ desloc degistirme despl depl spost versch lvdt encoder transducer "
-                "transductor potentiometer wegaufnehmer laser pot poti sonar ultrasonic dist location "
-                "ubicacion avance avanzamento avanco ascissa abscissa abscisa yol yolu reading lectura "
-                "lecture lettura leitura stellung ablesung desplazamiento deplacement spostamento "
-                "deslocamento desplacament verplaatsing przemieszczenie verschiebung weg auslenkung abscisse "
-                "pose konum pozitie poloha draha droga motion movimiento "
-                "mouvement movimento bewegung beweging 변위 위치 deplasare posisjon forskyvning "
-                "helyzet elmozdulas paikka asema qpos положение перемещение 位置 位移 変位",
-                kOpen, Position},
-    WordMeaning{Word,
-                "coordinate coordenada coordonnee distance distancia distanza abstand strok glissement "
-                "longueur longitud lunghezza comprimento translation traslacion traslazione translacao stroke "
-                "carrera course corsa curso cursa hub travel recorrido slag skok zdvih lopmozgas length hub_h "
-                "координата ход",
-                Length, Position},
-    WordMeaning{Word,
-                "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw "
-                "veloc snelheid predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
-                "velocities predk snelh qvel sebesseg nopeus 속도 скорость 速度",
-                kOpen, Velocity},
-    WordMeaning{Word,
-                "acceleration aceler acceler przysp versn aceleracion accelerazione aceleracao acceleracio "
-                "accelerometer accel acel acc beschleunigung beschl versnelling przyspieszenie zrychleni "
-                "acceleratie ivme ivmesi acceleratia akselerasjon gyorsulas kiihtyvyys qacc 가속도 "
-                "ускорение 加速度",
-                kOpen, Acceleration},
-    WordMeaning{Word,
-                "angle ang angulo angolo rotation rot rotacion rotazione rotacao giro orientation winkel hoek kat "
-                "vinkel uhel unghi aci acisi inclination inclinacion neigung revolutions revolution szog "
-                "kulma uhol 각도 угол 角度 转角",
-                Angle, Position},
-    WordMeaning{Word,
-                "angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe "
-                "katowy uhlova uhlove unghiulara угловая угловое угловой 角",
-                Angle},
-    WordMeaning{Word, "gyroscope gyro giroscopio gyroskop", Angle, Velocity},
-    WordMeaning{Word,
-                "linear lineal lineaire lineare translational trans prismatic prismatico prismatica "
-                "prismatique prismatisch schub",
-                Length},
-    WordMeaning{Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
-    WordMeaning{Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
-    WordMeaning{Word, kTurnsPerMinute, Angle, Velocity, Crank},
-    WordMeaning{Word, kTurnsPerSecond, Angle, Velocity, Crank},
-    // Bodies. A wheel with a pin is a crank.
-    WordMeaning{Word,
-                "crank motor moteur motore shaft welle eccentric excentrica exzenter input antrieb "
-                "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
-                "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
-                "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
-                "kluky klukoveho 크랭크 кривошип 曲柄 曲轴 クランク link_2 glied_2 eslabon_2 barra_2 bar_2 membro_2",
-                kOpen, kOpen, Crank},
-    WordMeaning{Word, "ca cad kw owk kurbelw atdc drehwinkel omega_t w_t", Angle, Position, Crank},
-    WordMeaning{Word,
-                "coupler coup rod conrod connecting biela bielle biella bielei acoplador pleuel pleuelstange koppel "
-                "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
-                "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki kiertokangen шатун "
-                "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3 bar_3",
-                kOpen, kOpen, Coupler},
-    WordMeaning{Word,
-                "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera "
-                "deslizador deslizante corredora corredissa embolo carro carrito cursore cursor pattino "
-                "coulisseau coulissant surgu abtrieb glissiere crosshead block bloque kolben output salida sortie "
-                "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak wodzik крейцкопф uscita saida "
-                "tlok tloka kolv kolven sliden glid gliden piestu smykadla patina "
-                "culisei 슬라이더 피스톤 pist pistu wrist gudgeon ram plunger corsoio corredica pistonului stempel "
-                "stemplets dugattyu manta mannan luisti ariete stossel ползун поршень поршня 滑块 活塞 "
-                "スライダ スライダー ピストン link_4 glied_4 eslabon_4 barra_4 bar_4",
-                kOpen, kOpen, Slider},
-    WordMeaning{Word, "schwenkwinkel obliquity", Angle, Position, Coupler},
-    // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
-    WordMeaning{Symbol, "x", Length, kOpen, kOpen, 'x'},
-    WordMeaning{Symbol, "y", Length, kOpen, kOpen, 'y'},
-    WordMeaning{Symbol, "s d r", Length},
-    WordMeaning{Symbol, "q"}, // a generalized coordinate
-    WordMeaning{Symbol, "v", kOpen, Velocity},
-    WordMeaning{Symbol, "a", kOpen, Acceleration},
-    WordMeaning{Symbol, "theta th teta tita phi fi psi psiz beta", Angle},
-    WordMeaning{Symbol, "omega om w", Angle, Velocity},
-    WordMeaning{Symbol, "alpha alfa al epsilon", Angle, Acceleration},
-    WordMeaning{Symbol, "px", Length, Position, kOpen, 'x'},
-    WordMeaning{Symbol, "py", Length, Position, kOpen, 'y'},
-    WordMeaning{Word, "r_1 r_0", Length, Position}, // the vector of the frame in a vector loop, to the slider
-    WordMeaning{Filler, "o_2 o_4"},                 // the crank pivot of "distance O2B"
-    WordMeaning{Word, "l_4", Length, Position, Slider},
-    // Variables of Modelica and Simscape.
-    WordMeaning{Symbol, ".s .p", Length, Position},
-    WordMeaning{Symbol, ".v", Length, Velocity},
-    WordMeaning{Symbol, ".a", kOpen, Acceleration},
-    WordMeaning{Symbol, ".phi .q", Angle, Position},
-    WordMeaning{Symbol, ".w .w[3] .w_a[3]", Angle, Velocity},
-    WordMeaning{Symbol, ".z[3] .z_a[3]", Angle, Acceleration},
-    WordMeaning{Symbol, ".r_0[1] .r[1] .s[1]", Length, Position, kOpen, 'x'},
-    WordMeaning{Symbol, ".r_0[2] .r[2]", Length, Position, kOpen, 'y'},
-    WordMeaning{Symbol, ".v_0[1] .v[1]", Length, Velocity, kOpen, 'x'},
-    WordMeaning{Symbol, ".a_0[1] .a[1]", Length, Acceleration, kOpen, 'x'},
-    // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
-    WordMeaning{Index, "b c k s", kOpen, kOpen, Slider},
-    WordMeaning{Index, "oa ob oc ao bo co", kOpen, kOpen, Crank},
-    WordMeaning{Index, "ab ba ac ca ap pa bc cb bd db bp pb cd dc cp pc"},
-    // Centres of mass.
-    WordMeaning{.words = "g_2", .body = Crank, .isCentre = true},
-    WordMeaning{Word, "rx_3", Length, Position, Coupler, 'x', true},
-    WordMeaning{Word, "ry_3", Length, Position, Coupler, 'y', true},
-    WordMeaning{.words = "g_3", .body = Coupler, .isCentre = true},
-    WordMeaning{.words = "g_4", .body = Slider, .isCentre = true},
-    WordMeaning{.use = Filler, .words = "centre center centroid midpoint cg cog cm com", .isCentre = true},
-    // Derivatives.
-    WordMeaning{Derivative,
-                "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung "
-                "first_derivative st_derivative st_deriv dt",
-                kOpen, Velocity},
-    WordMeaning{Derivative,
-                "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
-                "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative "
-                "nd_derivative nd_deriv segunda_derivada zweite_ableitung dd pp dtdt dt_2",
-                kOpen, Acceleration},
-    WordMeaning{AmbiguousLetter, "d p point", kOpen, Velocity},
-    WordMeaning{Filler,
-                "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
-                "component comp field out act actual instantaneous relative measured z open crossed o pin obrotu "
-                "поворота повороту"},
-    WordMeaning{OtherQuantity,
-                "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
-                "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
-                "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint cmd "
-                "current corriente courant corrente strom "
-                "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
-                "сила 力 torque par couple coppia moment momento drehmoment pressure presion pression "
-                "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
-                "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
-                "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
-                "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
-                "drift backlash holgura level count limit tilt cycle ciclo zyklus percent percentage pct porcentaje "
-                "prozent pourcentage percentuale fraction"},
-    WordMeaning{Label,
-                "body part joint link barra eslabon pin gelenk point punkt punto node marker of de del von du di do"},
-};
+constexpr auto kRows = std::to_array<WordMeaning>(
+    {// Quantities.
+     {Word,
+      "position positions posicion posizione posizioni posicao posicoes posicio positie polozenie lage pos "
+      "displacement disp posn "
+      "displ desloc degistirme despl depl spost versch lvdt encoder transducer "
+      "transductor potentiometer wegaufnehmer laser pot poti sonar ultrasonic dist location "
+      "ubicacion avance avanzamento avanco ascissa abscissa abscisa yol yolu reading lectura "
+      "lecture lettura leitura stellung ablesung desplazamiento deplacement spostamento "
+      "deslocamento desplacament verplaatsing przemieszczenie verschiebung weg auslenkung abscisse "
+      "pose konum pozitie poloha draha droga motion movimiento "
+      "mouvement movimento bewegung beweging 변위 위치 deplasare posisjon forskyvning "
+      "helyzet elmozdulas paikka asema qpos положение перемещение 位置 位移 変位",
+      kOpen, Position},
+     {Word,
+      "coordinate coordenada coordonnee distance distancia distanza abstand strok glissement "
+      "longueur longitud lunghezza comprimento translation traslacion traslazione translacao stroke "
+      "carrera course corsa curso cursa hub travel recorrido slag skok zdvih lopmozgas length hub_h "
+      "координата ход",
+      Length, Position},
+     {Word,
+      "velocity velocidad velocita velocidade velocitat vitesse speed vel geschwindigkeit geschw "
+      "veloc snelheid predkosc rapidez hastighet hastighed rychlost viteza hiz hizi rate twist "
+      "velocities predk snelh qvel sebesseg nopeus 속도 скорость 速度",
+      kOpen, Velocity},
+     {Word,
+      "acceleration aceler acceler przysp versn aceleracion accelerazione aceleracao acceleracio "
+      "accelerometer accel acel acc beschleunigung beschl versnelling przyspieszenie zrychleni "
+      "acceleratie ivme ivmesi acceleratia akselerasjon gyorsulas kiihtyvyys qacc 가속도 "
+      "ускорение 加速度",
+      kOpen, Acceleration},
+     {Word,
+      "angle ang angulo angolo rotation rot rotacion rotazione rotacao giro orientation winkel hoek kat "
+      "vinkel uhel unghi drehwinkel aci acisi inclination inclinacion neigung revolutions revolution szog "
+      "kulma uhol 각도 угол 角度 转角",
+      Angle, Position},
+     {Word,
+      "angular angulaire angolare rotational rotary hoeksnelheid revolute rz katowa katowe "
+      "katowy uhlova uhlove unghiulara угловая угловое угловой 角",
+      Angle},
+     {Word, "gyroscope gyro giroscopio gyroskop", Angle, Velocity},
+     {Word,
+      "linear lineal lineaire lineare translational trans prismatic prismatico prismatica "
+      "prismatique prismatisch schub",
+      Length},
+     {Word, "horizontal horizontale tx", Length, kOpen, kOpen, 'x'},
+     {Word, "vertical verticale ty", Length, kOpen, kOpen, 'y'},
+     {Word, kTurnsPerMinute, Angle, Velocity, Crank},
+     {Word, kTurnsPerSecond, Angle, Velocity, Crank},
+     // Bodies. A wheel with a pin is a crank.
+     {Word,
+      "crank motor moteur motore shaft welle eccentric excentrica exzenter input entrada entree antrieb "
+      "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
+      "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
+      "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
+      "kluky klukoveho 크랭크 кривошип 曲柄 曲轴 クランク link_2 glied_2 eslabon_2 barra_2 bar_2 membro_2",
+      kOpen, kOpen, Crank},
+     {Word, "ca cad kw owk kurbelw atdc omega_t w_t", Angle, Position, Crank},
+     {Word,
+      "coupler coup rod conrod connecting biela bielle biella bielei acoplador pleuel pleuelstange koppel "
+      "schubstange drijfstang koppelstang plejlstang rade radens korbowod lacznik "
+      "vevstake ojnice biyel hajtorud hajtokar 커넥팅로드 kiertokanki kiertokangen шатун "
+      "連接棒 连杆 コンロッド link_3 glied_3 eslabon_3 barra_3 bar_3",
+      kOpen, kOpen, Coupler},
+     {Word,
+      "slider slide kizak kizagi stantuffo cart piston pistone pistao pisto corredera deslizadera "
+      "deslizador deslizante corredora corredissa embolo carro carrito cursore cursor pattino "
+      "coulisseau coulissant surgu abtrieb glissiere crosshead block bloque kolben output salida sortie "
+      "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak wodzik крейцкопф uscita saida "
+      "tlok tloka kolv kolven sliden glid gliden piestu smykadla patina "
+      "culisei 슬라이더 피스톤 pist pistu wrist gudgeon ram plunger corsoio corredica pistonului stempel "
+      "stemplets dugattyu manta mannan luisti ariete stossel ползун поршень поршня 滑块 活塞 "
+      "スライダ スライダー ピストン link_4 glied_4 eslabon_4 barra_4 bar_4",
+      kOpen, kOpen, Slider},
+     {Word, "schwenkwinkel obliquity", Angle, Position, Coupler},
+     // Symbols of textbooks. The order of x and θ is that of the unit, or that of a position.
+     {Symbol, "x", Length, kOpen, kOpen, 'x'},
+     {Symbol, "y", Length, kOpen, kOpen, 'y'},
+     {Symbol, "s d r", Length},
+     {Symbol, "q"}, // a generalized coordinate
+     {Symbol, "v", kOpen, Velocity},
+     {Symbol, "a", kOpen, Acceleration},
+     {Symbol, "theta th teta tita phi fi psi psiz beta", Angle},
+     {Symbol, "omega om w", Angle, Velocity},
+     {Symbol, "alpha alfa al epsilon", Angle, Acceleration},
+     {Symbol, "px", Length, Position, kOpen, 'x'},
+     {Symbol, "py", Length, Position, kOpen, 'y'},
+     {Symbol, "r_1 r_0", Length, Position}, // the vector of the frame in a vector loop, to the slider
+     {Filler, "o_2 o_4"},                   // the crank pivot of "distance O2B"
+     {Word, "l_4", Length, Position, Slider},
+     // Variables of Modelica and Simscape.
+     {Symbol, ".s .p", Length, Position},
+     {Symbol, ".v", Length, Velocity},
+     {Symbol, ".a", kOpen, Acceleration},
+     {Symbol, ".phi .q", Angle, Position},
+     {Symbol, ".w .w[3] .w_a[3]", Angle, Velocity},
+     {Symbol, ".z[3] .z_a[3]", Angle, Acceleration},
+     {Symbol, ".r_0[1] .r[1] .s[1]", Length, Position, kOpen, 'x'},
+     {Symbol, ".r_0[2] .r[2]", Length, Position, kOpen, 'y'},
+     {Symbol, ".v_0[1] .v[1]", Length, Velocity, kOpen, 'x'},
+     {Symbol, ".a_0[1] .a[1]", Length, Acceleration, kOpen, 'x'},
+     // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
+     {Index, "b c k s", kOpen, kOpen, Slider},
+     {Index, "oa ob oc ao bo co", kOpen, kOpen, Crank},
+     {Index, "ab ba ac ca ap pa bc cb bd db bp pb cd dc cp pc"},
+     // Centres of mass.
+     {.words = "g_2", .body = Crank, .isCentre = true},
+     {Word, "rx_3", Length, Position, Coupler, 'x', true},
+     {Word, "ry_3", Length, Position, Coupler, 'y', true},
+     {.words = "g_3", .body = Coupler, .isCentre = true},
+     {.words = "g_4", .body = Slider, .isCentre = true},
+     {.use = Filler, .words = "centre center centroid midpoint cg cog cm com", .isCentre = true},
+     // Derivatives.
+     {Derivative,
+      "' dot diff prime punto punkt ponto punt kropka derivative derivada deriv ableitung "
+      "first_derivative st_derivative st_deriv dt",
+      kOpen, Velocity},
+     {Derivative,
+      "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
+      "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative "
+      "nd_derivative nd_deriv segunda_derivada zweite_ableitung dd pp dtdt dt_2",
+      kOpen, Acceleration},
+     {AmbiguousLetter, "d p point", kOpen, Velocity},
+     {Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
+              "component comp field out act actual instantaneous relative measured z open crossed o pin obrotu "
+              "поворота повороту"},
+     {OtherQuantity,
+      "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
+      "abweichung scarto ecart desvio odchylka uncertainty incertidumbre incertitude incertezza "
+      "unsicherheit std stdev sd sigma variance residual tolerance difference desired target setpoint cmd "
+      "current corriente courant corrente strom "
+      "ref reference soll sollwert consigna consigne force fuerza forza forca kraft kracht sila kuvvet "
+      "сила 力 torque par couple coppia moment momento drehmoment pressure presion pression "
+      "pressione pressao druck cisnienie power energy work transmission transmision trasmissione "
+      "transmissao ubertragungswinkel przeniesienia ratio jerk cam camshaft nocken valve ventil valvula "
+      "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
+      "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
+      "drift backlash holgura level count limit tilt cycle ciclo zyklus percent percentage pct porcentaje "
+      "prozent pourcentage percentuale fraction"},
+     {Label, "body part joint link barra eslabon pin gelenk point punkt punto node marker of de del von du di do"}});
 
 } // namespace vocabulary
 
 /// Returns whether a byte is a letter of ASCII or a part of a character outside ASCII, which counts as a letter.
 bool isLetter(char c)
 {
-    return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || static_cast<unsigned char>(c) >= 0x80;
+    return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || byteOf(c) >= 0x80;
 }
 
 /// Returns whether one of the words is in the list, and the others are in it, among the companions, or numbers.
@@ -282,6 +311,11 @@ Words wordsOf(std::string_view name)
     return words;
 }
 
+std::string pairAt(const Words &words, std::size_t at)
+{
+    return at + 1 < words.size() ? words[at] + '_' + words[at + 1] : std::string();
+}
+
 bool isDigits(std::string_view word)
 {
     return !word.empty() && std::ranges::all_of(word, isDigit);
@@ -301,11 +335,10 @@ bool isTimeOfDay(const Words &words)
 std::string_view unitOfRotation(const Words &words)
 {
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string two = i + 1 < words.size() ? words[i] + '_' + words[i + 1] : words[i];
         if (isAmong(words[i], kTurnsPerMinute)) {
             return "rpm";
         }
-        if (isAmong(words[i], kTurnsPerSecond) || isAmong(two, kTurnsPerSecond)) {
+        if (isAmong(words[i], kTurnsPerSecond) || isAmong(pairAt(words, i), kTurnsPerSecond)) {
             return "rps";
         }
     }
@@ -329,9 +362,18 @@ bool isRowNumber(const Words &words)
            (!words.empty() && areAmong(words, kRowNumbers, kRowNumberCompanions) && !isDigits(words.back()));
 }
 
-bool namesOtherQuantity(const Words &words)
+bool namesOtherQuantity(std::string_view word)
 {
-    return std::ranges::any_of(words, [](const std::string &word) { return findWord(word, WordUse::OtherQuantity); });
+    constexpr std::size_t kShortestPart = 4; // bytes
+    constexpr std::size_t kShortestStem = 5; // bytes: "blad" is an error in Polish, but not the stem of "blade"
+    constexpr std::size_t kLongestEnding = 2;
+    bool isOther = findWord(word, WordUse::OtherQuantity);
+    for (std::size_t rest = 1; rest + kShortestPart <= word.size(); ++rest) {
+        const bool isPart = rest > kLongestEnding || word.size() - rest >= kShortestStem;
+        isOther = isOther || (isPart && (findWord(word.substr(rest), WordUse::OtherQuantity) ||
+                                         findWord(word.substr(0, word.size() - rest), WordUse::OtherQuantity)));
+    }
+    return isOther;
 }
 
 bool namesQuantity(const Words &words)

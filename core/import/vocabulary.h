@@ -49,6 +49,9 @@ const WordMeaning *findWord(std::string_view word, WordUse use);
 /// after a small one begins a word: "SliderPosition". Dots above a letter become primes: "ẍ" is x, ', '.
 std::vector<std::string> wordsOf(std::string_view name);
 
+/// Returns the word at a place joined to the next one, as in "double_dot"; the last word has none.
+std::string pairAt(const std::vector<std::string> &words, std::size_t at);
+
 bool isDigits(std::string_view word);
 
 /// Returns whether the words name the time, as in "Elapsed time" or "sim_time".
@@ -70,8 +73,8 @@ bool namesStatistic(const std::vector<std::string> &words);
 /// Returns whether the words name the number of a row.
 bool isRowNumber(const std::vector<std::string> &words);
 
-/// Returns whether one of the words is that of a quantity which is no channel: "error", "force", "percent".
-bool namesOtherQuantity(const std::vector<std::string> &words);
+/// Returns whether a word says that the name is of a quantity that is no channel: "error", "force", "Messabweichung".
+bool namesOtherQuantity(std::string_view word);
 
 /// Returns whether a word names the quantity or its axis, and not only the body.
 bool namesQuantity(const std::vector<std::string> &words);
