@@ -84,6 +84,7 @@ struct FileColumn {
     ColumnReason reason = ColumnReason::UnknownName;
     std::optional<Difference> difference{}; ///< how a column of derivatives was computed; nullopt: exactly, or unknown
     std::size_t file = 0;                   ///< index in FileLayout::files
+    bool isInRadiansByValues = false;       ///< an angle, or its derivative, without a printed unit
 };
 
 /// The layout of a file. If several files are joined, their columns follow each other, and the rest describes the first

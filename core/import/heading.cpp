@@ -515,17 +515,6 @@ void recognizeTextbook(std::span<Heading> row)
     }
 }
 
-/// Returns what turns the unit of a position into that of its derivative: "/s" makes "mm/s" of "mm".
-std::string_view derivativeSuffix(Order order)
-{
-    switch (order) {
-    case Order::Position: break;
-    case Order::Velocity: return "/s";
-    case Order::Acceleration: return "/s2";
-    }
-    return "";
-}
-
 /// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Paths of some programs imply
 /// m, rad and s; "rpm" and the like are units themselves; ω and α are in rad/s and rad/s²; and another derivative is in
 /// the unit of its position.
@@ -628,6 +617,16 @@ Heading parseHeading(std::string_view cell)
     const bool isInLineOfUnits = alone && text.find('/') != text.npos; // "mm/s"
     heading.meaning = isInLineOfUnits ? NameMeaning() : meaningOf(heading.name, heading.use.unit);
     return heading;
+}
+
+std::string_view derivativeSuffix(Order order)
+{
+    switch (order) {
+    case Order::Position: break;
+    case Order::Velocity: return "/s";
+    case Order::Acceleration: return "/s2";
+    }
+    return "";
 }
 
 bool beginsWithSymbol(const Heading &heading)

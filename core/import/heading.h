@@ -36,6 +36,9 @@ struct Heading {
 /// underscore, or as a word that begins with a capital letter. Without brackets it must suit the name.
 Heading parseHeading(std::string_view cell);
 
+/// Returns what turns the unit of a position into that of its derivative: "/s" makes "mm/s" of "mm".
+std::string_view derivativeSuffix(Order order);
+
 /// Returns whether the name begins with a symbol, as "x_B", "θ₂" and "t" do.
 bool beginsWithSymbol(const Heading &heading);
 

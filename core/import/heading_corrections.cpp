@@ -2,9 +2,13 @@
 #include "core/import/heading_corrections.h"
 
 #include "core/import/column_values.h"
+#include "core/import/crank_angles.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace slidercrank
@@ -102,10 +106,84 @@ void renumberLinks(std::span<RawColumn> columns)
     }
 }
 
+/// Returns whether a column is an angle, or its derivative, without a stated unit.
+bool isAngleWithoutUnit(const RawColumn &column)
+{
+    const bool isUnitChosen = column.choice && !column.choice->unit.empty();
+    return column.isUndecided() && column.meaning.kind >= Kind::Quantity && column.use.unit.empty() && !isUnitChosen &&
+           isAngle(column.meaning.channel.coordinate);
+}
+
+/// Returns whether a column ends about where it began, as everything does in a mechanism after a turn of the crank.
+bool returnsToStart(const RawColumn &column)
+{
+    const std::vector<double> values = column.finiteValues();
+    double largestChange = 0.0; // from row to row
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        largestChange = std::max(largestChange, std::abs(values[i] - values[i - 1]));
+    }
+    return largestChange > 0.0 && std::abs(values.back() - values.front()) <= largestChange;
+}
+
+/// Returns whether the values of an angle, which turns in one direction, are those of radians, and not of degrees. They
+/// jump by 2π, or span some half turns, or stop less than a step before 2π while other columns return to their start:
+///
+///     0, 0.2618, … 6.0214, 0      0, 0.2618, … 6.2832      0, 0.1, … 6.2
+bool turnsInRadians(const RawColumn &column, std::span<const RawColumn> columns)
+{
+    constexpr std::size_t kFewestValues = 5;
+    constexpr double kTurn = 2.0 * std::numbers::pi;
+    constexpr double kMaxWidth = 4.1 * kTurn; // angles in degrees span more
+    constexpr double kLargestRounding = 0.01; // with fewer decimals, many widths look like multiples of π
+    std::vector<double> values = column.finiteValues();
+    const double width = rangeOf(values).width();
+    if (values.size() < kFewestValues || width > kMaxWidth) {
+        return false;
+    }
+    const double rounding = column.rounding.infer(column.factor, true).finestStep();
+    const double step = width / static_cast<double>(values.size() - 1);
+    const bool isLimited = findReversal(values) && width <= kTurn + rounding && removeJumps(values, kTurn);
+    if (findReversal(values)) {
+        return false;
+    }
+    const double rest = std::remainder(width, 0.5 * kTurn);
+    const bool spansHalfTurns = width > kLargestRounding && rounding <= kLargestRounding && std::abs(rest) <= rounding;
+    const bool isNearlyTurn = width < kTurn && width + step > kTurn;
+    const auto isOtherBackAtStart = [&column](const RawColumn &other) {
+        return &other != &column && other.meaning.kind >= Kind::Quantity && returnsToStart(other);
+    };
+    return isLimited || spansHalfTurns || (isNearlyTurn && std::ranges::any_of(columns, isOtherBackAtStart));
+}
+
+/// Returns whether an angle may be in radians beside one that is: it does not span more than a turn.
+bool mayBeInRadians(const RawColumn &column)
+{
+    return column.meaning.channel.order != Order::Position || rangeOf(column.values).width() <= 2.0 * std::numbers::pi;
+}
+
+/// Reads angles without a unit in radians if the values of one of them are those of radians.
+void recognizeRadians(std::span<RawColumn> columns)
+{
+    const auto isEvidence = [columns](const RawColumn &column) {
+        return isAngleWithoutUnit(column) && column.meaning.channel.order == Order::Position &&
+               turnsInRadians(column, columns);
+    };
+    if (std::ranges::none_of(columns, isEvidence)) {
+        return;
+    }
+    for (RawColumn &column : columns) {
+        if (isAngleWithoutUnit(column) && (mayBeInRadians(column) || isEvidence(column))) {
+            column.use.unit = "rad" + std::string(derivativeSuffix(column.meaning.channel.order));
+            column.use.isInRadiansByValues = true;
+        }
+    }
+}
+
 } // namespace
 
 void correctMeanings(RawTable &table)
 {
+    recognizeRadians(table.columns);
     moveToY(table.columns);
     decideAlpha(table.columns);
     renumberLinks(table.columns);

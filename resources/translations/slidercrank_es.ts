@@ -490,6 +490,10 @@
         <translation>Las longitudes no tienen unidad y se leen en mm. Si son pulgadas, añada %1</translation>
     </message>
     <message>
+        <source>The angles have no unit and are read in radians, as their values suggest. If they are degrees, add %1</source>
+        <translation>Los ángulos no tienen unidad y se leen en radianes, como indican sus valores. Si son grados, añada %1</translation>
+    </message>
+    <message>
         <source>If this is the speed of the crank in rad/s, add %1; in turns per second, add %2</source>
         <translation>Si es la velocidad de la manivela en rad/s, añada %1; en revoluciones por segundo, añada %2</translation>
     </message>

@@ -111,6 +111,28 @@ QStringList hintsOfLengths(const ReferenceData &data)
     return {text.arg(optionText(choices))};
 }
 
+/// Says that angles without a unit are read in radians because of their values, and the option for degrees.
+QStringList hintsOfRadians(const FileLayout &layout)
+{
+    std::vector<ColumnChoice> choices;
+    for (const FileColumn &column : layout.columns) {
+        if (column.isInRadiansByValues && column.role != ColumnRole::Ignored) {
+            const bool isCrank = column.role == ColumnRole::CrankAngle;
+            const Channel channel = isCrank ? Channel{Theta2, Order::Position} : column.channel;
+            choices.push_back({.role = column.role,
+                               .channel = channel,
+                               .unit = std::string(fileUnit(channel)),
+                               .heading = column.heading});
+        }
+    }
+    if (choices.empty()) {
+        return {};
+    }
+    return {ColumnText::tr("The angles have no unit and are read in radians, as their values suggest. If they are "
+                           "degrees, add %1")
+                .arg(optionText(choices))};
+}
+
 /// Names the options for speeds in 1/s or Hz that may be in rad/s or in turns per second.
 QStringList hintsOfRates(const FileLayout &layout)
 {
@@ -201,7 +223,7 @@ QStringList doubtTexts(const ReferenceData &data)
 
 QStringList optionHints(const ReferenceData &data)
 {
-    return hintsOfLengths(data) + hintsOfRates(data.layout);
+    return hintsOfLengths(data) + hintsOfRadians(data.layout) + hintsOfRates(data.layout);
 }
 
 QString meaningText(const FileColumn &column)

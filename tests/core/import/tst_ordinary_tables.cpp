@@ -327,6 +327,42 @@ private slots:
         QCOMPARE(std::get<ReferenceData>(inUnit).crank->degrees.back(), 180.0);
     }
 
+    /// Without a unit, values from 0 to 2π are radians, and so are the other angles without one.
+    void recognizesRadians()
+    {
+        const auto table = [](const char *headings, double first, double step, int rows) {
+            QByteArray text = headings;
+            for (int i = 0; i < rows; ++i) {
+                const double angle = first + i * step;
+                const double limited = angle > 6.2832 && rows > 40 ? angle - 2.0 * std::numbers::pi : angle;
+                const double sine = (15.0 - 40.0 * std::sin(angle)) / 120.0; // of θ3
+                const double x = 40.0 * std::cos(angle) + 120.0 * std::sqrt(1.0 - sine * sine);
+                text += '\n' + QByteArray::number(limited, 'f', 4) + ',' + QByteArray::number(std::asin(sine), 'f', 6) +
+                        ',' + QByteArray::number(x, 'f', 4);
+            }
+            return read(text);
+        };
+        constexpr double kPi = std::numbers::pi;
+        for (const Outcome &outcome : {table("θ2,θ3,x", 0.0, kPi / 12.0, 25), table("θ2,θ3,x", -kPi, kPi / 18.0, 37),
+                                       table("θ2,θ3,x", 0.0, kPi / 12.0, 13), table("θ2,θ3,x", 0.0, 0.1, 63),
+                                       table("θ2,θ3,x", 0.0, kPi / 12.0, 48)}) {
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->crank, described(outcome).c_str());
+            QVERIFY(rangeOf(data->crank->degrees).width() > 179.9);
+            QVERIFY(std::abs(data->find({Theta3, Order::Position})->values.front() - 7.18) < 0.01); // asin(15 / 120)
+            QVERIFY(data->layout.columns[1].isInRadiansByValues);
+        }
+        for (const Outcome &outcome : {table("θ2 (deg),θ3,x", 0.0, kPi / 12.0, 25), table("θ2,θ3,x", 0.0, 0.1, 40),
+                                       table("θ2,θ3,x", 0.0, 0.5, 30)}) {
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->crank && data->crank->degrees.back() < 20.0, described(outcome).c_str());
+            QVERIFY(!data->layout.columns[0].isInRadiansByValues);
+        }
+        const Outcome degrees =
+            read("θ2,x\n0,160\n1.57,159.9\n3.14,159.7\n4.71,159.5\n6.27,159.1\n7.85,158\n9.4,157\n");
+        QVERIFY(std::get<ReferenceData>(degrees).crank->degrees.back() < 10.0);
+    }
+
     /// A file is not read from the few rows that are left of it.
     void refusesAFileOfMostlyUnreadableRows()
     {
