@@ -17,15 +17,17 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::string_view kGaps = "nan -nan na n/a n.a. null none - -- --- | #n/a #nv #div/0! #num! #value! #wert! "
-                                   "#ref! #bezug! 1.#qnan -1.#ind 1.#ind 1.#ind00 -1.#ind00";
+constexpr std::string_view kGaps =
+    "nan -nan na n/a n.a. null none - -- --- – — | #n/a #nv #div/0! #num! #value! #wert! "
+    "#ref! #bezug! 1.#qnan -1.#ind 1.#ind 1.#ind00 -1.#ind00";
 
 constexpr char kApostrophe = '\'';
 
 /// Minus signs, powers of ten, the characters that only separate thousands, and the marks of formulas in LaTeX.
-const Spellings kNumberSpellings{{"\u2212", "-"}, {"\u2019", "'"}, {" ", "'"},  {"\u00A0", "'"}, {"\u2009", "'"},
-                                 {"\u202F", "'"}, {"D", "e"},      {"d", "e"},  {"×10", "e"},    {"·10", "e"},
-                                 {"⋅10", "e"},    {"*10^", "e"},   {"*^", "e"}, {"$", ""}};
+const Spellings kNumberSpellings{{"\u2212", "-"}, {"\u2010", "-"}, {"\u2011", "-"}, {"\u2013", "-"}, {"\u2019", "'"},
+                                 {" ", "'"},      {"\u00A0", "'"}, {"\u2009", "'"}, {"\u202F", "'"}, {"D", "e"},
+                                 {"d", "e"},      {"×10", "e"},    {"·10", "e"},    {"⋅10", "e"},    {"*10^", "e"},
+                                 {"*^", "e"},     {"$", ""}};
 
 /// The exponent of a power of ten.
 const Spellings kExponentSpellings{{"^", ""},  {"⁻", "-"}, {"⁺", "+"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
@@ -163,12 +165,51 @@ std::optional<double> multipleOfPi(std::string_view text)
     return (isNegative ? -1.0 : 1.0) * factor.value * std::numbers::pi / divisor.value;
 }
 
-/// Returns the digits of a number that was not printed: as many as a double has.
+/// Returns the place of the first digit of a number.
+int firstPlaceOf(double value)
+{
+    return value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
+}
+
 PrintedPlaces placesOfDouble(double value)
+/// Returns the digits of a number that was not printed: as many as a double has.
 {
     constexpr int kDigits = 17;
-    const int first = value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
-    return {value == 0.0, first, first - kDigits + 1, first - kDigits + 1};
+    const int last = firstPlaceOf(value) - kDigits + 1;
+    return {value == 0.0, firstPlaceOf(value), last, last};
+}
+
+/// Parses an angle in degrees, minutes and seconds: 45°30'15", 45° 30.25', -3°07′. The minutes may be missing, as in
+/// the "45°" of a column in which other angles have them.
+CellNumber parseMinutes(std::string_view text)
+{
+    static const Spellings kMarks{{"°", ":"}, {"º", ":"}, {"''", ""}, {"\"", ""}, {"″", ""},  {"”", ""},
+                                  {"'", ":"}, {"′", ":"}, {"’", ":"}, {" ", ""},  {"–", "-"}, {"\u2212", "-"}};
+    constexpr double kPerUnit = 60.0; // minutes per degree, seconds per minute
+    constexpr int kMaxParts = 3;
+    const CellNumber none{.fault = RowFault::NotANumber};
+    if (text.find("°") == text.npos && text.find("º") == text.npos) {
+        return none;
+    }
+    const std::string plain = kMarks.replacedIn(text);
+    const bool isNegative = plain.starts_with('-');
+    std::string_view rest = std::string_view(plain).substr(isNegative ? 1 : 0);
+    double degrees = 0.0;
+    double unit = kPerUnit; // of a part, in degrees
+    double step = 1.0;      // of the last printed digit, in degrees
+    for (int part = 0; !rest.empty(); ++part) {
+        const CellNumber number = parsePlain(takeUntil(':', rest));
+        unit /= kPerUnit;
+        if (number.fault || number.value < 0.0 || (part > 0 && number.value > kPerUnit) || part == kMaxParts) {
+            return none;
+        }
+        degrees += unit * number.value;
+        step = unit * powerOfTen(number.places.printed);
+    }
+    const int place = static_cast<int>(std::ceil(std::log10(step))); // a minute is rounded to 0.1°
+    return {.value = isNegative ? -degrees : degrees,
+            .places = {degrees == 0.0, firstPlaceOf(degrees), place, place},
+            .unit = "deg"};
 }
 
 /// Returns where the quotation mark at `opening` is closed, or the end of the text. Two marks are one in the quotation.
@@ -294,7 +335,10 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
         return parseNumber(inner, DecimalSign::Point);
     }
     if (const std::optional<double> multiple = multipleOfPi(text)) {
-        return {.value = *multiple, .places = placesOfDouble(*multiple), .isInRadians = true};
+        return {.value = *multiple, .places = placesOfDouble(*multiple), .unit = "rad"};
+    }
+    if (const CellNumber angle = parseMinutes(text); !angle.fault) {
+        return angle;
     }
     if (const std::size_t end = text.find("±"); end != 0 && end != text.npos) {
         return parseNumber(trimmed(text.substr(0, end)), DecimalSign::Point);
@@ -332,7 +376,7 @@ bool looksNumeric(std::string_view text)
     const std::string plain = withPlainSpelling(withoutMarkup(text));
     const bool areDigits = std::ranges::any_of(plain, isDigit) && !plain.starts_with('e') &&
                            plain.find_first_not_of("0123456789+-.,eE'") == plain.npos;
-    return areDigits || multipleOfPi(text);
+    return areDigits || multipleOfPi(text) || !parseMinutes(text).fault;
 }
 
 NumberWithUnit splitUnit(std::string_view text)

@@ -63,13 +63,14 @@ struct CellNumber {
     double value = kNone; ///< NaN for a gap or a fault
     PrintedPlaces places{};
     std::optional<RowFault> fault{};
-    bool isInRadians = false; ///< a multiple of π
+    std::string_view unit{}; ///< that the spelling of the number implies: "rad" of "π/6", "deg" of "45°30'"; else empty
 };
 
-/// Parses a number. An empty cell, "nan" and "NA" are gaps. Accepts U+2212 as minus sign, Fortran's exponent
+/// Parses a number. An empty cell, "nan" and "NA" are gaps. Accepts U+2212 and dashes as minus sign, Fortran's exponent
 /// ("1.5D+03") and thousands separators: spaces and apostrophes, and the other decimal sign where it is unambiguous
 /// ("1.234,56" and "1.234.567", but not "1.234", in a file with decimal commas). "- 1.5" and "(1.5)" are -1.5,
-/// "1.5 ± 0.1" is 1.5, ="1.5" of spreadsheets and \num{1.5} of LaTeX, too, and "π/6" is a number of radians.
+/// "1.5 ± 0.1" is 1.5, ="1.5" of spreadsheets and \num{1.5} of LaTeX, too. "π/6" is a number of radians, and
+/// 45°30'15" one of degrees.
 CellNumber parseNumber(std::string_view text, DecimalSign decimalSign);
 
 /// Parses the time of a clock, "12:34:56.789" or "05:06.7", with or without a date before it and a time zone after it:

@@ -160,13 +160,27 @@ std::string_view withoutTimeOfReceipt(std::string_view line)
     return isTime && before.size() < line.size() ? line.substr(line.find(kArrow) + kArrow.size()) : line;
 }
 
-/// Returns where the first line ends. Line ends in a quoted heading, as spreadsheets write them, belong to the line.
-std::size_t findLineEnd(std::string_view text)
+/// Returns whether a quotation that begins with a cell of the line is not closed there. Other marks are the signs of
+/// inches or of seconds of arc.
+bool endsInQuotation(std::string_view line)
+{
+    bool isOpen = false;
+    bool mayOpen = true; // at the beginning of a cell, or behind a mark, which it doubles
+    for (const char c : line) {
+        const bool isMark = c == '"';
+        isOpen = isMark ? !isOpen && mayOpen : isOpen;
+        mayOpen = isMark || kDelimiters.find(c) != kDelimiters.npos || (mayOpen && isBlank(c));
+    }
+    return isOpen;
+}
+
 {
     constexpr std::size_t kLongestRest = 200; // bytes of a heading behind a line end
+/// Returns where the first line ends. Line ends in a quoted heading, as spreadsheets write them, belong to the line.
+std::size_t findLineEnd(std::string_view text)
     const std::size_t first = std::min(text.find('\n'), text.size());
     std::size_t end = first;
-    while (std::ranges::count(text.substr(0, end), '"') % 2 == 1) {
+    while (endsInQuotation(text.substr(0, end))) {
         const std::size_t closing = text.substr(0, end + kLongestRest).find('"', end);
         if (closing == text.npos) {
             return first;

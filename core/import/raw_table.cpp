@@ -19,7 +19,8 @@ namespace
 constexpr double kUnreadable = kInfinity;
 constexpr std::size_t kFewestCells = 2; // in a row that is read
 
-/// Parses a cell of a column. A multiple of π is no number if the unit of the column is not rad.
+/// Parses a cell of a column. A number whose spelling implies a unit, such as a multiple of π, is none if the column
+/// has a different one.
 CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign decimalSign)
 {
     if (const std::string_view label = column.cells.label; cell.starts_with(label)) {
@@ -30,7 +31,7 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
         cell = trimmed(cell.substr(0, cell.size() - unit.size()));
     }
     CellNumber number = column.cells.isClock ? parseClock(cell) : parseNumber(cell, decimalSign);
-    if (number.isInRadians && !column.use.unit.empty() && parseUnit(column.use.unit) != parseUnit("rad")) {
+    if (!number.unit.empty() && !column.use.unit.empty() && parseUnit(column.use.unit) != parseUnit(number.unit)) {
         number = {.fault = RowFault::NotANumber};
     }
     return number;
@@ -55,8 +56,8 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
         if (number.value == column.cells.missing) {
             number = {};
         }
-        if (number.isInRadians) {
-            column.use.unit = "rad"; // it had this unit or none
+        if (!number.unit.empty()) {
+            column.use.unit = number.unit; // it had this unit or none
         }
         column.values[row] = number.fault ? kUnreadable : number.value;
         if (!std::isnan(number.value)) {

@@ -153,6 +153,9 @@ const std::vector<Layout> kLayouts{
     {"\xC2\xD0\xC5\xCC\xDF;\xCF\xCE\xCB\xCE\xC6\xC5\xCD\xC8\xC5 \xCF\xCE\xCB\xC7\xD3\xCD\xC0\n"
      "0;85\n1;84\n2;80\n",
      "time R4_x"}, // Windows-1251 in capital letters
+    // Minus signs of word processors, and the sign of inches, which opens no quotation.
+    {"t,x,v\n–1,85,0\n0,84,‑1\n1,80,‐2\n", "time R4_x R4_x_diff"},
+    {"t;Stroke (mm);Bore 5\"\n0;85;1\n1;84;1\n2;80;1\n", "time R4_x -"},
     // Each column is described in a line.
     {"# Column 1: t [s]\n# Column 2: slider position [mm]\n# Column 3: slider velocity [mm/s]\n0 85 1\n1 84 2\n2 80 "
      "3\n",
@@ -361,6 +364,24 @@ private slots:
         const Outcome degrees =
             read("θ2,x\n0,160\n1.57,159.9\n3.14,159.7\n4.71,159.5\n6.27,159.1\n7.85,158\n9.4,157\n");
         QVERIFY(std::get<ReferenceData>(degrees).crank->degrees.back() < 10.0);
+    }
+
+    /// Drawings and old tables have angles in degrees, minutes and seconds.
+    void readsMinutesAndSeconds()
+    {
+        for (const char *const text :
+             {"θ2;θ3;x\n0°00'00\";-7°30'00\";160\n7°30'00\";-0°07'30\";159\n352°52'30\";1°00'00\";158\n",
+              "θ2;θ3;x\n0°;-7° 30′;160\n7°30′;-0° 07.5′;159\n352° 52′ 30″;1°;158\n",
+              "θ2 (° ' \");θ3 (deg min);x\n0º0'0'';-7º30';160\n7º30';-0º7,5';159\n352º52'30'';1º;158\n",
+              "θ2,θ3,x\n\"0°00'00\"\"\",−7°30',160\n\"7°30'00\"\"\",−0°07'30'',159\n\"352°52'30\"\"\",1°00',158\n"}) {
+            const Outcome outcome = read(text);
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->crank && data->skippedCount == 0, (text + described(outcome)).c_str());
+            QCOMPARE(data->crank->degrees, (std::vector{0.0, 7.5, 352.875}));
+            QCOMPARE(data->find({Theta3, Order::Position})->values, (std::vector{-7.5, -0.125, 1.0}));
+        }
+        QVERIFY(std::holds_alternative<ReadError>(read("θ2 (rad);x\n0°00';160\n7°30';159\n15°00';158\n")));
+        QVERIFY(std::holds_alternative<ReadError>(read("θ2;x\n0°00';160\n7°75';159\n15°80';158\n")));
     }
 
     /// A file is not read from the few rows that are left of it.
