@@ -40,35 +40,49 @@ bool startsAgain(std::span<const double> values, std::size_t row)
     return row >= kFewestRows && std::abs(values[row] - values[0]) <= kRestart * range;
 }
 
+bool areUnits(const Cells &cells)
+{
+    return std::ranges::all_of(cells, [](std::string_view cell) { return !unitIn(cell).empty(); });
+}
+
 /// Returns whether a line without numbers contains headings or units other than those of the columns.
 bool beginsTable(const Cells &cells, std::span<const RawColumn> columns)
 {
     std::size_t names = 0;
-    std::size_t units = 0;
     bool hasOtherName = cells.size() != columns.size();
     bool hasOtherUnit = false;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const std::string_view unit = unitIn(cells[i]);
         const FileColumn *const column = i < columns.size() ? &columns[i].use : nullptr;
         names += parseHeading(cells[i]).meaning.kind != NameMeaning::Kind::Nothing ? 1 : 0;
-        units += unit.empty() ? 0 : 1;
         hasOtherName = hasOtherName || !column || column->heading != cells[i];
         hasOtherUnit = hasOtherUnit || (column && parseUnit(unit) != parseUnit(column->unit));
     }
-    const bool areUnits = units == cells.size(); // "s", which is also a name, among "mm" and "deg"
-    return cells.size() > 1 && (areUnits ? hasOtherUnit : names > 1 && hasOtherName);
+    const bool isOther = areUnits(cells) ? hasOtherUnit : names > 1 && hasOtherName; // "s" is a unit and a name
+    return cells.size() > 1 && isOther;
 }
 
-/// Throws if another table begins in a file. Its own headings or units again are only a row that is skipped.
+/// Throws if another table begins in a file. Its own headings or units again are only a row that is skipped, and what
+/// is below the last row of numbers is a remark, unless it states units.
 void refuseAnotherTable(const RawTable &table)
 {
     for (const TableFile &file : table.files) {
         const std::span<const RawColumn> columns = std::span(table.columns).subspan(file.firstColumn, file.width);
+        const auto hasNumber = [columns](std::size_t row) {
+            return std::ranges::any_of(columns,
+                                       [row](const RawColumn &column) { return std::isfinite(column.values[row]); });
+        };
+        std::size_t end = file.rows.size(); // of the rows of numbers
+        while (end > 0 && !hasNumber(end - 1)) {
+            --end;
+        }
         for (std::size_t row = 0; row < file.rows.size(); ++row) {
-            const auto isNumber = [row](const RawColumn &column) { return std::isfinite(column.values[row]); };
+            if (hasNumber(row)) {
+                continue;
+            }
             const Line &line = file.rows[row];
-            if (std::ranges::none_of(columns, isNumber) &&
-                beginsTable(splitCells(line.text, file.layout.delimiter), columns)) {
+            const Cells cells = splitCells(line.text, file.layout.delimiter);
+            if (beginsTable(cells, columns) && (row < end || areUnits(cells))) {
                 throw ReadError{.line = line.number, .text = excerpt(line.text), .fault = {Fault::AnotherTable}};
             }
         }
@@ -286,6 +300,10 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
 /// Returns whether the file in which a fault was found is no table at all.
 bool isNoTable(const FileBytes &file, Fault fault)
 {
+    using enum ReadFault::Kind;
+    constexpr std::array kFaultsOfOtherTexts{UnitsContradict,  NamesMissing, MoreHeadings, FewerHeadings,
+                                             AnotherTable,     TimeTwice,    NoTime,       NoChannel,
+                                             NoCertainChannel, NoNumbers,    NoRow};
     std::string converted;
     return std::ranges::count(kFaultsOfOtherTexts, fault) > 0 && isProse(splitLines(decodeText(file.bytes, converted)));
 }
@@ -300,10 +318,6 @@ ReferenceData toData(RawTable &table)
     for (ReferenceSeries &series : data.series) {
         findStep(series, data.time);
     }
-    using enum ReadFault::Kind;
-    constexpr std::array kFaultsOfOtherTexts{UnitsContradict,  NamesMissing, MoreHeadings, FewerHeadings,
-                                             AnotherTable,     TimeTwice,    NoTime,       NoChannel,
-                                             NoCertainChannel, NoNumbers,    NoRow};
     for (RawColumn &column : table.columns) {
         column.use.difference =
             column.use.role == ColumnRole::Channel ? differenceIn(data, column.use.channel) : std::nullopt;

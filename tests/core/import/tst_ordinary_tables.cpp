@@ -384,6 +384,17 @@ private slots:
         QVERIFY(std::holds_alternative<ReadError>(read("θ2;x\n0°00';160\n7°75';159\n15°80';158\n")));
     }
 
+    /// Below the last row of numbers, a line that names quantities is a remark.
+    void readsNoTableIntoARemark()
+    {
+        const Outcome outcome = read("t,x\n0,85\n1,84\n2,80\nMeasured by: J. Smith\nNote: a = 40 mm, b = 120 mm\n");
+        const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+        QVERIFY2(data && data->time.size() == 3 && data->skippedCount == 2, described(outcome).c_str());
+        const Outcome another = read("t,x\n0,85\n1,84\n2,80\nNote: a = 40 mm, b = 120 mm\n3,75\n");
+        QCOMPARE(std::get<ReadError>(another).fault.kind, Kind::AnotherTable);
+        QCOMPARE(std::get<ReadError>(read("t,x\n0,85\n1,84\n2,80\ns,cm\n")).fault.kind, Kind::AnotherTable);
+    }
+
     /// A file is not read from the few rows that are left of it.
     void refusesAFileOfMostlyUnreadableRows()
     {
