@@ -27,6 +27,13 @@ std::string_view textBehindNumber(std::string_view line, std::size_t number)
     return isNumbered ? trimmed(rest.substr(text)) : std::string_view();
 }
 
+/// Returns the names as headings; nullopt if none is known.
+std::optional<HeadingCandidate> listOf(const Cells &names)
+{
+    HeadingCandidate list = countNames(names, ',');
+    return list.known() > 0 ? std::optional(std::move(list)) : std::nullopt;
+}
+
 /// Returns the headings in lines that have the numbers of the columns; `firstNumber` is that of the first one. Returns
 /// nullopt if a line has a different number, or if no name is known.
 std::optional<HeadingCandidate> readNumberedList(Lines lines, std::size_t firstNumber)
@@ -38,8 +45,7 @@ std::optional<HeadingCandidate> readNumberedList(Lines lines, std::size_t firstN
     if (std::ranges::count(names, std::string_view()) > 0) {
         return std::nullopt;
     }
-    HeadingCandidate list = countNames(names, ',');
-    return list.known() > 0 ? std::optional(std::move(list)) : std::nullopt;
+    return listOf(names);
 }
 
 /// Returns the headings in lines without numbers. Returns nullopt if any name is unknown, or if the first one is
@@ -59,8 +65,28 @@ std::optional<HeadingCandidate> readBulletedList(Lines lines)
     return list.known() == lines.size() ? std::optional(std::move(list)) : std::nullopt;
 }
 
+/// Returns the headings in the declarations of an ARFF file, "@attribute 'crank angle (deg)' numeric". Returns nullopt
+/// if a line is none, or if no name is known.
+std::optional<HeadingCandidate> readAttributes(Lines lines)
+{
+    constexpr std::string_view kAttribute = "@attribute";
+    Cells names;
+    for (const Line &line : lines) {
+        const std::string_view text = trimmed(line.text);
+        const std::string_view declared = text.substr(std::min(kAttribute.size(), text.size()));
+        if (lowered(text.substr(0, kAttribute.size())) != kAttribute) {
+            return std::nullopt;
+        }
+        names.push_back(trimmed(declared.substr(0, declared.find_last_of(" \t"))));
+    }
+    return listOf(names);
+}
+
 std::optional<HeadingCandidate> readList(Lines lines)
 {
+    if (std::optional<HeadingCandidate> list = readAttributes(lines)) {
+        return list;
+    }
     for (const std::size_t firstNumber : {0U, 1U}) {
         if (std::optional<HeadingCandidate> list = readNumberedList(lines, firstNumber)) {
             return list;

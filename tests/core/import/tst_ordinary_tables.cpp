@@ -153,6 +153,11 @@ const std::vector<Layout> kLayouts{
     {"\xC2\xD0\xC5\xCC\xDF;\xCF\xCE\xCB\xCE\xC6\xC5\xCD\xC8\xC5 \xCF\xCE\xCB\xC7\xD3\xCD\xC0\n"
      "0;85\n1;84\n2;80\n",
      "time R4_x"}, // Windows-1251 in capital letters
+    // Declarations of Weka.
+    {"@RELATION crank\n@ATTRIBUTE time NUMERIC\n@ATTRIBUTE x_mm REAL\n\n@DATA\n0,85\n1,84\n2,80\n", "time R4_x"},
+    {"% ARFF\n@relation r\n@attribute 'crank angle (deg)' real\n@attribute \"slider (mm)\" real\n"
+     "@data\n0,85\n90,84\n180,80\n",
+     "angle R4_x"},
     // Minus signs of word processors, and the sign of inches, which opens no quotation.
     {"t,x,v\n–1,85,0\n0,84,‑1\n1,80,‐2\n", "time R4_x R4_x_diff"},
     {"t;Stroke (mm);Bore 5\"\n0;85;1\n1;84;1\n2;80;1\n", "time R4_x -"},
