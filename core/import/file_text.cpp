@@ -2,6 +2,7 @@
 #include "core/import/file_text.h"
 
 #include "core/import/cells.h"
+#include "core/import/double_byte_text.h"
 #include "core/import/unit_text.h"
 
 #include <boost/algorithm/string/replace.hpp>
@@ -45,7 +46,7 @@ bool isUtf8(std::string_view bytes)
     int surplus = 0;
     for (auto at = bytes.begin(); at != bytes.end();) {
         auto next = at + 1;
-        if (static_cast<unsigned char>(*at) >= 0x80) {
+        if (byteOf(*at) >= 0x80) {
             next = at;
             const bool isValid = boost::locale::utf::is_valid_codepoint(Utf8::decode(next, bytes.end()));
             surplus += isValid ? 1 : -1;
@@ -87,8 +88,7 @@ void refuseFormats(std::string_view text, bool mayBeBinary)
 std::size_t findBinary(std::string_view text)
 {
     const auto isControl = [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 &&
-               std::string_view("\t\n\v\f\r\x1A\x1B").find(c) == std::string_view::npos;
+        return byteOf(c) < 0x20 && std::string_view("\t\n\v\f\r\x1A\x1B").find(c) == std::string_view::npos;
     };
     constexpr std::size_t kMinBytesPerControl = 100; // in a text
     const std::string_view beginning = text.substr(0, kFileBeginning);
@@ -196,8 +196,8 @@ CodePage cyrillicPageOf(std::string_view bytes)
     std::ptrdiff_t lowerHalf = 0; // number of letters there, minus those in the upper half
     std::ptrdiff_t ofKoi8 = 0;    // number of letters that are frequent in KOI8-R, minus those in Windows-1251
     for (const char c : bytes) {
-        if (static_cast<unsigned char>(c) >= kFirstLetter) {
-            lowerHalf += static_cast<unsigned char>(c) < static_cast<unsigned char>(kFirstOfUpperHalf) ? 1 : -1;
+        if (byteOf(c) >= kFirstLetter) {
+            lowerHalf += byteOf(c) < byteOf(kFirstOfUpperHalf) ? 1 : -1;
             ofKoi8 += kSmallInKoi8.find(c) != kSmallInKoi8.npos ? 1 : 0;
             ofKoi8 -= kCapitalsInWindows.find(c) != kCapitalsInWindows.npos ? 1 : 0;
         }
@@ -214,7 +214,7 @@ CodePage codePageOf(std::string_view bytes)
     bool isPolish = false;
     for (std::size_t i = 1; i + 1 < bytes.size(); ++i) {
         const bool isBesideAscii = isAsciiLetter(bytes[i - 1]) || isAsciiLetter(bytes[i + 1]);
-        if (static_cast<unsigned char>(bytes[i]) >= kFirstLetter) {
+        if (byteOf(bytes[i]) >= kFirstLetter) {
             apart += isBesideAscii ? -1 : 1;
         }
         isPolish = isPolish || (std::string_view("\xB3\xB9\xBF").find(bytes[i]) != std::string_view::npos &&
@@ -244,6 +244,15 @@ char16_t characterOf(unsigned char byte, CodePage page)
     return byte < 0xA0 ? kWesternCharacters[byte - 0x80U] : static_cast<char16_t>(byte);
 }
 
+std::u16string decodeAs(CodePage page, std::string_view bytes)
+{
+    std::u16string text(bytes.size(), u' ');
+    std::ranges::transform(bytes, text.begin(), [page](unsigned char byte) {
+        return byte >= 0x80 ? characterOf(byte, page) : static_cast<char16_t>(byte);
+    });
+    return text;
+}
+
 } // namespace
 
 std::string_view decodeText(std::string_view bytes, std::string &converted)
@@ -252,18 +261,17 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
     refuseFormats(bytes, true);
     std::string_view text = bytes;
     std::u16string units; // of other encodings than UTF-8
-    const auto byteAt = [bytes](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
     if (const std::optional<std::size_t> lower = findLowerByte(bytes)) {
         units.resize(bytes.size() / 2);
         for (std::size_t i = 0; i < units.size(); ++i) {
-            units[i] = static_cast<char16_t>(byteAt(2 * i + 1 - *lower) * 256 + byteAt(2 * i + *lower));
+            units[i] = static_cast<char16_t>(byteOf(bytes[2 * i + 1 - *lower]) * 256 + byteOf(bytes[2 * i + *lower]));
         }
-    } else if (!isUtf8(bytes.substr(0, kExamined))) {
-        units.resize(bytes.size());
-        const CodePage page = codePageOf(bytes.substr(0, kExamined));
-        std::ranges::transform(bytes, units.begin(), [page](unsigned char byte) {
-            return byte >= 0x80 ? characterOf(byte, page) : static_cast<char16_t>(byte);
-        });
+    } else if (const std::string_view examined = bytes.substr(0, kExamined); !isUtf8(examined)) {
+        if (decodeDoubleBytes(examined)) {
+            text = converted = decodeDoubleBytes(bytes).value_or(converted);
+        } else {
+            units = decodeAs(codePageOf(examined), bytes);
+        }
     }
     if (!units.empty()) {
         text = converted = boost::locale::conv::utf_to_utf<char>(units);

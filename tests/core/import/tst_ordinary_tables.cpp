@@ -153,6 +153,16 @@ const std::vector<Layout> kLayouts{
     {"\xC2\xD0\xC5\xCC\xDF;\xCF\xCE\xCB\xCE\xC6\xC5\xCD\xC8\xC5 \xCF\xCE\xCB\xC7\xD3\xCD\xC0\n"
      "0;85\n1;84\n2;80\n",
      "time R4_x"}, // Windows-1251 in capital letters
+    // The encodings of Windows in Chinese and Japanese.
+    {"\xCA\xB1\xBC\xE4(s),\xBB\xAC\xBF\xE9\xCE\xBB\xD2\xC6(\xBA\xC1\xC3\xD7),\xC7\xFA\xB1\xFA\xD7\xAA\xBD\xC7(\xB6\xC8)"
+     "\n0,85,0\n1,84,90\n2,80,180\n",
+     "time R4_x theta2"}, // GBK
+    {"\x83N\x83\x89\x83\x93\x83N\x8Ap[deg],\x83X\x83\x89\x83\x43\x83_\x95\xCF\x88\xCA[mm],\x83X\x83\x89\x83\x43\x83_"
+     "\x91\xAC\x93x[mm/s]\n0,85,1\n90,84,2\n180,80,3\n",
+     "angle R4_x R4_x_diff"}, // Shift-JIS
+    {"\x91\xAA\x92\xE8;\x83N\x83\x89\x83\x93\x83N\x8Ap[deg];\x83s\x83X\x83g\x83\x93\x95\xCF\x88\xCA[mm]\nA;0;85\nA;90;"
+     "84\nB;180;80\n",
+     "- angle R4_x"}, // Shift-JIS
     // Declarations of Weka.
     {"@RELATION crank\n@ATTRIBUTE time NUMERIC\n@ATTRIBUTE x_mm REAL\n\n@DATA\n0,85\n1,84\n2,80\n", "time R4_x"},
     {"% ARFF\n@relation r\n@attribute 'crank angle (deg)' real\n@attribute \"slider (mm)\" real\n"
