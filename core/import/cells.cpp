@@ -129,11 +129,12 @@ std::string withPointsAndCommasExchanged(std::string_view text)
     return exchanged;
 }
 
-/// Returns the text without what a program wrote around the number in it: ="0.5" of spreadsheets, \num{0.5} of LaTeX.
+/// Returns the text without what a program wrote around the number in it: ="0.5" of spreadsheets, \num{0.5} of LaTeX,
+/// np.float64(0.5) of NumPy.
 std::string_view withoutMarkup(std::string_view text)
 {
     using Marks = std::pair<std::string_view, std::string_view>;
-    for (const auto &[before, after] : {Marks{"=\"", "\""}, Marks{"\\num{", "}"}}) {
+    for (const auto &[before, after] : {Marks{"=\"", "\""}, Marks{"\\num{", "}"}, Marks{"np.float64(", ")"}}) {
         if (text.size() > before.size() && text.starts_with(before) && text.ends_with(after)) {
             return text.substr(before.size(), text.size() - before.size() - after.size());
         }
@@ -171,8 +172,8 @@ int firstPlaceOf(double value)
     return value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
 }
 
-PrintedPlaces placesOfDouble(double value)
 /// Returns the digits of a number that was not printed: as many as a double has.
+PrintedPlaces placesOfDouble(double value)
 {
     constexpr int kDigits = 17;
     const int last = firstPlaceOf(value) - kDigits + 1;

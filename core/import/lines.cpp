@@ -134,10 +134,12 @@ std::string_view withoutQuotes(std::string_view line)
 }
 
 /// Returns a row of a list or matrix in the source of a program without its brackets: "{0.1, 85}," and "('t', 'x'),",
-/// or "0.1 85;" between blanks. A line of brackets alone becomes empty.
+/// or "A = [0.1, 85;", "0.1 85;" and "0.1, 85];" of MATLAB. A line of brackets alone becomes empty.
 std::string_view withoutBrackets(std::string_view line)
 {
-    const std::string_view text = trimmed(line);
+    const std::size_t matrix = line.find("= [");
+    const bool beginsMatrix = matrix != line.npos && isData(line.substr(matrix + 3));
+    const std::string_view text = trimmed(beginsMatrix ? line.substr(matrix + 3) : line);
     const std::size_t begin = std::min(text.find_first_not_of("[({"), text.size());
     const std::size_t end = std::max(text.find_last_not_of(" ;,])}") + 1, begin);
     const std::string_view inner = trimmed(text.substr(begin, end - begin));
@@ -147,8 +149,8 @@ std::string_view withoutBrackets(std::string_view line)
     const std::string_view after = text.substr(end);
     const bool isEnclosed = begin > 0 && after.find_first_of("])}") != after.npos && areBracketsOpened(inner);
     const bool areNames = (inner[0] == '\'' || inner[0] == '"') && inner.back() == inner[0];
-    const bool hasSemicolon = after == ";" && isData(inner) && inner.find_first_of(";,") == inner.npos;
-    return (isEnclosed && (isData(inner) || areNames)) || hasSemicolon ? inner : line;
+    const bool endsRow = after.find_first_of(";]") != after.npos && inner.find_first_of(";([{") == inner.npos;
+    return (isEnclosed && (isData(inner) || areNames)) || (endsRow && isData(inner)) ? inner : line;
 }
 
 /// Returns a line of Arduino's serial monitor without the time of its receipt: "12:03:04.013 -> 0.01, 85".
@@ -174,10 +176,10 @@ bool endsInQuotation(std::string_view line)
     return isOpen;
 }
 
-{
-    constexpr std::size_t kLongestRest = 200; // bytes of a heading behind a line end
 /// Returns where the first line ends. Line ends in a quoted heading, as spreadsheets write them, belong to the line.
 std::size_t findLineEnd(std::string_view text)
+{
+    constexpr std::size_t kLongestRest = 200; // bytes of a heading behind a line end
     const std::size_t first = std::min(text.find('\n'), text.size());
     std::size_t end = first;
     while (endsInQuotation(text.substr(0, end))) {

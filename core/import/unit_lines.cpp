@@ -175,6 +175,9 @@ std::string_view unitIn(std::string_view cell)
     } else if (const std::string_view inner = inBrackets(cell); !inner.empty()) {
         cell = inner;
     }
+    for (const std::string_view preposition : {"in ", "en "}) { // "in mm"
+        cell.remove_prefix(cell.starts_with(preposition) ? preposition.size() : 0);
+    }
     return parseUnit(cell) ? cell : std::string_view();
 }
 

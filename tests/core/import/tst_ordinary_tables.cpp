@@ -163,6 +163,11 @@ const std::vector<Layout> kLayouts{
     {"\x91\xAA\x92\xE8;\x83N\x83\x89\x83\x93\x83N\x8Ap[deg];\x83s\x83X\x83g\x83\x93\x95\xCF\x88\xCA[mm]\nA;0;85\nA;90;"
      "84\nB;180;80\n",
      "- angle R4_x"}, // Shift-JIS
+    // As MATLAB, NumPy and word processors print tables.
+    {"% t [s], x [mm], v [mm/s]\nA = [0, 85, 1;\n  1, 84, 2;\n  2, 80, 3];\n", "time R4_x R4_x_diff"}, // MATLAB
+    {"t,x\nnp.float64(0.0),np.float64(85.0)\nnp.float64(1.0),np.float64(84.0)\nnp.float64(2.0),np.float64(80.0)\n",
+     "time R4_x"},
+    {"Zeit\tWeg\nin s\tin mm\n0\t85\n1\t84\n2\t80\n", "time R4_x"},
     // Declarations of Weka.
     {"@RELATION crank\n@ATTRIBUTE time NUMERIC\n@ATTRIBUTE x_mm REAL\n\n@DATA\n0,85\n1,84\n2,80\n", "time R4_x"},
     {"% ARFF\n@relation r\n@attribute 'crank angle (deg)' real\n@attribute \"slider (mm)\" real\n"
