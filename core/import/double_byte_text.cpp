@@ -3,12 +3,11 @@
 
 #include "core/import/cells.h"
 #include "core/import/unit_text.h"
-#include "core/mechanism/find_element.h"
 
 #include <charconv>
 #include <cstddef>
+#include <unordered_map>
 #include <utility>
-#include <vector>
 
 namespace slidercrank
 {
@@ -28,72 +27,25 @@ constexpr std::string_view kCharacters =
     "（ A3A8 8169 ） A3A9 816A ［ A3DB 816D ］ A3DD 816E ° A1E3 818B θ A6C8 83C6 ω A6D8 83D6 "
     "α A6C1 83BF φ A6D5 83D3 ： A3BA 8146 ／ A3AF 815E";
 
-struct DoubleByteCharacter {
-    std::string_view utf8{};
-    unsigned gbk = 0;
-    unsigned shiftJis = 0;
-};
-
-/// Removes the next code from the table.
-unsigned takeCode(std::string_view &table)
+/// Returns the characters by their codes, which differ in both encodings.
+const std::unordered_map<unsigned, std::string_view> &knownCharacters()
 {
+    constexpr int kEncodings = 2;
     constexpr int kHexadecimal = 16;
-    const std::string_view digits = takeUntil(' ', table);
-    unsigned code = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), code, kHexadecimal);
-    return code;
-}
-
-const std::vector<DoubleByteCharacter> &knownCharacters()
-{
-    static const std::vector<DoubleByteCharacter> kTable = [] {
-        std::vector<DoubleByteCharacter> characters;
+    static const std::unordered_map<unsigned, std::string_view> kTable = [] {
+        std::unordered_map<unsigned, std::string_view> characters;
         for (std::string_view rest = kCharacters; !rest.empty();) {
-            DoubleByteCharacter &character = characters.emplace_back();
-            character.utf8 = takeUntil(' ', rest);
-            character.gbk = takeCode(rest);
-            character.shiftJis = takeCode(rest);
+            const std::string_view character = takeUntil(' ', rest);
+            for (int encoding = 0; encoding < kEncodings; ++encoding) {
+                const std::string_view digits = takeUntil(' ', rest);
+                unsigned code = 0;
+                std::from_chars(digits.data(), digits.data() + digits.size(), code, kHexadecimal);
+                characters.emplace(code, character);
+            }
         }
         return characters;
     }();
     return kTable;
-}
-
-using Encoding = unsigned DoubleByteCharacter::*;
-
-/// Returns whether a byte begins a character of two bytes. In Shift-JIS, some bytes are narrow letters of their own.
-bool beginsPair(unsigned byte, Encoding encoding)
-{
-    const bool isNarrowLetter = encoding == &DoubleByteCharacter::shiftJis && byte >= 0xA0 && byte < 0xE0;
-    return byte > 0x80 && byte < 0xFF && !isNarrowLetter;
-}
-
-/// A text, and how many of its characters outside ASCII are known.
-struct DecodedText {
-    std::string text{};
-    std::ptrdiff_t known = 0;
-    std::ptrdiff_t unknown = 0;
-};
-
-DecodedText decodeAs(Encoding encoding, std::string_view bytes)
-{
-    constexpr std::string_view kUnknown = "〓"; // the sign that printers use for a missing character
-    DecodedText decoded;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        const unsigned byte = byteOf(bytes[i]);
-        if (byte < 0x80) {
-            decoded.text += bytes[i];
-            continue;
-        }
-        const bool isPair = beginsPair(byte, encoding) && i + 1 < bytes.size() && byteOf(bytes[i + 1]) >= 0x40;
-        const unsigned code = isPair ? byte * 0x100 + byteOf(bytes[++i]) : 0;
-        const auto *const found =
-            findElement(knownCharacters(), [&](const DoubleByteCharacter &entry) { return entry.*encoding == code; });
-        const bool isKnown = isPair && found;
-        decoded.text += isKnown ? found->utf8 : kUnknown;
-        ++(isKnown ? decoded.known : decoded.unknown);
-    }
-    return decoded;
 }
 
 } // namespace
@@ -101,11 +53,25 @@ DecodedText decodeAs(Encoding encoding, std::string_view bytes)
 std::optional<std::string> decodeDoubleBytes(std::string_view bytes)
 {
     constexpr std::ptrdiff_t kFewestKnown = 2; // a single one may be two letters of another encoding by chance
-    DecodedText gbk = decodeAs(&DoubleByteCharacter::gbk, bytes);
-    DecodedText shiftJis = decodeAs(&DoubleByteCharacter::shiftJis, bytes);
-    DecodedText &better = gbk.known - gbk.unknown >= shiftJis.known - shiftJis.unknown ? gbk : shiftJis;
-    const bool isSure = better.known >= kFewestKnown && 2 * better.known > better.unknown;
-    return isSure ? std::optional(std::move(better.text)) : std::nullopt;
+    constexpr unsigned kSmallestSecondByte = 0x40;
+    constexpr std::string_view kUnknown = "〓"; // the sign that printers use for a missing character
+    std::string text;
+    std::ptrdiff_t known = 0;
+    std::ptrdiff_t unknown = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        if (byteOf(bytes[i]) < 0x80) {
+            text += bytes[i];
+            continue;
+        }
+        const bool isPair = i + 1 < bytes.size() && byteOf(bytes[i + 1]) >= kSmallestSecondByte;
+        const auto found = knownCharacters().find(isPair ? byteOf(bytes[i]) * 0x100 + byteOf(bytes[i + 1]) : 0);
+        const bool isKnown = isPair && found != knownCharacters().end();
+        text += isKnown ? found->second : kUnknown;
+        ++(isKnown ? known : unknown);
+        i += isPair ? 1 : 0;
+    }
+    const bool isSure = known >= kFewestKnown && 2 * known > unknown;
+    return isSure ? std::optional(std::move(text)) : std::nullopt;
 }
 
 } // namespace slidercrank
