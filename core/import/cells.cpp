@@ -29,16 +29,14 @@ const Spellings kNumberSpellings{{"\u2212", "-"}, {"\u2010", "-"}, {"\u2011", "-
                                  {"d", "e"},      {"×10", "e"},    {"·10", "e"},    {"⋅10", "e"},    {"*10^", "e"},
                                  {"*^", "e"},     {"$", ""}};
 
-/// The exponent of a power of ten.
-const Spellings kExponentSpellings{{"^", ""},  {"⁻", "-"}, {"⁺", "+"}, {"⁰", "0"}, {"¹", "1"}, {"²", "2"}, {"³", "3"},
-                                   {"⁴", "4"}, {"⁵", "5"}, {"⁶", "6"}, {"⁷", "7"}, {"⁸", "8"}, {"⁹", "9"}};
-
 /// Returns a number with plain signs, the letter e before its exponent, and apostrophes between thousands.
 std::string withPlainSpelling(std::string_view number)
 {
     std::string plain = kNumberSpellings.replacedIn(number);
     if (const std::size_t exponent = plain.find('e'); exponent != plain.npos) {
-        plain.replace(exponent, plain.npos, kExponentSpellings.replacedIn(plain.substr(exponent)));
+        std::string power = withCarets(plain.substr(exponent));
+        std::erase(power, '^');
+        plain.replace(exponent, plain.npos, power);
     }
     return plain;
 }

@@ -19,10 +19,8 @@ namespace
 {
 
 /// To ASCII signs, with "^" before each superscript character and "@" before a power of ten after a number.
-const Spellings kQuantitySpellings{{"\u2212", "-"}, {"\u00A0", " "}, {"\u2009", " "}, {"\u202F", " "}, {"·", "*"},
-                                   {"×", "*"},      {"⁻", "^-"},     {"⁰", "^0"},     {"¹", "^1"},     {"²", "^2"},
-                                   {"³", "^3"},     {"⁴", "^4"},     {"⁵", "^5"},     {"⁶", "^6"},     {"⁷", "^7"},
-                                   {"⁸", "^8"},     {"⁹", "^9"}};
+const Spellings kQuantitySpellings{{"\u2212", "-"}, {"\u00A0", " "}, {"\u2009", " "},
+                                   {"\u202F", " "}, {"·", "*"},      {"×", "*"}};
 const Spellings kPowerSpellings{{" * 10^", "@"}, {" *10^", "@"}, {"* 10^", "@"}, {"*10^", "@"}};
 
 /// Removes the rounding error of a product such as 4.35 · 100.
@@ -52,7 +50,7 @@ double converted(double value, const Unit &from, const Unit &to)
 Quantity readQuantity(std::string_view text, const std::optional<Unit> &expected)
 {
     const auto refused = [](QuantityFault fault) { return Quantity{.fault = fault}; };
-    std::string number = kPowerSpellings.replacedIn(kQuantitySpellings.replacedIn(text));
+    std::string number = kPowerSpellings.replacedIn(kQuantitySpellings.replacedIn(withCarets(text)));
     const std::size_t first = number.starts_with('-') || number.starts_with('+') ? 1 : 0;
     if (number.compare(first, 3, "10^") == 0) {
         number.replace(first, 3, "1@");

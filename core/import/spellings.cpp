@@ -10,14 +10,16 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the first character of a text in UTF-8.
-std::string_view firstCharacter(std::string_view text)
+/// Removes the first character of a text in UTF-8, and returns it.
+std::string_view takeCharacter(std::string_view &text)
 {
     std::size_t size = 1;
     while (size < text.size() && (byteOf(text[size]) & 0xC0U) == 0x80U) {
         ++size;
     }
-    return text.substr(0, size);
+    const std::string_view character = text.substr(0, size);
+    text.remove_prefix(size);
+    return character;
 }
 
 } // namespace
@@ -36,12 +38,15 @@ void Spellings::add(const Spelling &spelling)
 
 void Spellings::addCharacters(std::string_view from, std::string_view to)
 {
-    const bool isEach = from.size() == to.size();
     while (!from.empty()) {
-        const Spelling character{firstCharacter(from), isEach ? firstCharacter(to) : to};
-        add(character);
-        from.remove_prefix(character.from.size());
-        to.remove_prefix(isEach ? character.to.size() : 0);
+        add({takeCharacter(from), to});
+    }
+}
+
+void Spellings::addPairs(std::string_view from, std::string_view to)
+{
+    while (!from.empty()) {
+        add({takeCharacter(from), takeCharacter(to)});
     }
 }
 
@@ -55,6 +60,13 @@ std::string Spellings::replacedIn(std::string_view text) const
         text.remove_prefix(found ? found->from.size() : 1);
     }
     return result;
+}
+
+std::string withCarets(std::string_view text)
+{
+    static const Spellings kSuperscripts{{"⁻", "^-"}, {"⁺", "^+"}, {"⁰", "^0"}, {"¹", "^1"}, {"²", "^2"}, {"³", "^3"},
+                                         {"⁴", "^4"}, {"⁵", "^5"}, {"⁶", "^6"}, {"⁷", "^7"}, {"⁸", "^8"}, {"⁹", "^9"}};
+    return kSuperscripts.replacedIn(text);
 }
 
 } // namespace slidercrank

@@ -24,9 +24,11 @@ class Spellings
 public:
     explicit Spellings(std::initializer_list<Spelling> table);
 
-    /// Adds the replacement of each character of `from` by `to`, or, if both have the same number of bytes, by the
-    /// character at the same place in `to`.
+    /// Adds the replacement of each character of `from` by `to`.
     void addCharacters(std::string_view from, std::string_view to);
+
+    /// Adds the replacement of each character of `from` by the one at the same place in `to`.
+    void addPairs(std::string_view from, std::string_view to);
 
     /// Returns the text with all spellings replaced. Where several match, the first one in the table applies.
     std::string replacedIn(std::string_view text) const;
@@ -36,5 +38,8 @@ private:
 
     std::array<std::vector<Spelling>, 256> m_spellings; ///< by the first byte of `from`
 };
+
+/// Returns the text with plain digits and signs behind carets for those in superscript: "10^-^3" for "10⁻³".
+std::string withCarets(std::string_view text);
 
 } // namespace slidercrank

@@ -230,14 +230,12 @@ struct ScaledUnit {
 /// Splits a unit from the power of ten before it: "10^-3 m", "×10³ mm/s", "1e-3 m".
 ScaledUnit splitPower(std::string_view text)
 {
-    static const Spellings kPowers{{"10^", "1e"},  {"10**", "1e"}, {"10⁻", "1e-"},  {"10⁴", "1e4"},
-                                   {"10³", "1e3"}, {"10²", "1e2"}, {"10 ", "1e1 "}, {"⁶", "6"},
-                                   {"⁴", "4"},     {"³", "3"},     {"²", "2"}};
+    static const Spellings kPowers{{"10^", "1e"}, {"10**", "1e"}, {"10 ", "1e1 "}, {"^", ""}};
     std::string_view rest = text;
     for (const std::string_view sign : {"×", "x", "*"}) {
         rest.remove_prefix(rest.starts_with(sign) ? sign.size() : 0);
     }
-    const std::string plain = kPowers.replacedIn(trimmed(rest));
+    const std::string plain = kPowers.replacedIn(withCarets(trimmed(rest)));
     const std::size_t end = std::min(plain.find(' '), plain.size());
     double power = 1.0;
     const bool isPower =

@@ -16,61 +16,60 @@ namespace
 
 using Words = std::vector<std::string>;
 
-/// Letters outside ASCII, and their plain spelling: one for all letters of a row, or one for each. Accents of their own
-/// (U+0300 …) follow the letter.
-constexpr auto kLetters =
-    std::to_array<Spelling>({{"áàăåâãäą", "a"},
-                             {"čçć", "c"},
-                             {"ď", "d"},
-                             {"ěëéèêę", "e"},
-                             {"ğ", "g"},
-                             {"ıîïíì", "i"},
-                             {"ľł", "l"},
-                             {"ňñ", "n"},
-                             {"őøóòôõö", "o"},
-                             {"ř", "r"},
-                             {"šşșś", "s"},
-                             {"ťţț", "t"},
-                             {"űůûúùü", "u"},
-                             {"ý", "y"},
-                             {"žż", "z"},
-                             {"ÁÀÂÄÃÅ", "A"},
-                             {"ÇČĆ", "C"},
-                             {"ÉÈÊ", "E"},
-                             {"İÍ", "I"},
-                             {"Ł", "L"},
-                             {"Ñ", "N"},
-                             {"ÓÖÔØ", "O"},
-                             {"Ř", "R"},
-                             {"ŠŚŞ", "S"},
-                             {"ÚÜ", "U"},
-                             {"ŽŻ", "Z"},
-                             {"ЁАБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯё", "еабвгдежзийклмнопрстуфхцчшщъыьэюяе"},
-                             {"ẋẊ", "x' "},
-                             {"ẍẌ", "x'' "},
-                             {"ẏẎ", "y' "},
-                             {"ÿ", "y'' "},
-                             {"ṡṠ", "s' "},
-                             {"ḋḊ", "d' "},
-                             {"ṙṘ", "r' "},
-                             {"′’´", "'"},
-                             {"θϑΘ", "theta"},
-                             {"φϕΦ", "phi"},
-                             {"ψΨ", "psi"},
-                             {"ωΩ", "omega"},
-                             {"α", "alpha"},
-                             {"β", "beta"},
-                             {"εϵ", "epsilon"},
-                             {"₁", "1"},
-                             {"²₂", "2"},
-                             {"³₃", "3"},
-                             {"⁴₄", "4"},
-                             {"ₓ", "x"},
-                             {"ᵦ", "b"},
-                             {"°", ""},
-                             {"\u0300\u0301\u0303", ""}});
+/// Letters outside ASCII, and the plain spelling of all letters of a row. Accents of their own (U+0300 …) follow the
+/// letter.
+constexpr auto kLetters = std::to_array<Spelling>({{"áàăåâãäą", "a"},
+                                                   {"čçć", "c"},
+                                                   {"ď", "d"},
+                                                   {"ěëéèêę", "e"},
+                                                   {"ğ", "g"},
+                                                   {"ıîïíì", "i"},
+                                                   {"ľł", "l"},
+                                                   {"ňñ", "n"},
+                                                   {"őøóòôõö", "o"},
+                                                   {"ř", "r"},
+                                                   {"šşșś", "s"},
+                                                   {"ťţț", "t"},
+                                                   {"űůûúùü", "u"},
+                                                   {"ý", "y"},
+                                                   {"žż", "z"},
+                                                   {"ÁÀÂÄÃÅ", "A"},
+                                                   {"ÇČĆ", "C"},
+                                                   {"ÉÈÊ", "E"},
+                                                   {"İÍ", "I"},
+                                                   {"Ł", "L"},
+                                                   {"Ñ", "N"},
+                                                   {"ÓÖÔØ", "O"},
+                                                   {"Ř", "R"},
+                                                   {"ŠŚŞ", "S"},
+                                                   {"ÚÜ", "U"},
+                                                   {"ŽŻ", "Z"},
+                                                   {"ẋẊ", "x' "},
+                                                   {"ẍẌ", "x'' "},
+                                                   {"ẏẎ", "y' "},
+                                                   {"ÿ", "y'' "},
+                                                   {"ṡṠ", "s' "},
+                                                   {"ḋḊ", "d' "},
+                                                   {"ṙṘ", "r' "},
+                                                   {"′’´", "'"},
+                                                   {"θϑΘ", "theta"},
+                                                   {"φϕΦ", "phi"},
+                                                   {"ψΨ", "psi"},
+                                                   {"ωΩ", "omega"},
+                                                   {"α", "alpha"},
+                                                   {"β", "beta"},
+                                                   {"εϵ", "epsilon"},
+                                                   {"₁", "1"},
+                                                   {"²₂", "2"},
+                                                   {"³₃", "3"},
+                                                   {"⁴₄", "4"},
+                                                   {"ₓ", "x"},
+                                                   {"ᵦ", "b"},
+                                                   {"°", ""},
+                                                   {"\u0300\u0301\u0303", ""}});
 
-/// The letters, and groups of characters and commands of LaTeX, with their plain spelling.
+/// The letters, those of Cyrillic in lower case, and groups of characters and commands of LaTeX, with their plain
+/// spelling.
 const Spellings kLetterSpellings = [] {
     Spellings table{{"ß", "ss"},       {"æ", "ae"},      {"″", "''"},      {"a\u0308", "a"}, {"o\u0308", "o"},
                     {"u\u0308", "u"},  {"A\u0308", "A"}, {"O\u0308", "O"}, {"U\u0308", "U"}, {"\u0307", "' "},
@@ -79,6 +78,7 @@ const Spellings kLetterSpellings = [] {
     for (const Spelling &letters : kLetters) {
         table.addCharacters(letters.from, letters.to);
     }
+    table.addPairs("ЁАБВГДЕЖЗИЙКЛМНОПРСТУФХЦЧШЩЪЫЬЭЮЯё", "еабвгдежзийклмнопрстуфхцчшщъыьэюяе");
     return table;
 }();
 
