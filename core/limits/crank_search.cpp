@@ -96,6 +96,11 @@ void sortWithoutRepetition(std::vector<double> &angles)
     angles.erase(std::unique(angles.begin(), angles.end(), areEqual), angles.end());
 }
 
+bool canBeAssembled(const Mechanism &mechanism, double theta2)
+{
+    return !std::isnan(outputStateAt(withCrankAt(mechanism, theta2), 0.0).state.q[R4x]);
+}
+
 /// Solves channel(θ2) = value for ω2 = 1 rad/s and a crank acceleration.
 class Solver
 {
@@ -125,7 +130,7 @@ public:
             if (difference == 0.0) {
                 const bool isWithinArc = isKeptBetween(previous, point) && isKeptBetween(point, next);
                 if (!isWithinArc) {
-                    solutions.push_back(point.theta2);
+                    solutions.push_back(insideMotion(point));
                 }
             } else if (point.kind != CriticalPoint::Kind::End && difference * differenceAt(next.value) < 0.0) {
                 solutions.push_back(wrapToPi(bisect(point, next)));
@@ -179,7 +184,21 @@ private:
                 std::isnan(value) ? middle - from.theta2 < to.theta2 - middle : (value < m_value) == startsBelow;
             (isBeforeSolution ? low : high) = middle;
         }
-        return low;
+        return std::isnan(valueAt(low)) ? high : low;
+    }
+
+    /// Returns the crank angle of the point. At a limit of the motion, where the rounded angle may be impossible to
+    /// assemble, returns the nearest one within the motion.
+    double insideMotion(const CriticalPoint &point) const
+    {
+        constexpr double kStep = 2.0 * kEpsilon; // rad: the last place of an angle near π
+        constexpr int kMaxSteps = 16;            // the rounding error of the angle is smaller
+        const double inwards = point.kind == CriticalPoint::Kind::End ? -kStep : kStep;
+        double theta2 = point.theta2;
+        for (int i = 0; i < kMaxSteps && !canBeAssembled(m_mechanism, theta2); ++i) {
+            theta2 += inwards;
+        }
+        return theta2;
     }
 
     const Mechanism &m_mechanism;
@@ -221,11 +240,6 @@ std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order orde
     }
     sortWithoutRepetition(solutions);
     return solutions;
-}
-
-bool canBeAssembled(const Mechanism &mechanism, double theta2)
-{
-    return !std::isnan(outputStateAt(withCrankAt(mechanism, theta2), 0.0).state.q[R4x]);
 }
 
 /// Returns the angle of the same direction that is nearest to 0 on the open branch, and to 180° on the crossed one: θ3

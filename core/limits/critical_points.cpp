@@ -85,6 +85,24 @@ public:
             {theta3, slider, coupler, Derivatives{aCos, -aSin, -aCos, aSin}, Derivatives{aSin, aCos, -aSin, -aCos}}};
     }
 
+    /// Returns the curve at φ = φ₀ for u > 0, or at φ = -φ₀, if the mechanism does not pass the angle. There the
+    /// coupler is perpendicular to the slider's line: A, B and the middle of the coupler have the same x, and the
+    /// derivatives of the coupler and of the slider are infinite, with the sign that they have at u.
+    double valueAtLimit(const CrankCurve &curve, double u) const
+    {
+        const double sinPhi = std::copysign(std::sqrt(-m_gap * (2.0 + m_gap)), u);
+        const double cosPhi = 1.0 + m_gap;
+        const double sinCentre = std::copysign(1.0, m_centre);
+        const double pinX = -m_a * sinCentre * sinPhi;
+        const double pinY = m_a * sinCentre * cosPhi;
+        const double theta3 = kQuarterTurn * std::round(m_motion.motionAt(phi(u)).theta3 / kQuarterTurn);
+        const Rates atLimit{{Derivatives{theta3}, Derivatives{pinX}, Derivatives{pinX},
+                             Derivatives{pinX, -pinY, -pinX, pinY}, Derivatives{pinY, pinX, -pinY, -pinX}}};
+        const bool isOfCrank = curve.function == CrankFunction::PinX || curve.function == CrankFunction::PinY;
+        const bool isFinite = isOfCrank || curve.order == Order::Position;
+        return isFinite ? atLimit.value(curve) : std::copysign(kInfinity, at(u).value(curve));
+    }
+
 private:
     /// Returns w, or φ₀ if the mechanism does not pass the angle.
     static double widthFor(double gap)
@@ -181,16 +199,12 @@ private:
     /// Adds the limits of all curves on one side of an angle that the mechanism does not pass.
     void addLimits(const SteepPlace &place, double u)
     {
-        const Rates rates = place.at(u);
         const double theta2 = place.theta2(place.isToggle() ? u : std::copysign(0.0, u));
         for (std::size_t k = 0; k < m_curves.size(); ++k) {
-            const bool isOfCrank =
-                m_curves[k].function == CrankFunction::PinX || m_curves[k].function == CrankFunction::PinY;
-            const bool isFinite = place.isToggle() || isOfCrank || m_curves[k].order == Order::Position;
-            const double value = rates.value(m_curves[k]);
-            m_points[k].push_back({.theta2 = theta2,
-                                   .value = isFinite ? value : std::copysign(kInfinity, value),
-                                   .kind = u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End});
+            m_points[k].push_back(
+                {.theta2 = theta2,
+                 .value = place.isToggle() ? place.at(u).value(m_curves[k]) : place.valueAtLimit(m_curves[k], u),
+                 .kind = u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End});
         }
     }
 

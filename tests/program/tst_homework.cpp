@@ -205,6 +205,10 @@ private slots:
         QCOMPARE(CsvTable(run("solve --when transmission_angle=60deg").output).rows.size(), std::size_t(2));
         QCOMPARE(CsvTable(run("solve --when theta3_diff=0.1rad/s").output).rows.size(), std::size_t(2));
 
+        // The limits of a rocker, sin θ2 = ±b/a, at times that are rounded.
+        const RunResult limits = run("solve --a 20 --b 10 --c 0 --when theta3=90 --channels R4_x --start 1000.3");
+        QCOMPARE(limits.status, 0);
+        QCOMPARE(CsvTable(limits.output).rows.size(), std::size_t(2));
         const RunResult none = run("solve --when R4_x=90");
         QCOMPARE(none.status, 4);
         QVERIFY2(none.output.isEmpty() && none.hasOneLineError() && none.error.contains("R4_x = 90 mm"), none.error);

@@ -189,6 +189,49 @@ private slots:
                  std::size_t(2));
     }
 
+    /// At a limit of a rocker the coupler is perpendicular to the slider's line, so that B has the x of A: a sin θ2 = c
+    /// + b or c - b.
+    void findsTheLimitsOfARocker()
+    {
+        RandomMechanisms random(463);
+        int limits = 0;
+        for (int i = 0; i < 300; ++i) {
+            Parameters p = random.next();
+            p.c = p.a * random.uniform(-1.2, 1.2);
+            p.b = (p.a + std::abs(p.c)) * random.uniform(0.4, 0.99);
+            for (const double side : {1.0, -1.0}) { // B is above A, or below it
+                const double sine = (p.c - side * p.b) / p.a;
+                if (std::abs(sine) > 1.0) {
+                    continue;
+                }
+                const double pinX = p.a * std::sqrt((1.0 - sine) * (1.0 + sine));
+                const std::pair<const char *, double> values[] = {{"theta3", side * kQuarterTurn},
+                                                                  {"transmission_angle", 0.0},
+                                                                  {"R4_x", pinX},
+                                                                  {"R3_x", pinX},
+                                                                  {"A_x", pinX},
+                                                                  {"A_y", p.a * sine}};
+                for (const auto &[name, value] : values) {
+                    const auto found = crankAnglesAt(Mechanism(p), *outputChannelNamed(name), value);
+                    double error = kInfinity;
+                    for (const double theta2 : *found) {
+                        error = std::min(error, std::hypot(std::cos(theta2) - pinX / p.a, std::sin(theta2) - sine));
+                    }
+                    QVERIFY2(error < 1e-13, (std::string(name) + " of " + describe(p)).c_str());
+                    ++limits;
+                }
+                const auto folded = crankAnglesAt(Mechanism(p), *outputChannelNamed("mu"), 0.0);
+                for (const double theta2 : *folded) {
+                    QVERIFY(!std::isnan(outputStateAt(withCrankAt(Mechanism(p), theta2), 0.0).state.q[R4x]));
+                }
+            }
+        }
+        QVERIFY(limits > 1000);
+        const auto range = rangeOf(Mechanism({.a = 20.0, .b = 10.0, .c = 0.0}), *outputChannelNamed("theta3"));
+        QCOMPARE(range->least, -kQuarterTurn);
+        QCOMPARE(range->greatest, kQuarterTurn);
+    }
+
     /// The scanned values reach the ends of the range, and none is beyond them.
     void theRangeHoldsAllValues()
     {
