@@ -157,15 +157,15 @@ LengthTolerances readTolerances(const OptionReader &options)
         const QString name = part.section('=', 0, 0).trimmed();
         const auto *const length =
             std::ranges::find(kLengths, name, [](const LengthName &each) { return QString(each.name); });
-        if (length == std::end(kLengths) && part.contains('=')) {
+        if (!part.contains('=')) {
+            throw UsageError{CommandLine::tr("--tolerance must be a list such as a=0.05,b=0.1,c=0.05, not \"%1\".")
+                                 .arg(options.text("tolerance"))};
+        }
+        if (length == std::end(kLengths)) {
             throw UsageError{CommandLine::tr("--tolerance: \"%1\" is not one of the lengths a, b and c.").arg(name)};
         }
         if (names.contains(name)) {
             throw UsageError{CommandLine::tr("--tolerance gives %1 twice: keep one of them.").arg(name)};
-        }
-        if (length == std::end(kLengths)) {
-            throw UsageError{CommandLine::tr("--tolerance must be a list such as a=0.05,b=0.1,c=0.05, not \"%1\".")
-                                 .arg(options.text("tolerance"))};
         }
         names += name;
         tolerances.*length->tolerance = parseNumber("tolerance", part.section('=', 1), kMillimetre, 0.0);
@@ -190,6 +190,7 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
                                          "\"%1\".")
                              .arg(options.text("vary"))};
     }
+    options.refuse({optionName(*parameter)}, CommandLine::tr("--vary sets the values of this parameter: remove %1."));
     const double first = parseParameter("vary", match.captured(2), *parameter);
     const double last = parseParameter("vary", match.captured(3), *parameter);
     const int count = options.integer("count", 100, 1, 100'000);

@@ -26,6 +26,19 @@ struct ChannelValue {
     QString text;       ///< with its unit
 };
 
+/// Returns the message that no channel has this name.
+QString unknownChannel(const QString &name)
+{
+    QStringList words{"omega3", "alpha3", "mu"};
+    for (const OutputChannel &known : allOutputChannels()) {
+        words += columnName(known);
+    }
+    return CommandLine::tr("\"%1\" is no quantity: choose x, v, a, theta3, omega3, alpha3, displacement, mu, or a "
+                           "channel such as R4_x, R4_x_diff or R4_x_diff2.")
+               .arg(name) +
+           didYouMean(similarWords(name, words));
+}
+
 /// Parses a channel with a value. A number without a unit is in the units of the output.
 ChannelValue readChannelValue(const char *option, const QString &text, const Units &units)
 {
@@ -34,7 +47,7 @@ ChannelValue readChannelValue(const char *option, const QString &text, const Uni
         throw UsageError{CommandLine::tr("--%1 must be a channel, = and its value, such as %2, not \"%3\".")
                              .arg(option, QLatin1String(option) == u"when" ? "R4_x=60" : "R4_x_diff=8m/s", text)};
     }
-    const OutputChannel channel = parseOutputChannel(name);
+    const OutputChannel channel = parseOutputChannel(option, name);
     const Measure measure = measureOf(channel);
     const Unit fileUnit{.dimension = isAngular(measure) ? Dimension::Angle : Dimension::Length,
                         .order = static_cast<int>(orderOf(channel)),
@@ -258,18 +271,18 @@ double readCrankAcceleration(const OptionReader &options)
 
 OutputChannel parseOutputChannel(const QString &name)
 {
-    const std::optional<OutputChannel> channel = outputChannelNamed(name.toStdString());
-    if (!channel) {
-        QStringList words{"omega3", "alpha3", "mu"};
-        for (const OutputChannel &known : allOutputChannels()) {
-            words += columnName(known);
-        }
-        throw UsageError{CommandLine::tr("\"%1\" is no quantity: choose x, v, a, theta3, omega3, alpha3, displacement, "
-                                         "mu, or a channel such as R4_x, R4_x_diff or R4_x_diff2.")
-                             .arg(name) +
-                         didYouMean(similarWords(name, words))};
+    if (const std::optional<OutputChannel> channel = outputChannelNamed(name.toStdString())) {
+        return *channel;
     }
-    return *channel;
+    throw UsageError{unknownChannel(name)};
+}
+
+OutputChannel parseOutputChannel(const char *option, const QString &name)
+{
+    if (const std::optional<OutputChannel> channel = outputChannelNamed(name.toStdString())) {
+        return *channel;
+    }
+    throw UsageError{QString("--%1: %2").arg(option, unknownChannel(name))};
 }
 
 } // namespace slidercrank

@@ -34,4 +34,7 @@ double readCrankAcceleration(const OptionReader &options);
 /// Parses the name of a channel of the output, or its symbol in textbooks.
 OutputChannel parseOutputChannel(const QString &name);
 
+/// Does the same for a name in an option, such as "when", which a message names.
+OutputChannel parseOutputChannel(const char *option, const QString &name);
+
 } // namespace slidercrank

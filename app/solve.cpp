@@ -31,7 +31,7 @@ std::vector<OutputChannel> readChannels(const OptionReader &options)
     }
     std::vector<OutputChannel> wanted;
     for (const QString &part : options.text("channels").split(',')) {
-        wanted.push_back(parseOutputChannel(part.trimmed()));
+        wanted.push_back(parseOutputChannel("channels", part.trimmed()));
     }
     std::erase_if(all, [&wanted](const OutputChannel &channel) { return !std::ranges::count(wanted, channel); });
     return all;

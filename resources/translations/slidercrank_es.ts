@@ -1075,6 +1075,10 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--design time-ratio necesita una carrera, por ejemplo stroke=80, o las longitudes --a y --b.</translation>
     </message>
     <message>
+        <source>--vary sets the values of this parameter: remove %1.</source>
+        <translation>--vary da los valores de este parámetro: quite %1.</translation>
+    </message>
+    <message>
         <source>--vary prints values without their tolerances: remove %1.</source>
         <translation>--vary escribe valores sin sus tolerancias: quite %1.</translation>
     </message>
