@@ -236,7 +236,13 @@ HWY_INLINE Clearance<Number> clearance(const MotionConstants &k, Number x, Numbe
     const auto below = x < 0.0;
     const Number sigma = select(below, smaller, larger);
     const Number sigmaMirrored = select(below, larger, smaller);
-    return {x, cosine, sigma, sigmaMirrored, k.epsilon + k.a * sigma, k.beta + k.a * sigmaMirrored, k.C - k.a * x};
+    return {.x = x,
+            .cosine = cosine,
+            .sigma = sigma,
+            .sigmaMirrored = sigmaMirrored,
+            .p = k.epsilon + k.a * sigma,
+            .m = k.beta + k.a * sigmaMirrored,
+            .h = k.C - k.a * x};
 }
 
 /// Returns whether the formulas are accurate and the status is Solved; false if x is NaN. `root`: √(p m).

@@ -19,14 +19,28 @@ inline State ClosedForm::stateAt(double t) const
     const double omega = m_mechanism.omega2();
     const double aCos = m_mechanism.a() * motion.crank.cos;
     const double aSin = m_mechanism.a() * motion.crank.sin;
-    state.q << 0.0, 0.0, 0.0, 0.5 * aCos, 0.5 * aSin, motion.theta2, aCos + 0.5 * motion.s,
-        0.5 * (aSin + m_mechanism.c()), motion.theta3, motion.R4x, m_mechanism.c(), 0.0;
+    setCoordinates(state.q, {.R2x = 0.5 * aCos,
+                             .R2y = 0.5 * aSin,
+                             .theta2 = motion.theta2,
+                             .R3x = aCos + 0.5 * motion.s,
+                             .R3y = 0.5 * (aSin + m_mechanism.c()),
+                             .theta3 = motion.theta3,
+                             .R4x = motion.R4x,
+                             .R4y = m_mechanism.c()});
+    setCoordinates(state.qDot, {.R2x = -0.5 * aSin * omega,
+                                .R2y = 0.5 * aCos * omega,
+                                .theta2 = omega,
+                                .R3x = -aSin * omega + 0.5 * motion.sDot,
+                                .R3y = 0.5 * aCos * omega,
+                                .theta3 = motion.theta3Dot,
+                                .R4x = motion.R4xDot});
     const double omegaSquared = omega * omega;
-    state.qDot << 0.0, 0.0, 0.0, -0.5 * aSin * omega, 0.5 * aCos * omega, omega, -aSin * omega + 0.5 * motion.sDot,
-        0.5 * aCos * omega, motion.theta3Dot, motion.R4xDot, 0.0, 0.0;
-    state.qDDot << 0.0, 0.0, 0.0, -0.5 * aCos * omegaSquared, -0.5 * aSin * omegaSquared, 0.0,
-        -aCos * omegaSquared + 0.5 * motion.sDDot, -0.5 * aSin * omegaSquared, motion.theta3DDot, motion.R4xDDot, 0.0,
-        0.0;
+    setCoordinates(state.qDDot, {.R2x = -0.5 * aCos * omegaSquared,
+                                 .R2y = -0.5 * aSin * omegaSquared,
+                                 .R3x = -aCos * omegaSquared + 0.5 * motion.sDDot,
+                                 .R3y = -0.5 * aSin * omegaSquared,
+                                 .theta3 = motion.theta3DDot,
+                                 .R4x = motion.R4xDDot});
     state.setStatus(motion.status);
     return state;
 }

@@ -338,8 +338,14 @@ Vector12 coldStart(const Mechanism &mechanism, double t)
     const double pinY = mechanism.a() * std::sin(theta2);
     const double couplerX = mechanism.branch() == Branch::Open ? mechanism.b() : -mechanism.b();
     Vector12 start;
-    start << 0.0, 0.0, 0.0, 0.5 * pinX, 0.5 * pinY, theta2, pinX + 0.5 * couplerX, pinY,
-        branchCentre(mechanism.branch()), pinX + couplerX, mechanism.c(), 0.0;
+    setCoordinates(start, {.R2x = 0.5 * pinX,
+                           .R2y = 0.5 * pinY,
+                           .theta2 = theta2,
+                           .R3x = pinX + 0.5 * couplerX,
+                           .R3y = pinY,
+                           .theta3 = branchCentre(mechanism.branch()),
+                           .R4x = pinX + couplerX,
+                           .R4y = mechanism.c()});
     return start;
 }
 

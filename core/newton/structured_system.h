@@ -22,19 +22,9 @@ namespace slidercrank
 class StructuredSystem
 {
 public:
-    /// The coordinates as separate variables, which lets the compiler keep them in registers.
-    struct Coordinates {
-        double R1x, R1y, theta1, R2x, R2y, theta2, R3x, R3y, theta3, R4x, R4y, theta4;
-    };
-    static Coordinates read(const Vector12 &q)
-    {
-        return {q[R1x], q[R1y], q[Theta1], q[R2x], q[R2y], q[Theta2],
-                q[R3x], q[R3y], q[Theta3], q[R4x], q[R4y], q[Theta4]};
-    }
-    static void write(const Coordinates &q, Vector12 &to)
-    {
-        to << q.R1x, q.R1y, q.theta1, q.R2x, q.R2y, q.theta2, q.R3x, q.R3y, q.theta3, q.R4x, q.R4y, q.theta4;
-    }
+    using Coordinates = NamedCoordinates;
+    static Coordinates read(const Vector12 &q) { return namedCoordinates(q); }
+    static void write(const Coordinates &q, Vector12 &to) { setCoordinates(to, q); }
 
     StructuredSystem(const Mechanism &mechanism, double t)
         : m_isCrossed(mechanism.branch() == Branch::Crossed)
@@ -140,10 +130,18 @@ public:
         const double couplerX = m_couplerY * theta3;
         const double R3x = R2x - pinX - couplerX - r.crankPinX;
         const double R4x = R3x - couplerX + r.sliderPinX;
-        return {q.R1x - r.groundX, q.R1y - r.groundY,    q.theta1 - r.groundAngle,
-                q.R2x - R2x,       q.R2y - R2y,          q.theta2 - r.crankDrive,
-                q.R3x - R3x,       q.R3y - R3y,          q.theta3 - theta3,
-                q.R4x - R4x,       q.R4y - r.sliderLine, q.theta4 - (r.sliderAngle + r.groundAngle)};
+        return {.R1x = q.R1x - r.groundX,
+                .R1y = q.R1y - r.groundY,
+                .theta1 = q.theta1 - r.groundAngle,
+                .R2x = q.R2x - R2x,
+                .R2y = q.R2y - R2y,
+                .theta2 = q.theta2 - r.crankDrive,
+                .R3x = q.R3x - R3x,
+                .R3y = q.R3y - R3y,
+                .theta3 = q.theta3 - theta3,
+                .R4x = q.R4x - R4x,
+                .R4y = q.R4y - r.sliderLine,
+                .theta4 = q.theta4 - (r.sliderAngle + r.groundAngle)};
     }
 
     double cosTheta3() const { return m_coupler.cos; }
@@ -186,16 +184,25 @@ public:
 
         const double theta3 = -Ax / Bx;
         const double w = By * theta3;
-        state.qDot << 0.0, 0.0, 0.0, -Ay * v, Ax * v, v, (-2.0 * Ay - w) * v, Ax * v, theta3 * v, -2.0 * (Ay + w) * v,
-            0.0, 0.0;
+        setCoordinates(state.qDot, {.R2x = -Ay * v,
+                                    .R2y = Ax * v,
+                                    .theta2 = v,
+                                    .R3x = (-2.0 * Ay - w) * v,
+                                    .R3y = Ax * v,
+                                    .theta3 = theta3 * v,
+                                    .R4x = -2.0 * (Ay + w) * v});
 
         const double theta3Next = (Ay + w * theta3) * (1.0 / Bx);
         const double turned = By * theta3Next;
         const double theta3DDot = theta3Next * vSquared;
         const double R3xDDot = (Ax * (theta3 - 2.0) - turned) * vSquared;
         const double R4xDDot = 2.0 * (Ax * (theta3 - 1.0) - turned) * vSquared;
-        state.qDDot << 0.0, 0.0, 0.0, -Ax * vSquared, -Ay * vSquared, 0.0, R3xDDot, -Ay * vSquared, theta3DDot, R4xDDot,
-            0.0, 0.0;
+        setCoordinates(state.qDDot, {.R2x = -Ax * vSquared,
+                                     .R2y = -Ay * vSquared,
+                                     .R3x = R3xDDot,
+                                     .R3y = -Ay * vSquared,
+                                     .theta3 = theta3DDot,
+                                     .R4x = R4xDDot});
 
         // No other value is larger than the largest of these.
         return std::isfinite(theta3DDot) && std::isfinite(R3xDDot) && std::isfinite(R4xDDot);

@@ -236,7 +236,7 @@ private slots:
         }
         for (const double c : {25.0, -25.0}) {
             for (const Branch branch : {Branch::Open, Branch::Crossed}) {
-                const Parameters p{20.0, 45.0, c, kTurn, 0.0, branch};
+                const Parameters p{.a = 20.0, .b = 45.0, .c = c, .omega2 = kTurn, .branch = branch};
                 const double t = c > 0.0 ? 0.75 : 0.25;
                 const NewtonTimeStep timeStep = solve(Mechanism(p), t, kSmallestResidual);
                 QCOMPARE(timeStep.state.status, Status::Singular);
