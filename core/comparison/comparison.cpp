@@ -74,8 +74,8 @@ Scale scaleOf(const Mechanism &mechanism, const ReferenceSeries &reference, std:
 struct RoundedTimeEffect {
     Trajectory early;
     Trajectory late;
-    /// drift() returns at most this multiple of half the range of the motion; infinite: nothing limits it.
-    double largestDrift = kInfinity;
+    /// drift() returns at most this fraction of half the range of the motion; nullopt: nothing limits it.
+    std::optional<double> largestDrift = {};
 
     /// Returns whether the mechanism can be assembled within the rounding of the row's time stamp.
     bool isMotionPossible(Channel channel, std::size_t row) const
@@ -88,9 +88,9 @@ struct RoundedTimeEffect {
     double drift(Channel channel, std::size_t row, double model, double halfRange) const
     {
         const double change = std::max(std::abs(early[channel][row] - model), std::abs(late[channel][row] - model));
-        const bool isBounded = std::isfinite(early[channel][row]) && std::isfinite(late[channel][row]);
-        const double limit = std::isfinite(largestDrift) ? largestDrift * halfRange : largestDrift;
-        return isBounded ? std::min(change, limit) : limit;
+        const bool existsThroughout = std::isfinite(early[channel][row]) && std::isfinite(late[channel][row]);
+        const double limit = largestDrift ? *largestDrift * halfRange : kInfinity;
+        return existsThroughout ? std::min(change, limit) : limit;
     }
 };
 
@@ -257,7 +257,8 @@ void compareWithRoundedClock(std::vector<ChannelComparison> &channels, Clock clo
                              const ReferenceData &reference)
 {
     const auto canImprove = [&](const ChannelComparison &channel) {
-        const bool isTooFarOff = channel.excess > 2.0 * kExcessOfCloseness; // an excess up to one of them may remain
+        // The assumption lowers the excess by kExcessOfCloseness at most, and a close column may have as much.
+        const bool isTooFarOff = channel.excess > 2.0 * kExcessOfCloseness;
         return !isTooFarOff &&
                (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even));
     };

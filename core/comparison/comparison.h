@@ -30,6 +30,8 @@
 namespace slidercrank
 {
 
+/// The verdict on a column. The bound of an error is the uncertainty of the value, from the rounding of the file; the
+/// excess is ChannelComparison::excess.
 enum class Verdict {
     Agrees, ///< at least 95 % of the errors within the bound, none beyond ten bounds, excess at most 0.5 %
     Close,  ///< none beyond a hundred bounds, excess at most 1 %
@@ -71,8 +73,8 @@ struct ChannelComparison {
     double largestErrorInBounds = 0.0;
     double excess = 0.0;
 
-    /// The time stamps are evenly spaced, and the file is close only if they were rounded, which the measures of the
-    /// verdict assume.
+    /// The measures of the verdict assume that the evenly spaced time stamps were rounded. Otherwise the column would
+    /// differ.
     bool clockIsRounded = false;
 
     Verdict verdict = Verdict::Differs;
@@ -131,7 +133,7 @@ struct MotionDifference {
     bool hasGaps = false; ///< one of the two cannot be assembled at some time stamps
 };
 
-/// Samples both mechanisms between two times (s) and compares them like a file.
+/// Compares the motion of `mechanism` between two times (s) with that of `other`, as with a file of exact values.
 MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other, double from, double to);
 
 } // namespace slidercrank

@@ -31,7 +31,7 @@ Elevation elevationExtremes(const MotionConstants &k, double s, double t, const 
 {
     const double nearest = k.side * kQuarterTurn; // the crank angle with x = 1
     const AngleExtreme smallest{std::atan2(k.C - k.a, t), {nearest}};
-    if (ends.empty()) {
+    if (ends.empty()) { // full turns
         return {.maximum = {std::atan2(k.C + k.a, s), {-nearest}}, .minimum = smallest};
     }
     // The coupler is perpendicular to the slider's line at the ends.
@@ -46,8 +46,8 @@ Elevation elevationExtremes(const MotionConstants &k, double s, double t, const 
     return elevation;
 }
 
-/// Returns the minimum of 90° - |φ|, which is where φ is largest. It is where φ is smallest, too, if that φ has the
-/// same magnitude. `s`: the root defined above.
+/// Returns the minimum of 90° - |φ|. It occurs at the largest φ, and also at the smallest φ if that has the same
+/// magnitude. `s`: the root defined above.
 AngleExtreme minimumTransmissionAngle(const MotionConstants &k, double s, bool isFullTurn, const Elevation &elevation)
 {
     AngleExtreme minimum{isFullTurn ? std::atan2(s, k.C + k.a) : 0.0, elevation.maximum.places};

@@ -139,7 +139,7 @@ public:
             addExtrema(place, -end, end);
             return;
         }
-        // At this distance positions are accurate to rounding; nearer to the limit the crank angle has too few digits.
+        // The search begins at this distance: nearer to the limit the crank angle has too few digits.
         constexpr double kBesideLimit = 1e-6;
         const double start =
             place.isToggle() ? kBesideToggle : std::max(kBesideLimit, std::sqrt(4.0 * kBesideToggle / place.nearest()));

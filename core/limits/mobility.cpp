@@ -200,11 +200,11 @@ std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double thet
     if (ends.empty()) {
         return std::nullopt;
     }
-    for (SliderPosition &end : ends) { // the next crank angle at which it is passed
+    for (SliderPosition &end : ends) { // its crank angle within the revolution that begins at `inside`
         end.theta2 = inside + wrapToTwoPi(end.theta2 - inside);
     }
-    auto [to, from] = std::ranges::minmax(ends, {}, &SliderPosition::theta2);
-    from.theta2 -= kTurn;
+    auto [to, from] = std::ranges::minmax(ends, {}, &SliderPosition::theta2); // the first and the last one
+    from.theta2 -= kTurn;                                                     // a revolution earlier, before `inside`
     const auto containsMiddle = [middle = 0.5 * (from.theta2 + to.theta2)](const CrankRange &range) {
         return contains(range, middle);
     };

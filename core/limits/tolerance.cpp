@@ -120,7 +120,7 @@ private:
             return point; // a corner, as almost always
         }
         constexpr double kGolden = 0.6180339887498949;
-        constexpr double kResolution = 1e-6; // fraction of the length's range: the error of the value is its square
+        constexpr double kResolution = 1e-6; // fraction of the range; the error at an extremum is of its square
         while (high - low > kResolution * (grid.back() - grid.front())) {
             const double left = high - kGolden * (high - low);
             const double right = low + kGolden * (high - low);

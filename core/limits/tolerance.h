@@ -5,8 +5,8 @@
 //
 // To first order the change of a limit f is ±(|∂f/∂a| δa + |∂f/∂b| δb + |∂f/∂c| δc). This estimate fails where f is
 // stationary, such as the time ratio at c = 0, which can only grow. Therefore the range is the exact one: almost always
-// f is largest and smallest at corners of the box of lengths, else on its faces, at c = 0, or at a vertex between them,
-// which is refined.
+// f is largest and smallest at corners of the box of lengths. Otherwise it is at c = 0 or at an extremum along one of
+// the lengths, which is searched.
 
 #include "core/limits/limit.h"
 

@@ -22,7 +22,9 @@ constexpr double Parameters::*memberFor(Parameter parameter)
     return &Parameters::theta20;
 }
 
-/// Returns the mechanism whose points have the opposite x.
+// Mirroring in the y axis, or in both axes, also changes the branch, which mirrorImages() does.
+
+/// Returns the mechanism whose points have the opposite x, if the branch is changed, too.
 Parameters mirroredInY(Parameters parameters)
 {
     parameters.omega2 = -parameters.omega2;
@@ -39,7 +41,7 @@ Parameters mirroredInX(Parameters parameters)
     return parameters;
 }
 
-/// Returns the mechanism that is turned by half a revolution about the crank pivot.
+/// Returns the mechanism that is turned by half a revolution about the crank pivot, if the branch is changed, too.
 Parameters mirroredInBoth(Parameters parameters)
 {
     parameters.c = -parameters.c;

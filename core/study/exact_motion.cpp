@@ -32,7 +32,8 @@ ExactState exactState(const ExactInput &in)
     }
     out.status = isSolved ? Status::Solved : Status::Singular;
     out.cosTheta3 = (motion.sliderX[motion.kPosition] - motion.pinX[motion.kPosition]) / b;
-    for (std::size_t index = 0; index < (isSolved ? kChannelCount : kCoordinateCount); ++index) {
+    const std::size_t existing = isSolved ? kChannelCount : kCoordinateCount; // the positions come first
+    for (std::size_t index = 0; index < existing; ++index) {
         out.values[index] = motion.valueAt(channelAt(index));
     }
     return out;

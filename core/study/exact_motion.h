@@ -15,8 +15,8 @@
 namespace slidercrank
 {
 
-/// A number with 115 digits. Every double is one of these numbers. (The precision of mpreal itself is a global
-/// variable; a result has the precision of its operands.)
+/// A number with 115 digits. Conversion from a double is exact. Numbers are made by this type, because the precision of
+/// a new mpreal is a global variable; a result has the precision of its operands.
 struct ManyDigits : mpfr::mpreal {
     static constexpr int kBits = 384;
 

@@ -102,9 +102,9 @@ struct CaseResult {
     std::size_t timeStamps = 0;
     std::vector<MethodResult> methods;
 
-    /// Error against cost for each tolerance and step size, of the first case only: the errors of the same
-    /// kWorkPrecisionOutputs + 1 states, at equal time steps over the sampled duration, and the cost of all
-    /// MethodResult::states that the method computes for them.
+    /// The rows of a chart of error against cost: one for each tolerance and step size, of the first case only. The
+    /// errors are those of kWorkPrecisionOutputs + 1 states at equal time steps over the sampled duration. The cost is
+    /// that of all states that the method computes to reach them (MethodResult::states).
     std::vector<MethodResult> workPrecision = {};
 };
 

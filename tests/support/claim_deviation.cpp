@@ -47,12 +47,16 @@ Values timesOf(const Parameters &p, const Claim &claim)
 {
     const ReferenceData &data = claim.read;
     const ReferenceSeries *angles = data.find(kTheta2);
-    const auto count = static_cast<Index>(data.time.size());
-    const double *degrees = data.crank                               ? data.crank->degrees.data()
-                            : claim.found.drive && angles != nullptr ? angles->values.data()
-                                                                     : nullptr;
-    return degrees ? Values((Values::Map(degrees, count) / kDegreesPerRadian - p.theta20) / p.omega2)
-                   : Values(Values::Map(data.time.data(), count));
+    const auto toValues = [](const std::vector<double> &column) {
+        return Values(Values::Map(column.data(), static_cast<Index>(column.size())));
+    };
+    if (data.crank) {
+        return (toValues(data.crank->degrees) / kDegreesPerRadian - p.theta20) / p.omega2;
+    }
+    if (claim.found.drive && angles) {
+        return (toValues(angles->values) / kDegreesPerRadian - p.theta20) / p.omega2;
+    }
+    return toValues(data.time);
 }
 
 std::vector<Deviation> deviationsFrom(Parameters p, const Claim &claim)

@@ -160,7 +160,8 @@ private slots:
             Verdict verdict;
             std::size_t zeros;
         };
-        const Rounding residue{Rounding::Rule::SignificantDigits, 6, 1.0, -15, -20};
+        const Rounding residue{
+            .rule = Rounding::Rule::SignificantDigits, .digits = 6, .smallestExponent = -15, .finestPlace = -20};
         const Rounding seventeen{Rounding::Rule::SignificantDigits, 17};
         for (const auto &[model, values, rounding, verdict, zeros] :
              {Row{{132.005, 1.3e-6, -131.257}, {132.005, -7.4e-15, -131.257}, residue, Verdict::Agrees, 1},
@@ -215,11 +216,12 @@ private slots:
             const Mechanism mechanism;
             const Channel speed{R4x, Order::Velocity};
             ReferenceData data;
-            data.timeRounding = {Rounding::Rule::Decimals, 4, 1.0, -2, -4};
+            data.timeRounding = {
+                .rule = Rounding::Rule::Decimals, .digits = 4, .smallestExponent = -2, .finestPlace = -4};
             std::vector<double> meant;
             for (int i = 0; i < 61; ++i) {
                 meant.push_back(spacing * i);
-                data.time.push_back(std::round(133.0 * i) / 1e4);
+                data.time.push_back(std::round(133.0 * i) / 1e4); // four decimals
             }
             const Trajectory motion = sample(mechanism, meant, plottedChannels(), byMethod(Method::ClosedForm));
             data.series.push_back({speed, motion[speed], kSixDigits});

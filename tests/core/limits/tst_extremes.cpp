@@ -120,7 +120,7 @@ private slots:
         for (int i = 0; i < 25; ++i) {
             QTest::addRow("random %d", i) << random.next();
         }
-        QTest::newRow("gap 2e-17") << Parameters{1.0, std::nextafter(1.0, 2.0), 2e-16, 1.0};
+        QTest::newRow("gap 2e-17") << Parameters{.a = 1.0, .b = std::nextafter(1.0, 2.0), .c = 2e-16, .omega2 = 1.0};
     }
 
     void peaksEqualThoseOfAFineScan()

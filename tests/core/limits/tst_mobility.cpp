@@ -143,7 +143,7 @@ private slots:
     /// A mechanism with one length at its limit still makes full turns; slightly beyond the limit it does not.
     void eachLengthHasItsLimitForAFullTurn()
     {
-        const Parameters p{20.0, 65.0, -25.0, 1.0};
+        const Parameters p{.a = 20.0, .b = 65.0, .c = -25.0, .omega2 = 1.0};
         const Mechanism mechanism(p);
         QCOMPARE(shortestCouplerForAnyPose(mechanism), 5.0);
         const auto turns = [&](double Parameters::*length, double value) {

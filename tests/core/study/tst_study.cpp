@@ -168,7 +168,7 @@ private slots:
     void twoHarmonicsEqualTheTextbookFormula()
     {
         // Norton, section 13.2, c = 0: ẍ ≈ -r ω² (cos ωt + (r/l) cos 2ωt), up to terms of (r/l)³.
-        const Parameters parameters{20.0, 400.0, 0.0, 3.0};
+        const Parameters parameters{.a = 20.0, .b = 400.0, .c = 0.0, .omega2 = 3.0};
         const double ratio = parameters.a / parameters.b;
         std::vector<double> times;
         for (int i = 0; i < 24; ++i) {
