@@ -143,32 +143,39 @@ private:
 };
 
 /// Reads --tolerance, such as "a=0.05,b=0.1": half the range of each length.
-LengthTolerances readTolerances(const OptionReader &options)
+LengthTolerances readTolerances(const OptionReader &options, const Mechanism &mechanism)
 {
-    struct LengthName {
+    struct Length {
         const char *name;
         double LengthTolerances::*tolerance;
+        double bound; ///< mm, of the tolerance: the crank and the coupler must not vanish
     };
-    constexpr LengthName kLengths[] = {
-        {"a", &LengthTolerances::a}, {"b", &LengthTolerances::b}, {"c", &LengthTolerances::c}};
+    const Length lengths[] = {{"a", &LengthTolerances::a, mechanism.a()},
+                              {"b", &LengthTolerances::b, mechanism.b()},
+                              {"c", &LengthTolerances::c, kInfinity}};
     LengthTolerances tolerances;
     QStringList names;
     for (const QString &part : options.text("tolerance").split(',')) {
         const QString name = part.section('=', 0, 0).trimmed();
-        const auto *const length =
-            std::ranges::find(kLengths, name, [](const LengthName &each) { return QString(each.name); });
         if (!part.contains('=')) {
             throw UsageError{CommandLine::tr("--tolerance must be a list such as a=0.05,b=0.1,c=0.05, not \"%1\".")
                                  .arg(options.text("tolerance"))};
         }
-        if (length == std::end(kLengths)) {
+        const auto *const length =
+            std::ranges::find(lengths, name, [](const Length &each) { return QString(each.name); });
+        if (length == std::end(lengths)) {
             throw UsageError{CommandLine::tr("--tolerance: \"%1\" is not one of the lengths a, b and c.").arg(name)};
         }
         if (names.contains(name)) {
             throw UsageError{CommandLine::tr("--tolerance gives %1 twice: keep one of them.").arg(name)};
         }
         names += name;
-        tolerances.*length->tolerance = parseNumber("tolerance", part.section('=', 1), kMillimetre, 0.0);
+        const double tolerance = parseNumber("tolerance", part.section('=', 1), kMillimetre, 0.0);
+        if (tolerance >= length->bound) {
+            throw UsageError{CommandLine::tr("--tolerance: %1 = %2 mm cannot be shorter by \"%3\".")
+                                 .arg(name, typedNumberText(length->bound), part.section('=', 1))};
+        }
+        tolerances.*length->tolerance = tolerance;
     }
     return tolerances;
 }
@@ -300,7 +307,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
     options.refuse({"count"}, CommandLine::tr("%1 applies to --vary only: remove it."));
     PrintedLimits list(mechanism, units);
     if (options.has("tolerance")) {
-        list.ranges = limitRanges(mechanism, readTolerances(options));
+        list.ranges = limitRanges(mechanism, readTolerances(options, mechanism));
     }
     const QString sentence = mobilitySentence(mechanism, list.motion);
     const std::vector<Record> rows = list.records();

@@ -3,6 +3,7 @@
 
 #include "app/similar_words.h"
 #include "ui/document/result.h"
+#include "ui/document/scene_link.h"
 #include "ui/text/expression.h"
 #include "ui/text/quantity_text.h"
 #include "ui/text/word_list.h"
@@ -142,9 +143,10 @@ void OptionReader::checkDetachedUnits(const QStringList &arguments) const
         const bool isUnit = files().contains(unit) && parseUnit(unit.toStdString()) && !QFileInfo::exists(unit);
         const bool isBehindNumber = !readExpression(before.section('=', -1), {}, QLocale::c()).fault;
         if (isUnit && isBehindNumber) {
-            const bool isOfOption = i > 1 && arguments[i - 2].startsWith("--");
+            const QString beforeNumber = i > 1 ? arguments[i - 2] : QString();
+            const QString option = beforeNumber.startsWith("--") ? beforeNumber + ' ' : QString();
             throw UsageError{CommandLine::tr("%1%2 %3: write the number and its unit without a space, %2%3.")
-                                 .arg(isOfOption ? arguments[i - 2] + ' ' : QString(), before, unit)};
+                                 .arg(option, before, unit)};
         }
     }
 }
@@ -188,7 +190,8 @@ void OptionReader::refuseFiles() const
     }
     const QString file = files().first();
     refuseOptionWithoutDashes(file);
-    const char *const option = file.endsWith(QLatin1String(".slidercrank")) ? "scene" : "reference";
+    const bool isScene = file.endsWith(QLatin1String(".slidercrank")) || isSceneLink(file);
+    const char *const option = isScene ? "scene" : "reference";
     if (find(option)) {
         throw UsageError{CommandLine::tr("\"slidercrank %1\" takes options only: write --%2 before \"%3\".")
                              .arg(m_command.name, QLatin1String(option), file)};

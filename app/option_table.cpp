@@ -201,9 +201,10 @@ public:
           {"solve limits render", "length-unit", kJoinedWords<LengthUnit>.data(),
            QT_TR_NOOP("unit of the lengths in the output (mm)")},
           {"check", "angle-unit", kJoinedWords<AngleUnit>.data(),
-           QT_TR_NOOP("unit of angles that are written without one (deg)")},
+           QT_TR_NOOP("unit of the checked angles, if they are written without one (deg)")},
           {"check", "length-unit", kJoinedWords<LengthUnit>.data(),
-           QT_TR_NOOP("unit of lengths that are written without one (mm)")},
+           QT_TR_NOOP("unit of the checked lengths, if they are written without one (mm); --a, --b and --c "
+                      "remain in mm")},
           {"solve", "format", kSomeJoinedWords<OutputFormat::Csv, OutputFormat::Json>.data(),
            QT_TR_NOOP("output format (csv)")},
           {"check identify", "format", kSomeJoinedWords<OutputFormat::Text, OutputFormat::Json>.data(),

@@ -89,13 +89,17 @@ void readSubject(const OptionReader &options, RenderRequest &request)
     if (options.has("what")) {
         const QString what = plotNamed(options.text("what"));
         QStringList words;
-        request.subject = Subject::Plot;
         for (const auto &[subject, word] : kSubjects) {
             words += word;
-            request.subject = what == QLatin1String(word) ? subject : request.subject;
+            if (what == QLatin1String(word)) {
+                request.subject = subject;
+            }
         }
         requireOneOf(words + plotWords(), what, "what");
-        plots += request.subject == Subject::Plot ? QStringList(what) : QStringList();
+        if (!words.contains(what)) {
+            request.subject = Subject::Plot;
+            plots += what;
+        }
     }
     if (options.has("plots")) {
         if (request.subject != Subject::Figure) {
@@ -119,10 +123,12 @@ std::pair<double, QString> readLength(const OptionReader &options, const char *n
 {
     const QString text = options.text(name);
     for (const QString &unit : units) {
-        bool isNumber = false;
-        const double value = text.chopped(std::min(text.size(), unit.size())).trimmed().toDouble(&isNumber);
-        if (text.endsWith(unit) && isNumber) {
-            return {value, unit};
+        if (text.endsWith(unit)) {
+            bool isNumber = false;
+            const double value = text.chopped(unit.size()).trimmed().toDouble(&isNumber);
+            if (isNumber) {
+                return {value, unit};
+            }
         }
     }
     throw UsageError{

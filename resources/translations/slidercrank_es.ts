@@ -1075,6 +1075,10 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--design time-ratio necesita una carrera, por ejemplo stroke=80, o las longitudes --a y --b.</translation>
     </message>
     <message>
+        <source>--tolerance: %1 = %2 mm cannot be shorter by &quot;%3&quot;.</source>
+        <translation>--tolerance: %1 = %2 mm no puede ser menor en «%3».</translation>
+    </message>
+    <message>
         <source>--vary sets the values of this parameter: remove %1.</source>
         <translation>--vary da los valores de este parámetro: quite %1.</translation>
     </message>
@@ -1235,12 +1239,12 @@ Equipo: %1. Tiempo: %2 s.
         <translation>unidad de las longitudes en la salida (mm)</translation>
     </message>
     <message>
-        <source>unit of angles that are written without one (deg)</source>
-        <translation>unidad de los ángulos que se escriben sin ella (deg)</translation>
+        <source>unit of the checked angles, if they are written without one (deg)</source>
+        <translation>unidad de los ángulos que se comprueban, si se escriben sin ella (deg)</translation>
     </message>
     <message>
-        <source>unit of lengths that are written without one (mm)</source>
-        <translation>unidad de las longitudes que se escriben sin ella (mm)</translation>
+        <source>unit of the checked lengths, if they are written without one (mm); --a, --b and --c remain in mm</source>
+        <translation>unidad de las longitudes que se comprueban, si se escriben sin ella (mm); --a, --b y --c siguen en mm</translation>
     </message>
     <message>
         <source>--help describes the options.</source>

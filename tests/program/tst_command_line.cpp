@@ -124,6 +124,7 @@ private slots:
             {"limits --vary x --format csv", "must be a parameter"},
             {"limits --vary b=50..120 --b 60", "remove --b"},
             {"limits --tolerance a", "must be a list such as a=0.05"},
+            {"limits --tolerance b=0.1,a=25", "a = 20 mm cannot be shorter by \"25\""},
             {"limits --vary b=0..2 --format csv", "--vary must be between 1e-9"},
             {"limits --vary theta20=0..90", "--vary 90: add a unit"},
             {"limits --design ratio=2", "a list such as stroke=80"},
@@ -188,6 +189,7 @@ private slots:
             {"check b=8 x=9", "\"b=8\" is not an option: write --b 8."},
             {"solve --b 2,500", "write 2.500, or 2500 if it separates thousands."},
             {"study x.slidercrank", "takes options only: write --scene before \"x.slidercrank\""},
+            {"solve slidercrank.html#a=40", "takes options only: write --scene before \"slidercrank.html#a=40\""},
         };
         for (const Row &row : rows) {
             const RunResult outcome = run(QString(row.line));
