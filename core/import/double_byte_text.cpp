@@ -2,11 +2,10 @@
 #include "core/import/double_byte_text.h"
 
 #include "core/import/cells.h"
-#include "core/import/unit_text.h"
 
-#include <charconv>
+#include <algorithm>
+#include <array>
 #include <cstddef>
-#include <unordered_map>
 #include <utility>
 
 namespace slidercrank
@@ -15,37 +14,40 @@ namespace slidercrank
 namespace
 {
 
-/// The characters of the vocabulary, and the two bytes of each in GBK and in Shift-JIS; 0 where it does not occur.
-constexpr std::string_view kCharacters =
-    "位 CEBB 88CA 刻 BFCC 8D8F 力 C1A6 97CD 加 BCD3 89C1 厘 C0E5 97D0 块 BFE9 0 塞 C8FB 8DC7 変 89E4 95CF "
-    "寸 B4E7 90A1 差 B2EE 8DB7 度 B6C8 9378 接 BDD3 90DA 时 CAB1 0 時 9572 8E9E 曲 C7FA 8BC8 杆 B8CB 9E57 "
-    "柄 B1FA 95BF 棒 B0F4 965F 毫 BAC1 9F7C 活 BBEE 8A88 滑 BBAC 8A8A 秒 C3EB 9562 移 D2C6 88DA "
-    "米 C3D7 95C4 置 D6C3 9275 英 D3A2 8970 角 BDC7 8A70 误 CEF3 0 转 D7AA 0 轴 D6E1 0 连 C1AC 0 "
-    "速 CBD9 91AC 連 DF42 9841 間 E967 8AD4 间 BCE4 0 イ A5A4 8343 ク A5AF 834E コ A5B3 8352 ス A5B9 8358 "
-    "ダ A5C0 835F チ A5C1 8360 ッ A5C3 8362 ト A5C8 8367 ド A5C9 8368 ピ A5D4 8373 ラ A5E9 8389 "
-    "ロ A5ED 838D ン A5F3 8393 ー A960 815B 轉 DE44 E77A 塊 894B 89F2 回 BBD8 89F1 軸 DD53 8EB2 "
-    "（ A3A8 8169 ） A3A9 816A ［ A3DB 816D ］ A3DD 816E ° A1E3 818B θ A6C8 83C6 ω A6D8 83D6 "
-    "α A6C1 83BF φ A6D5 83D3 ： A3BA 8146 ／ A3AF 815E";
+/// A character and the codes of its two bytes; 0 where it does not occur.
+struct KnownCharacter {
+    std::string_view text;
+    unsigned gbk;
+    unsigned shiftJis;
+};
 
-/// Returns the characters by their codes, which differ in both encodings.
-const std::unordered_map<unsigned, std::string_view> &knownCharacters()
+/// The characters of the vocabulary.
+constexpr auto kKnownCharacters = std::to_array<KnownCharacter>(
+    {{"位", 0xCEBB, 0x88CA}, {"刻", 0xBFCC, 0x8D8F}, {"力", 0xC1A6, 0x97CD}, {"加", 0xBCD3, 0x89C1},
+     {"厘", 0xC0E5, 0x97D0}, {"块", 0xBFE9, 0},      {"塞", 0xC8FB, 0x8DC7}, {"変", 0x89E4, 0x95CF},
+     {"寸", 0xB4E7, 0x90A1}, {"差", 0xB2EE, 0x8DB7}, {"度", 0xB6C8, 0x9378}, {"接", 0xBDD3, 0x90DA},
+     {"时", 0xCAB1, 0},      {"時", 0x9572, 0x8E9E}, {"曲", 0xC7FA, 0x8BC8}, {"杆", 0xB8CB, 0x9E57},
+     {"柄", 0xB1FA, 0x95BF}, {"棒", 0xB0F4, 0x965F}, {"毫", 0xBAC1, 0x9F7C}, {"活", 0xBBEE, 0x8A88},
+     {"滑", 0xBBAC, 0x8A8A}, {"秒", 0xC3EB, 0x9562}, {"移", 0xD2C6, 0x88DA}, {"米", 0xC3D7, 0x95C4},
+     {"置", 0xD6C3, 0x9275}, {"英", 0xD3A2, 0x8970}, {"角", 0xBDC7, 0x8A70}, {"误", 0xCEF3, 0},
+     {"转", 0xD7AA, 0},      {"轴", 0xD6E1, 0},      {"连", 0xC1AC, 0},      {"速", 0xCBD9, 0x91AC},
+     {"連", 0xDF42, 0x9841}, {"間", 0xE967, 0x8AD4}, {"间", 0xBCE4, 0},      {"イ", 0xA5A4, 0x8343},
+     {"ク", 0xA5AF, 0x834E}, {"コ", 0xA5B3, 0x8352}, {"ス", 0xA5B9, 0x8358}, {"ダ", 0xA5C0, 0x835F},
+     {"チ", 0xA5C1, 0x8360}, {"ッ", 0xA5C3, 0x8362}, {"ト", 0xA5C8, 0x8367}, {"ド", 0xA5C9, 0x8368},
+     {"ピ", 0xA5D4, 0x8373}, {"ラ", 0xA5E9, 0x8389}, {"ロ", 0xA5ED, 0x838D}, {"ン", 0xA5F3, 0x8393},
+     {"ー", 0xA960, 0x815B}, {"轉", 0xDE44, 0xE77A}, {"塊", 0x894B, 0x89F2}, {"回", 0xBBD8, 0x89F1},
+     {"軸", 0xDD53, 0x8EB2}, {"（", 0xA3A8, 0x8169}, {"）", 0xA3A9, 0x816A}, {"［", 0xA3DB, 0x816D},
+     {"］", 0xA3DD, 0x816E}, {"°", 0xA1E3, 0x818B},  {"θ", 0xA6C8, 0x83C6},  {"ω", 0xA6D8, 0x83D6},
+     {"α", 0xA6C1, 0x83BF},  {"φ", 0xA6D5, 0x83D3},  {"：", 0xA3BA, 0x8146}, {"／", 0xA3AF, 0x815E}});
+
+/// Returns the character with a code in one of the two encodings, in which the codes differ; nullopt if none has it.
+std::optional<std::string_view> characterOf(unsigned code)
 {
-    constexpr int kEncodings = 2;
-    constexpr int kHexadecimal = 16;
-    static const std::unordered_map<unsigned, std::string_view> kTable = [] {
-        std::unordered_map<unsigned, std::string_view> characters;
-        for (std::string_view rest = kCharacters; !rest.empty();) {
-            const std::string_view character = takeUntil(' ', rest);
-            for (int encoding = 0; encoding < kEncodings; ++encoding) {
-                const std::string_view digits = takeUntil(' ', rest);
-                unsigned code = 0;
-                std::from_chars(digits.data(), digits.data() + digits.size(), code, kHexadecimal);
-                characters.emplace(code, character);
-            }
-        }
-        return characters;
-    }();
-    return kTable;
+    const auto hasCode = [code](const KnownCharacter &character) {
+        return code != 0 && (character.gbk == code || character.shiftJis == code);
+    };
+    const auto found = std::ranges::find_if(kKnownCharacters, hasCode);
+    return found != kKnownCharacters.end() ? std::optional(found->text) : std::nullopt;
 }
 
 } // namespace
@@ -64,10 +66,10 @@ std::optional<std::string> decodeDoubleBytes(std::string_view bytes)
             continue;
         }
         const bool isPair = i + 1 < bytes.size() && byteOf(bytes[i + 1]) >= kSmallestSecondByte;
-        const auto found = knownCharacters().find(isPair ? byteOf(bytes[i]) * 0x100 + byteOf(bytes[i + 1]) : 0);
-        const bool isKnown = isPair && found != knownCharacters().end();
-        text += isKnown ? found->second : kUnknown;
-        ++(isKnown ? known : unknown);
+        const unsigned code = isPair ? byteOf(bytes[i]) * 0x100 + byteOf(bytes[i + 1]) : 0;
+        const std::optional<std::string_view> character = characterOf(code);
+        text += character.value_or(kUnknown);
+        ++(character ? known : unknown);
         i += isPair ? 1 : 0;
     }
     const bool isSure = known >= kFewestKnown && 2 * known > unknown;
