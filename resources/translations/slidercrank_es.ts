@@ -2160,8 +2160,8 @@ difiere: lo demás</translation>
         <translation>Contiene muy pocos valores: exporte más instantes o más columnas.</translation>
     </message>
     <message>
-        <source>Neither the slider nor the coupler moves in it: export the slider&apos;s position or the coupler&apos;s angle while the crank turns.</source>
-        <translation>En él no se mueven ni la corredera ni la biela: exporte la posición de la corredera o el ángulo de la biela mientras gira la manivela.</translation>
+        <source>In no column that was read does the slider or the coupler move: name the column of the slider&apos;s position or of the coupler&apos;s angle, or export one while the crank turns.</source>
+        <translation>En ninguna columna leída se mueve la corredera o la biela: indique la columna de la posición de la corredera o del ángulo de la biela, o exporte una mientras gira la manivela.</translation>
     </message>
     <message>
         <source>It has fewer than four rows per revolution, so that several crank speeds give the same values: more rows per revolution, derivatives or θ₂ would help.</source>

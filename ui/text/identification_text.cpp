@@ -55,8 +55,8 @@ public:
     static constexpr LackRow kLacks[] = {
         {Lack::FewValues, QT_TR_NOOP("It contains too few values: export more time steps or more columns.")},
         {Lack::NothingMoves,
-         QT_TR_NOOP("Neither the slider nor the coupler moves in it: export the slider's position or "
-                    "the coupler's angle while the crank turns.")},
+         QT_TR_NOOP("In no column that was read does the slider or the coupler move: name the column of the slider's "
+                    "position or of the coupler's angle, or export one while the crank turns.")},
         {Lack::FewRowsPerTurn,
          QT_TR_NOOP("It has fewer than four rows per revolution, so that several crank speeds give the same "
                     "values: more rows per revolution, derivatives or θ₂ would help.")},
