@@ -287,6 +287,20 @@ QPointF anchorOf(const PlotCursor &cursor, const PlotCursor::Label &label)
     return {cursor.x, label.crossing.value_or(label.dot ? label.dot->y() : 0.0)};
 }
 
+PlotCursor translated(PlotCursor cursor, QPointF offset)
+{
+    cursor.x += offset.x();
+    for (PlotCursor::Label &label : cursor.labels) {
+        label.dot = label.dot ? std::optional(*label.dot + offset) : std::nullopt;
+        label.crossing = label.crossing ? std::optional(*label.crossing + offset.y()) : std::nullopt;
+        label.place.translate(offset);
+    }
+    for (QPointF &point : cursor.curves) {
+        point += offset;
+    }
+    return cursor;
+}
+
 double curveReach(const QFont &font)
 {
     constexpr double kWidestValue = 5.0; // heights of its text, with the gap beside the line

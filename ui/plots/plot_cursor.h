@@ -45,6 +45,9 @@ struct PlotCursor {
 /// Returns the point of the line beside which the value of a label stands: where the curve crosses the line.
 QPointF anchorOf(const PlotCursor &cursor, const PlotCursor::Label &label);
 
+/// Returns the cursor moved by an offset (px), such as from the figure into one of its panes.
+PlotCursor translated(PlotCursor cursor, QPointF offset);
+
 /// Return the distance from the line (px) up to which PlotCursor::curves has points, and the spacing (px) of the
 /// points, for text in the font.
 double curveReach(const QFont &font);

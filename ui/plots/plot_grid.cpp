@@ -184,14 +184,7 @@ std::vector<PlotCursor> PlotGrid::cursors(std::size_t plot)
     std::vector<PlotCursor> cursors;
     const auto add = [&](std::optional<PlotCursor> cursor) {
         if (cursor) {
-            cursor->x -= corner.x();
-            for (PlotCursor::Label &label : cursor->labels) {
-                label.dot = label.dot ? std::optional(*label.dot - corner) : std::nullopt;
-            }
-            for (QPointF &point : cursor->curves) {
-                point -= corner;
-            }
-            cursors.push_back(*std::move(cursor));
+            cursors.push_back(translated(*std::move(cursor), -corner));
         }
     };
     if (m_time) {

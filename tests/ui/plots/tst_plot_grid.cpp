@@ -167,6 +167,26 @@ private slots:
         QVERIFY(shown.repaints >= 6);
     }
 
+    void valuesStandBesideTheirDots()
+    {
+        // In all rows of a figure of six plots, every value has room next to its dot.
+        constexpr double kFarInHeights = 2.5; // heights of a value, between its centre and its dot
+        ShownGrid shown;
+        for (const double t : {0.1, 0.25, 0.5, 0.8}) {
+            shown.setTime(t);
+            int values = 0;
+            for (PlotPane *pane : shown.grid.findChildren<PlotPane *>()) {
+                for (const PlotCursor &cursor : pane->cursors()) {
+                    const PlotCursor::Label &label = cursor.labels.at(0);
+                    const double distance = std::abs(label.place.center().y() - label.dot->y());
+                    QVERIFY2(distance < kFarInHeights * label.place.height(), qPrintable(pane->objectName()));
+                    ++values;
+                }
+            }
+            QCOMPARE(values, 6);
+        }
+    }
+
     void everyCurveHasADotAndItsValueAtTheCurrentTime()
     {
         ShownGrid shown({.reference = referenceOf(65.0), .pinned = {withCoupler(80.0)}});
