@@ -25,6 +25,7 @@ constexpr int kTickLength = 3; // px
 constexpr int kLabelGap = 4;   // px between a tick and its label
 
 constexpr QSize kMinSizeOfAxes{50, 20}; // px: low enough for the legend to keep its height in a small window
+constexpr int kLegendSpacing = 12;      // px between two entries of the legend, and between them and the edges
 constexpr int kLinesOfTimeLabels = 2;   // lines of text below a plot: the numbers and the title of the time axis
 
 constexpr int kNoteFlags = Qt::AlignHCenter | Qt::AlignVCenter | Qt::TextWordWrap;
@@ -251,17 +252,17 @@ void PlotFigure::fill()
         {0, m_legendSize.height(), 0, kLinesOfTimeLabels * lineHeight(m_fonts.tick) + kLabelGap});
 }
 
-/// Places as many entries of the legend side by side as fit, draws them if there is a painter, and returns their size.
+/// Places as many entries of the legend side by side as fit, and the times of the values at a cursor after them. Draws
+/// them if there is a painter, and returns their size.
 QSize PlotFigure::placeLegend(QPainter *painter)
 {
     constexpr int kTop = 6;              // px above the legend
-    constexpr int kSpacing = 12;         // px between two entries
     constexpr int kLine = 28;            // px, length of the line before a name
     constexpr int kGap = 7;              // px between a line and its name
     constexpr int kSpaceBesideName = 80; // px: the line before a name, and spacing
     const int width = m_drawing->viewport().width();
     const int height = lineHeight(m_fonts.title);
-    QPoint place(kSpacing, kTop);
+    QPoint place(kLegendSpacing, kTop);
     for (const auto &[name, pen] : m_legend) {
         QStaticText &text = m_names[name];
         if (text.text().isEmpty()) {
@@ -271,7 +272,7 @@ QSize PlotFigure::placeLegend(QPainter *painter)
         }
         const int length = kLine + kGap + static_cast<int>(text.size().width());
         if (place.x() + length > width) { // never the first, which is elided
-            place = {kSpacing, place.y() + height + kLabelGap};
+            place = {kLegendSpacing, place.y() + height + kLabelGap};
         }
         if (painter) {
             const QPoint from = place + QPoint(0, height / 2);
@@ -280,25 +281,38 @@ QSize PlotFigure::placeLegend(QPainter *painter)
             painter->setPen(m_colours.text);
             painter->drawStaticText(place + QPoint(kLine + kGap, 0), text);
         }
-        place.rx() += length + kSpacing;
+        place.rx() += length + kLegendSpacing;
     }
+    place = placeTimes(place, painter);
     return {place.x(), place.y() + height + kLabelGap};
 }
 
-/// Draws a text at the right end of the last line of the legend. Returns false if there is no space for it.
-bool PlotFigure::drawBesideLegend(QPainter &painter, const QString &text) const
+/// Places the times of the values that a cursor shows after the legend, whose next entry would be at `place`: at the
+/// right end of its last line or, where there is no space, in lines of their own. Draws them if there is a painter.
+/// Returns the place after them.
+QPoint PlotFigure::placeTimes(QPoint place, QPainter *painter) const
 {
-    constexpr int kSpacing = 12; // px, from the edge
-    const QFontMetrics metrics(m_fonts.tick);
-    const int left = m_drawing->viewport().width() - kSpacing - metrics.horizontalAdvance(text);
-    if (left < m_legendSize.width()) {
-        return false;
+    if (!m_style.cursorTime) {
+        return place;
     }
-    const int baseline = m_legendSize.height() - kLabelGap - QFontMetrics(m_fonts.title).descent();
-    painter.setFont(m_fonts.tick);
-    painter.setPen(m_colours.text);
-    painter.drawText(left, baseline, text);
-    return true;
+    const QFontMetrics metrics(m_fonts.tick);
+    const int right = m_drawing->viewport().width() - kLegendSpacing;
+    const QStringList times = cursorTexts(*m_style.cursorTime);
+    const QString inOneLine = times.join("; ");
+    const bool fitsInOneLine = metrics.horizontalAdvance(inOneLine) <= right - kLegendSpacing;
+    for (const QString &text : fitsInOneLine ? QStringList(inOneLine) : times) {
+        const int left = right - metrics.horizontalAdvance(text);
+        if (left < place.x()) {
+            place = {kLegendSpacing, place.y() + lineHeight(m_fonts.title) + kLabelGap};
+        }
+        if (painter) {
+            painter->setFont(m_fonts.tick);
+            painter->setPen(m_colours.text);
+            painter->drawText(left, place.y() + QFontMetrics(m_fonts.title).ascent(), text);
+        }
+        place.setX(right + kLegendSpacing);
+    }
+    return place;
 }
 
 /// Chooses as many ticks of the time axes as there is space for labels, and gives the plots that have time labels a
@@ -431,23 +445,17 @@ void PlotFigure::drawInto(QPaintDevice &device)
     drawTexts(painter);
 }
 
-void PlotFigure::paint(QPainter &painter, const std::optional<double> &cursorTime)
+void PlotFigure::paint(QPainter &painter)
 {
     m_drawing->paint(painter, m_drawing->viewport().size());
     drawTexts(painter);
-    if (!cursorTime) {
+    if (!m_style.cursorTime) {
         return;
     }
-    const QStringList times = cursorTexts(*cursorTime);
-    const bool isBesideLegend = drawBesideLegend(painter, times.join("; "));
-    const auto hasNoNote = [this](std::size_t index) { return m_plots[index].note.isEmpty(); };
-    const auto firstFree = std::ranges::find_if(plots(), hasNoNote); // the time would cover the note
-    const std::size_t withTime = firstFree == plots().end() ? plots().front() : *firstFree;
     for (const std::size_t index : plots()) {
         const QRectF axes = m_plots[index].axes->rect();
-        const QStringList heading = !isBesideLegend && index == withTime ? times : QStringList();
         std::vector<PlotCursor> cursors;
-        if (const std::optional<PlotCursor> cursor = cursorAt(index, *cursorTime, heading)) {
+        if (const std::optional<PlotCursor> cursor = cursorAt(index, *m_style.cursorTime, {})) {
             cursors.push_back(*cursor);
         }
         placeLabels(cursors, axes, m_fonts.tick, CrowdedLabelPolicy::LeaveOut);

@@ -104,13 +104,14 @@ struct FigureContent {
 /// The plots that are shown, and their look.
 struct PlotStyle {
     std::vector<std::size_t> plots;
-    QFont font;
-    QPalette palette;
+    QFont font = {};
+    QPalette palette = {};
     double detail = 1.0;    ///< size (px) of the smallest detail that the device shows
     QString comparedWith{}; ///< the pinned motion whose differences are shown; empty for those of a file
     bool isOfFile = false;  ///< whether the errors are those of a file
     ErrorMeasure error = ErrorMeasure::OfPeak;
     Notation notation = slidercrank::notation(); ///< of the titles and axes
+    std::optional<double> cursorTime = {};       ///< s; the values at this time are written beside a line
 
     friend bool operator==(const PlotStyle &, const PlotStyle &) = default;
 };
@@ -151,8 +152,8 @@ public:
     /// Draws the figure on a pixmap or, in its paint event, a widget of the size for which it is composed.
     void drawInto(QPaintDevice &device);
 
-    /// Draws the figure at the size for which it is composed, with the values at that time (s).
-    void paint(QPainter &painter, const std::optional<double> &cursorTime);
+    /// Draws the figure at the size for which it is composed.
+    void paint(QPainter &painter);
 
     /// Returns the height (px) at which that many plots have good proportions in a figure of that width.
     static int heightFor(const std::vector<std::size_t> &plots, int width, const QFont &font);
@@ -229,7 +230,7 @@ private:
     Interval withSpaceForNote(const Plot &plot, const Interval &values) const;
     void chooseTitles();
     QSize placeLegend(QPainter *painter = nullptr);
-    bool drawBesideLegend(QPainter &painter, const QString &text) const;
+    QPoint placeTimes(QPoint place, QPainter *painter) const;
     QPen addCurve(const Plot &plot, const PlotCurve &curve);
     void drawTexts(QPainter &painter);
 

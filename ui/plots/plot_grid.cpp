@@ -250,8 +250,13 @@ void PlotGrid::paintEvent(QPaintEvent *)
 void PlotGrid::paintFigure(QPainter &painter, const FigureContent &content, const QSize &size, const QPalette &palette)
 {
     const std::vector<std::size_t> plots = content.plots.empty() ? plotsToShow({}) : content.plots;
-    compose({.plots = plots, .font = painter.font(), .palette = palette, .detail = smallestDetail(painter)}, size);
-    paint(painter, content.cursorTime);
+    compose({.plots = plots,
+             .font = painter.font(),
+             .palette = palette,
+             .detail = smallestDetail(painter),
+             .cursorTime = content.cursorTime},
+            size);
+    paint(painter);
     requestRefresh(); // restores the figure for the screen
 }
 

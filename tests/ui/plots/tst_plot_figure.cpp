@@ -271,11 +271,11 @@ private slots:
             QCOMPARE(figure.shownPlot(plot).note, "not in the file");
             TextRecorder recorder(size);
             QPainter texts(&recorder);
-            figure.paint(texts, {});
+            figure.paint(texts);
             texts.end();
             QImage picture(size, QImage::Format_RGB32);
             QPainter painter(&picture);
-            figure.paint(painter, {});
+            figure.paint(painter);
             painter.end();
             const auto isNote = [](const TextRecorder::Text &text) { return text.first.startsWith("not"); };
             const auto note = std::ranges::find_if(recorder.texts, isNote);
@@ -419,11 +419,52 @@ private slots:
         }
         TextRecorder recorder(QSize(800, 600));
         QPainter painter(&recorder);
-        figure.compose({{kSliderPosition}, QFont(), QPalette()}, {800, 600});
-        figure.paint(painter, time);
+        figure.compose({.plots = {kSliderPosition}, .cursorTime = time}, {800, 600});
+        figure.paint(painter);
         painter.end();
         const QString wanted = isARow ? "t = 0.1250 s" : "t = 0.1300 s; ≈ file: t = 0.1250 s";
         QVERIFY(std::ranges::count(recorder.texts, wanted, &TextRecorder::Text::first) == 1);
+    }
+
+    /// A former defect: in a narrow figure, the time stood over the curves of the first plot.
+    void theTimeOfTheCursorCoversNoPlot_data()
+    {
+        QTest::addColumn<std::vector<std::size_t>>("plots");
+        QTest::addColumn<QSize>("size");
+        QTest::addColumn<int>("letters"); // px
+        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
+        QTest::addRow("a wide figure") << all << QSize(900, 700) << 12;
+        QTest::addRow("half a column of text") << all << QSize(302, 400) << 12;
+        QTest::addRow("large letters") << all << QSize(605, 600) << 19;
+        QTest::addRow("larger than the figure") << all << QSize(302, 600) << 24;
+        QTest::addRow("a single plot") << std::vector{kSliderPosition} << QSize(302, 200) << 12;
+        QTest::addRow("a single plot of errors") << std::vector{kVelocityErrors} << QSize(302, 200) << 12;
+    }
+    void theTimeOfTheCursorCoversNoPlot()
+    {
+        QFETCH(std::vector<std::size_t>, plots);
+        QFETCH(QSize, size);
+        QFETCH(int, letters);
+        QFont font;
+        font.setPixelSize(letters);
+        PlotFigure &figure = figureOf({.reference = referenceOf(65.0)});
+        figure.compose({.plots = plots, .font = font, .cursorTime = 0.13}, size);
+        TextRecorder recorder(size);
+        QPainter painter(&recorder);
+        figure.paint(painter);
+        painter.end();
+        int times = 0;
+        for (const auto &[text, box] : recorder.texts) {
+            if (text.contains("t = 0.1")) {
+                ++times;
+                QVERIFY(box.bottom() < figure.shownPlot(plots.front()).axes->top());
+                QVERIFY(box.left() >= 0.0 && box.right() <= size.width());
+                for (const auto &[other, place] : recorder.texts) {
+                    QVERIFY2(other == text || !place.intersects(box), qPrintable(other));
+                }
+            }
+        }
+        QVERIFY(times > 0);
     }
 
     /// The same of a motion that is known at its time steps only.
