@@ -3795,6 +3795,42 @@ perpendicular a la línea de la corredera.</translation>
         <translation>error</translation>
     </message>
     <message>
+        <source>position error</source>
+        <translation>error de posición</translation>
+    </message>
+    <message>
+        <source>position difference from %1</source>
+        <translation>diferencia de posición respecto a %1</translation>
+    </message>
+    <message>
+        <source>position difference</source>
+        <translation>diferencia de posición</translation>
+    </message>
+    <message>
+        <source>velocity error</source>
+        <translation>error de velocidad</translation>
+    </message>
+    <message>
+        <source>velocity difference from %1</source>
+        <translation>diferencia de velocidad respecto a %1</translation>
+    </message>
+    <message>
+        <source>velocity difference</source>
+        <translation>diferencia de velocidad</translation>
+    </message>
+    <message>
+        <source>acceleration error</source>
+        <translation>error de aceleración</translation>
+    </message>
+    <message>
+        <source>acceleration difference from %1</source>
+        <translation>diferencia de aceleración respecto a %1</translation>
+    </message>
+    <message>
+        <source>acceleration difference</source>
+        <translation>diferencia de aceleración</translation>
+    </message>
+    <message>
         <source>difference</source>
         <translation>diferencia</translation>
     </message>
@@ -3809,10 +3845,6 @@ perpendicular a la línea de la corredera.</translation>
     <message>
         <source>difference of the slider from %1</source>
         <translation>diferencia de la corredera respecto a %1</translation>
-    </message>
-    <message>
-        <source>difference from %1</source>
-        <translation>diferencia respecto a %1</translation>
     </message>
     <message>
         <source>≈ time step: %1</source>
@@ -3868,18 +3900,6 @@ perpendicular a la línea de la corredera.</translation>
     <message>
         <source>Show all plots agai&amp;n</source>
         <translation>Mostrar de &amp;nuevo todas las gráficas</translation>
-    </message>
-    <message>
-        <source>error of the positions</source>
-        <translation>error de las posiciones</translation>
-    </message>
-    <message>
-        <source>error of the velocities</source>
-        <translation>error de las velocidades</translation>
-    </message>
-    <message>
-        <source>error of the accelerations</source>
-        <translation>error de las aceleraciones</translation>
     </message>
     <message>
         <source>Copy the &amp;values here</source>

@@ -366,13 +366,39 @@ QString PlotFigure::errorUnit(Order order) const
     return tr("% of peak");
 }
 
-/// Returns "error" or "difference from b = 60 mm", and shorter variants.
-QStringList PlotFigure::errorTitles() const
+QString PlotFigure::nameOfErrors(Order order)
+{
+    switch (order) {
+    case Order::Position: break;
+    case Order::Velocity: return tr("velocity error");
+    case Order::Acceleration: return tr("acceleration error");
+    }
+    return tr("position error");
+}
+
+/// Returns "velocity difference from b = 60 mm" and "velocity difference".
+static std::pair<QString, QString> differenceTitles(Order order, const QString &comparedWith)
+{
+    switch (order) {
+    case Order::Position: break;
+    case Order::Velocity:
+        return {PlotFigure::tr("velocity difference from %1").arg(comparedWith), PlotFigure::tr("velocity difference")};
+    case Order::Acceleration:
+        return {PlotFigure::tr("acceleration difference from %1").arg(comparedWith),
+                PlotFigure::tr("acceleration difference")};
+    }
+    return {PlotFigure::tr("position difference from %1").arg(comparedWith), PlotFigure::tr("position difference")};
+}
+
+/// Returns the titles of errors and, after them, shorter variants. Without the name of the quantity, only the row of a
+/// plot tells whose errors it shows.
+QStringList PlotFigure::errorTitles(Order order) const
 {
     if (m_style.isOfFile) {
-        return {tr("error"), QString()};
+        return {nameOfErrors(order), tr("error"), QString()};
     }
-    return {tr("difference from %1").arg(m_style.comparedWith), tr("difference"), QString()};
+    const auto [differenceFrom, difference] = differenceTitles(order, m_style.comparedWith);
+    return {differenceFrom, difference, tr("difference"), QString()};
 }
 
 /// Returns "coupler angular velocity ω³ = dθ³/dt" and shorter variants. All motions have the same number of variants,
@@ -396,7 +422,7 @@ QStringList PlotFigure::motionTitles(Channel channel)
     return titles(full, isAngle(channel.coordinate) ? tr("angle") : tr("position"));
 }
 
-/// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" or "error [% of peak]", and shorter variants.
+/// Returns "coupler angular velocity ω³ = dθ³/dt [°/s]" or "velocity error [% of peak]", and shorter variants.
 QStringList PlotFigure::titles(std::size_t index) const
 {
     const auto withUnits = [](QStringList titles, const QString &unit) {
@@ -409,7 +435,7 @@ QStringList PlotFigure::titles(std::size_t index) const
         const Channel channel = kPlottedChannels[channelOf(index)];
         return withUnits(motionTitles(channel), shownUnit(channel));
     }
-    QStringList titles = withUnits(errorTitles(), errorUnit(orderOfPlot(index)));
+    QStringList titles = withUnits(errorTitles(orderOfPlot(index)), errorUnit(orderOfPlot(index)));
     if (m_style.error == ErrorMeasure::OfPeak) { // "[% of peak]" may be too long
         titles << QStringLiteral("[%]");
     }

@@ -179,6 +179,9 @@ public:
     QString timeText(double t, const std::optional<double> &since = {}) const;
 
 protected:
+    /// Returns "velocity error".
+    static QString nameOfErrors(Order order);
+
     /// Requests a layout after a change of the data, the ranges or the style. Qt combines the requests of one pass of
     /// the event loop into one.
     virtual void requestRefresh();
@@ -223,7 +226,7 @@ private:
     void drawCurves(Plot &plot);
     void setTimeScale();
     QString errorUnit(Order order) const;
-    QStringList errorTitles() const;
+    QStringList errorTitles(Order order) const;
     static QStringList motionTitles(Channel channel);
     QStringList titles(std::size_t index) const;
     QRectF notePlace(const Plot &plot) const;

@@ -39,16 +39,6 @@ PlotGrid::PlotGrid()
     makeChoices();
 }
 
-QString PlotGrid::nameOfErrors(Order order)
-{
-    switch (order) {
-    case Order::Position: break;
-    case Order::Velocity: return tr("error of the velocities");
-    case Order::Acceleration: return tr("error of the accelerations");
-    }
-    return tr("error of the positions");
-}
-
 void PlotGrid::makeChoices()
 {
     auto *measures = new QActionGroup(this);

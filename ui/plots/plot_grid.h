@@ -80,7 +80,6 @@ protected:
     void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
-    static QString nameOfErrors(Order order);
     void makeChoices();
 
     /// Returns the maximized plot, all nine plots, or without errors the six of the motion.

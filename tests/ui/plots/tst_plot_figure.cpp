@@ -467,6 +467,22 @@ private slots:
         QVERIFY(times > 0);
     }
 
+    /// A former defect: the plots of errors of a figure with a choice of plots all had the title "error".
+    void theTitleOfErrorsNamesTheQuantity()
+    {
+        for (const bool isOfFile : {true, false}) {
+            PlotFigure &figure =
+                figureOf(isOfFile ? Shown{.reference = referenceOf(65.0)} : Shown{.pinned = {withCoupler(80.0)}});
+            figure.compose({.plots = {kPositionErrors, kVelocityErrors}}, {700, 300});
+            const auto title = [&figure](std::size_t plot) {
+                const Plot &shown = figure.shownPlot(plot);
+                return shown.titles[shown.title].text();
+            };
+            QVERIFY2(title(kPositionErrors).startsWith("position "), qPrintable(title(kPositionErrors)));
+            QVERIFY2(title(kVelocityErrors).startsWith("velocity "), qPrintable(title(kVelocityErrors)));
+        }
+    }
+
     /// The same of a motion that is known at its time steps only.
     void aValueOfTheNearestTimeStepSaysSo()
     {
