@@ -167,10 +167,13 @@ FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechani
     return [draw, palette, parameters = mechanismText(mechanism)](QPainter &painter, const QSize &size) {
         const QFont font = painter.font();
         const auto [text, box] = parameterLines(parameters, size, font);
+        const QColor background = palette.color(QPalette::Base);
+        // The whole figure, because a line would be seen between two rectangles that a viewer scales and smooths.
+        painter.fillRect(QRect(QPoint(), size), background);
         painter.save();
         draw(painter, {size.width(), std::max(1, box.top())});
         painter.restore();
-        painter.fillRect(box, palette.color(QPalette::Base));
+        painter.fillRect(box, background);
         painter.setFont(font);
         painter.setPen(palette.color(QPalette::Text));
         painter.drawText(box, Qt::AlignCenter, text);

@@ -167,6 +167,29 @@ private slots:
         }
     }
 
+    /// A former defect: a light line divided a dark figure from its parameters.
+    void noLineDividesAFigureFromItsParameters()
+    {
+        const QColor background = paletteFor(Theme::Dark).color(QPalette::Base);
+        const auto drawBackground = [&background](QPainter &painter, const QSize &size) {
+            painter.fillRect(QRect(QPoint(), size), background);
+        };
+        const FigureDrawing draw = withParameters(drawBackground, Mechanism(), paletteFor(Theme::Dark));
+        for (const double scale : {1.0, 1.3, 2.1, 3.125}) {
+            FigureSize size;
+            size.size = QSize(400, 201);
+            size.scale = scale;
+            const auto smoothly = [&draw](QPainter &painter, const QSize &drawn) { // as viewers of SVG do
+                painter.setRenderHint(QPainter::Antialiasing);
+                draw(painter, drawn);
+            };
+            const QImage image = figureImage(size, smoothly);
+            for (int y = 0; y < static_cast<int>(scale * size.size.height()); ++y) {
+                QCOMPARE(image.pixelColor(1, y), background);
+            }
+        }
+    }
+
     void writesFramesIntoANewFolder()
     {
         int frames = 0;
