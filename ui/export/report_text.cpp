@@ -56,7 +56,7 @@ QString paragraph(const QString &text)
 
 QString note(const QString &text)
 {
-    return text.isEmpty() ? QString() : QStringLiteral("<div class=note>%1</div>").arg(element("p", text));
+    return text.isEmpty() ? QString() : QStringLiteral("<div class=note>%1</div>").arg(paragraph(text));
 }
 
 /// What the columns of a table contain.

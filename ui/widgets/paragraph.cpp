@@ -8,8 +8,8 @@ namespace slidercrank
 
 QString withUnbrokenUnits(QString text)
 {
-    static const QRegularExpression kAroundSign("(?<=[=≥≤±]) | (?=[=≥≤±])");
-    static const QRegularExpression kBeforeUnit("(?<=\\d) (?=%|°|mm|cm|in\\b|rad|s\\b)");
+    static const QRegularExpression kAroundSign("(?<=[=≥≤<±+−]) | (?=[=≥≤<±+−])");
+    static const QRegularExpression kBeforeUnit("(?<=\\d) (?=%|°|mm|cm|m\\b|in\\b|rad|s\\b)");
     text.replace(kAroundSign, "\u00a0").replace(kBeforeUnit, "\u00a0");
     return text.replace("|c|", "|\u2060c|").replace("|\u00a0", "|\u2060\u00a0"); // a line may end after a bar
 }

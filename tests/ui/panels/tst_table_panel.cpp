@@ -86,7 +86,7 @@ private slots:
         page.sentence = "b = 65 mm ≥ a + |c| = 4.5 in: c = 24.99 ± 0.01 cm.";
         ShownTable shown(page);
         QCOMPARE(child<QLabel>(shown.panel, "panelSentence")->text(),
-                 "b\u00a0=\u00a065\u00a0mm\u00a0≥\u00a0a + |\u2060c|\u2060\u00a0=\u00a04.5\u00a0in: "
+                 "b\u00a0=\u00a065\u00a0mm\u00a0≥\u00a0a\u00a0+\u00a0|\u2060c|\u2060\u00a0=\u00a04.5\u00a0in: "
                  "c\u00a0=\u00a024.99\u00a0±\u00a00.01\u00a0cm.");
     }
 
