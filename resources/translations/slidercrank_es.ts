@@ -1650,7 +1650,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>largest difference</source>
-        <translation>mayor diferencia</translation>
+        <translation>diferencia máxima</translation>
     </message>
     <message>
         <source>max |this − pinned|</source>
@@ -4331,10 +4331,6 @@ perpendicular a la línea de la corredera.</translation>
         <translation>Los límites del movimiento y las gráficas corresponden a una velocidad constante de la manivela, sin α₂.</translation>
     </message>
     <message>
-        <source>Thin curves: pinned motions, %1.</source>
-        <translation>Curvas finas: movimientos fijados, %1.</translation>
-    </message>
-    <message>
         <source>Closed form, exact to rounding.</source>
         <translation>Forma cerrada, exacta salvo redondeo.</translation>
     </message>
@@ -4393,6 +4389,18 @@ perpendicular a la línea de la corredera.</translation>
     <message>
         <source>largest error</source>
         <translation>error máximo</translation>
+    </message>
+    <message>
+        <source>Thin curves: the pinned motions (%1).</source>
+        <translation>Curvas finas: los movimientos fijados (%1).</translation>
+    </message>
+    <message>
+        <source>largest difference</source>
+        <translation>diferencia máxima</translation>
+    </message>
+    <message>
+        <source>%1 time steps: %2</source>
+        <translation>%1 pasos de tiempo: %2</translation>
     </message>
     <message>
         <source>at θ₂ [%1]</source>

@@ -301,15 +301,16 @@ QString pinnedText(const Result &result)
     for (const Parameters &pinned : result.pinned) {
         motions << pinnedText(pinned, result.mechanism.parameters());
     }
-    return motions.isEmpty() ? QString() : Report::tr("Thin curves: pinned motions, %1.").arg(motions.join(u", "));
+    return motions.isEmpty() ? QString() : Report::tr("Thin curves: the pinned motions (%1).").arg(motions.join(u"; "));
 }
 
-/// Returns a table of errors, with the names of the quantities as in the window and, for a file, the verdicts in words.
+/// Returns a table of the errors of a file or of the differences from a pinned motion, with the names of the quantities
+/// as in the window and, for a file, the verdicts in words.
 QString errorTable(const std::vector<ChannelComparison> &comparison, const ReferenceData *file)
 {
     const bool isOverAngle = file && file->crank;
     std::vector<QStringList> rows{
-        {Report::tr("quantity"), Report::tr("largest error"),
+        {Report::tr("quantity"), file ? Report::tr("largest error") : Report::tr("largest difference"),
          isOverAngle ? Report::tr("at θ₂ [%1]").arg(shownUnit(Measure::Angle)) : Report::tr("at t [s]"),
          Report::tr("rms"), Report::tr("% of peak")}};
     if (file) {

@@ -465,9 +465,12 @@ private slots:
         solver.method = Method::Newton;
         session.setSolver(solver);
         const ReportText pinned({session.result(), {}});
-        QVERIFY2(pinned.has({"pinned motions, b = 65 mm", "the pinned mechanism.",
+        QVERIFY2(pinned.has({"pinned motions (b = 65 mm)", "the pinned mechanism.", "largest difference",
                              "2.5·10⁻¹² (relative), at most 10 iterations"}),
                  qPrintable(pinned.text));
+        session.pinMotion(); // a former defect: the parameters of two motions were a single list
+        session.setParameters({.a = 30.0, .b = 90.0});
+        QVERIFY(ReportText({session.result(), {}}).has("(a = 20 mm, b = 65 mm; a = 20 mm, b = 80 mm)"));
         session.setSolver({});
         session.unpinMotions();
         const ReportText alone({session.result(), {}});
