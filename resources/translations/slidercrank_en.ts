@@ -22,7 +22,7 @@
     </message>
 </context>
 <context>
-    <name>slidercrank::NewtonPages</name>
+    <name>slidercrank::MotionFacts</name>
     <message numerus="yes">
         <source>Newton-Raphson did not converge within %n iterations: allow more iterations or a larger tolerance.</source>
         <translation>

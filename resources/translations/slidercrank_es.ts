@@ -3126,6 +3126,25 @@ PA = %4, PB = %5</translation>
         <source>Here the coupler is perpendicular to the slider&apos;s line, and the velocities jump: just before and just after this position, velocities and accelerations are different.</source>
         <translation>Aquí la biela es perpendicular a la línea de la corredera y las velocidades dan un salto: justo antes y justo después de esta posición, las velocidades y aceleraciones son distintas.</translation>
     </message>
+    <message>
+        <source>The coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not, because the Jacobian is singular.</source>
+        <translation>La biela es perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no, porque el jacobiano es singular.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Newton-Raphson did not converge within %n iterations: allow more iterations or a larger tolerance.</source>
+        <translation>
+            <numerusform>Newton-Raphson no convergió en %n iteración: permita más iteraciones o una tolerancia mayor.</numerusform>
+            <numerusform>Newton-Raphson no convergió en %n iteraciones: permita más iteraciones o una tolerancia mayor.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The mechanism cannot be assembled: the coupler is too short.</source>
+        <translation>El mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
+    </message>
+    <message>
+        <source>The crank angle is too large for Newton-Raphson, because its θ₂ has 16 digits: choose the closed form, a smaller ω₂, or times nearer to 0.</source>
+        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson, porque su θ₂ tiene 16 cifras: elija la forma cerrada, un ω₂ menor o instantes más cercanos a 0.</translation>
+    </message>
 </context>
 <context>
     <name>slidercrank::MotionTable</name>
@@ -3540,31 +3559,12 @@ longitudes y ángulos. Cuanto mayor es, más cifras se pierden; es infinito dond
 perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
-        <source>The coupler is perpendicular to the slider&apos;s line: the position exists, velocity and acceleration do not, because the Jacobian is singular.</source>
-        <translation>La biela es perpendicular a la línea de la corredera: la posición existe; la velocidad y la aceleración, no, porque el jacobiano es singular.</translation>
-    </message>
-    <message>
-        <source>The mechanism cannot be assembled: the coupler is too short.</source>
-        <translation>El mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
-    </message>
-    <message>
-        <source>The crank angle is too large for Newton-Raphson, because its θ₂ has 16 digits: choose the closed form, a smaller ω₂, or times nearer to 0.</source>
-        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson, porque su θ₂ tiene 16 cifras: elija la forma cerrada, un ω₂ menor o instantes más cercanos a 0.</translation>
-    </message>
-    <message>
         <source>From the position %1 s before</source>
         <translation>Desde la posición %1 s antes</translation>
     </message>
     <message>
         <source>● %1. □ %2. The dashed line is the tolerance, %3.</source>
         <translation>● %1. □ %2. La línea discontinua es la tolerancia, %3.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Newton-Raphson did not converge within %n iterations: allow more iterations or a larger tolerance.</source>
-        <translation>
-            <numerusform>Newton-Raphson no convergió en %n iteración: permita más iteraciones o una tolerancia mayor.</numerusform>
-            <numerusform>Newton-Raphson no convergió en %n iteraciones: permita más iteraciones o una tolerancia mayor.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Angle of the %1; lengths in %2</source>

@@ -405,7 +405,17 @@ QString methodText(const Result &result)
         u' ' + Report::tr("%1 time steps from t = %2 s to %3 s, %4 of them solved.")
                    .arg(QString::number(summary.timeSteps), numberText(sampling.start),
                         numberText(sampling.start + sampling.duration), QString::number(summary.count(Status::Solved)));
-    return text + u' ' + fewSamplesSentence(result.mechanism, sampling);
+    for (std::size_t i = 0; i < kStatusCount; ++i) {
+        const auto status = static_cast<Status>(i);
+        const QString reason = statusSentence(status, newton);
+        if (summary.count(status) > 0 && !reason.isEmpty()) {
+            text += u' ' + Report::tr("%1 time steps: %2").arg(QString::number(summary.count(status)), reason);
+        }
+    }
+    if (result.solver.method == Method::Newton) { // the closed form computes as many points as a curve needs
+        text += u' ' + fewSamplesSentence(result.mechanism, sampling);
+    }
+    return text;
 }
 
 } // namespace

@@ -190,25 +190,6 @@ ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions 
 
 } // namespace
 
-QString statusSentence(Status status, const NewtonOptions &options)
-{
-    switch (status) {
-    case Status::Solved: break;
-    case Status::Singular:
-        return NewtonPages::tr("The coupler is perpendicular to the slider's line: the position exists, velocity and "
-                               "acceleration do not, because the Jacobian is singular.");
-    case Status::IterationLimit:
-        return NewtonPages::tr("Newton-Raphson did not converge within %n iterations: allow more iterations or a "
-                               "larger tolerance.",
-                               nullptr, options.maxIterations);
-    case Status::NotAssemblable: return NewtonPages::tr("The mechanism cannot be assembled: the coupler is too short.");
-    case Status::NotFinite: // kLargestDrive; the closed form has no such limit
-        return NewtonPages::tr("The crank angle is too large for Newton-Raphson, because its θ₂ has 16 digits: choose "
-                               "the closed form, a smaller ω₂, or times nearer to 0.");
-    }
-    return {};
-}
-
 Page NewtonPages::equations(const Result &result, double time)
 {
     const TimeStepEquations equations = solvedEquations(result, time);

@@ -25,7 +25,4 @@ public:
     static Page coordinates(const Result &result, double time);
 };
 
-/// Returns a sentence that says why a time step has no solution, or only a part of it; empty for Status::Solved.
-QString statusSentence(Status status, const NewtonOptions &options);
-
 } // namespace slidercrank

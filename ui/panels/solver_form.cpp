@@ -2,7 +2,6 @@
 #include "ui/panels/solver_form.h"
 
 #include "ui/document/session.h"
-#include "ui/panels/newton_pages.h"
 #include "ui/text/axis_scale.h"
 #include "ui/text/motion_facts.h"
 #include "ui/text/written_number.h"

@@ -262,6 +262,25 @@ QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling)
                      .arg(numberText(perTurn, kDigits), numberText(kMinSamplesPerTurn));
 }
 
+QString statusSentence(Status status, const NewtonOptions &options)
+{
+    switch (status) {
+    case Status::Solved: break;
+    case Status::Singular:
+        return MotionFacts::tr("The coupler is perpendicular to the slider's line: the position exists, velocity and "
+                               "acceleration do not, because the Jacobian is singular.");
+    case Status::IterationLimit:
+        return MotionFacts::tr("Newton-Raphson did not converge within %n iterations: allow more iterations or a "
+                               "larger tolerance.",
+                               nullptr, options.maxIterations);
+    case Status::NotAssemblable: return MotionFacts::tr("The mechanism cannot be assembled: the coupler is too short.");
+    case Status::NotFinite: // kLargestDrive; the closed form has no such limit
+        return MotionFacts::tr("The crank angle is too large for Newton-Raphson, because its θ₂ has 16 digits: choose "
+                               "the closed form, a smaller ω₂, or times nearer to 0.");
+    }
+    return {};
+}
+
 QString iterationsText(const SamplingSummary &summary)
 {
     return summary.found() == 0 ? dash()

@@ -68,6 +68,9 @@ QString crankAngleWithUnit(double theta2);
 /// Returns a warning if the samples are too few to draw the motion; otherwise an empty string.
 QString fewSamplesSentence(const Mechanism &mechanism, const Sampling &sampling);
 
+/// Returns a sentence that says why a time step has no solution, or only a part of it; empty for Status::Solved.
+QString statusSentence(Status status, const NewtonOptions &options);
+
 /// Returns "95 in total, at most 4 at a time step", over the time steps that Newton-Raphson solved, or a dash if it
 /// solved none.
 QString iterationsText(const SamplingSummary &summary);

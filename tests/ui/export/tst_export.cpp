@@ -477,6 +477,33 @@ private slots:
         QVERIFY(alone.has("Closed form, exact to rounding.") && !alone.has("pinned"));
     }
 
+    void saysWhyTimeStepsAreNotSolved()
+    {
+        Session session;
+        session.setParameters({.a = 60.0, .b = 50.0, .c = 20.0}); // 120° of 360° cannot be reached
+        const ReportText rocker({session.result(), {}});
+        QVERIFY2(rocker.has("134 of them solved. 67 time steps: The mechanism cannot be assembled"),
+                 qPrintable(rocker.text));
+        session.setParameters({});
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        solver.newton.maxIterations = 2;
+        session.setSolver(solver);
+        QVERIFY(ReportText({session.result(), {}}).has("did not converge within 2 iterations"));
+    }
+
+    /// A former defect: the exact curves of a fast crank were said to have too few samples.
+    void onlyASampledMotionCanHaveTooFewSamples()
+    {
+        Session session;
+        session.setParameters({.omega2 = 100.0 * std::numbers::pi}); // 4 samples per revolution
+        QVERIFY(!ReportText({session.result(), {}}).has("too few"));
+        SolverSettings solver;
+        solver.method = Method::Newton;
+        session.setSolver(solver);
+        QVERIFY(ReportText({session.result(), {}}).has("too few"));
+    }
+
     void putsTextAndDrawingsOnA4()
     {
         const auto draw = [](QPainter &painter, const QSize &size) {
