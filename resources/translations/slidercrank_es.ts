@@ -1891,10 +1891,6 @@ difiere: lo demás</translation>
         <translation>F&amp;ormato</translation>
     </message>
     <message>
-        <source>Choose a width from %1 mm to %2 mm, or from %3 px to %4 px.</source>
-        <translation>Elija un ancho de %1 mm a %2 mm, o de %3 px a %4 px.</translation>
-    </message>
-    <message>
         <source>Choose a plot.</source>
         <translation>Elija una gráfica.</translation>
     </message>

@@ -5,12 +5,12 @@
 #include "ui/text/written_number.h"
 #include "ui/widgets/enum_box.h"
 #include "ui/widgets/named.h"
+#include "ui/widgets/number_box.h"
 #include "ui/widgets/save_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -39,15 +39,6 @@ const QString kFontSize = "export/fontSize";
 const QString kPlots = "export/plots";
 const QString kCursor = "export/cursor";
 const QString kFormat = "export/format";
-
-QDoubleSpinBox *makeBox(const char *name, int decimals, double smallest, double largest)
-{
-    auto *box = named(name, new QDoubleSpinBox);
-    box->setDecimals(decimals);
-    box->setRange(smallest, largest);
-    box->setKeyboardTracking(false);
-    return box;
-}
 
 } // namespace
 
@@ -108,9 +99,9 @@ void chooseFigure(QWidget *parent, const FigureSubject &subject,
 FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &options, QWidget *parent)
     : QDialog(parent)
     , m_subject(subject)
-    , m_width(makeBox("widthBox", 1, kSmallestFigure, kLargestPicture))
+    , m_width(named("widthBox", new NumberBox))
     , m_unit(named("unitBox", new QComboBox))
-    , m_fontSize(makeBox("fontSizeBox", 1, kSmallestFont, kLargestFont))
+    , m_fontSize(named("fontSizeBox", new NumberBox))
     , m_format(named("formatBox", new QComboBox))
     , m_cursor(named("cursorBox", new QCheckBox(tr("&Values at the current time"))))
     , m_preview(named("previewLabel", new QLabel))
@@ -135,8 +126,8 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
     layout->addWidget(buttons, Buttons, Left, 1, ColumnCount);
     fitPreview(QSize(form->sizeHint().width(), plots->sizeHint().height() + buttons->sizeHint().height()));
     layout->setColumnStretch(Preview, 1);
-    connect(m_width, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
-    connect(m_fontSize, &QDoubleSpinBox::valueChanged, this, &FigureForm::showPreview);
+    connect(m_width, &NumberBox::edited, this, &FigureForm::showPreview);
+    connect(m_fontSize, &NumberBox::edited, this, &FigureForm::showPreview);
     connect(m_unit, &QComboBox::currentIndexChanged, this, &FigureForm::changeUnit);
     connect(m_format, &QComboBox::currentIndexChanged, this, &FigureForm::showPreview);
     connect(m_cursor, &QCheckBox::toggled, this, &FigureForm::showPreview);
@@ -150,7 +141,9 @@ void FigureForm::prepareFields(const FigureOptions &options)
     addChoice(m_unit, WidthUnit::Pixel, tr("px"));
     choose(m_unit, options.unit);
     m_unit->setAccessibleName(tr("Unit of the width"));
+    limitWidth();
     m_width->setValue(options.width);
+    m_fontSize->setRange(kSmallestFont, kLargestFont);
     m_fontSize->setValue(options.fontSize);
     m_fontSize->setSuffix(tr(" pt"));
     addChoice(m_format, FigureFormat::Png, "PNG");
@@ -227,12 +220,26 @@ FigureOptions FigureForm::options() const
     return options;
 }
 
-/// Converts the width, so that the figure keeps its size.
+/// Gives the width the limits of its unit. In mm, it may be typed in other units of length.
+void FigureForm::limitWidth()
+{
+    if (chosen<WidthUnit>(m_unit) == WidthUnit::Pixel) {
+        m_width->setRange(kSmallestPicture, kLargestPicture);
+        m_width->clearUnit();
+    } else {
+        m_width->setRange(kSmallestFigure, kLargestFigure);
+        m_width->setUnit(kMillimetre);
+    }
+}
+
+/// Converts the width, so that the figure keeps its size where the limits of the unit allow it.
 void FigureForm::changeUnit()
 {
     constexpr double kPixelsPerMm = kDotsPerInch / kMmPerInch;
     const bool isInPixels = chosen<WidthUnit>(m_unit) == WidthUnit::Pixel;
-    m_width->setValue(isInPixels ? std::round(m_width->value() * kPixelsPerMm) : m_width->value() / kPixelsPerMm);
+    const double width = m_width->value();
+    limitWidth();
+    m_width->setValue(isInPixels ? std::round(width * kPixelsPerMm) : width / kPixelsPerMm);
     showPreview();
 }
 
@@ -240,16 +247,11 @@ void FigureForm::showPreview()
 {
     FigureOptions chosen = options();
     const bool isInPixels = chosen.unit == WidthUnit::Pixel;
-    // The box accepts every width that is possible in one of the units: in px some are too small, in mm too large.
-    const bool isWidthPossible = isInPixels ? chosen.width >= kSmallestPicture : chosen.width <= kLargestFigure;
     const bool hasPlots = m_plots.empty() || !chosen.plots.isEmpty();
-    m_export->setEnabled(isWidthPossible && hasPlots);
-    if (!isWidthPossible || !hasPlots) {
+    m_export->setEnabled(hasPlots);
+    if (!hasPlots) {
         m_preview->setPixmap({});
-        m_outcome->setText(hasPlots ? tr("Choose a width from %1 mm to %2 mm, or from %3 px to %4 px.")
-                                          .arg(numberText(kSmallestFigure), numberText(kLargestFigure),
-                                               numberText(kSmallestPicture), numberText(kLargestPicture))
-                                    : tr("Choose a plot."));
+        m_outcome->setText(tr("Choose a plot."));
         return;
     }
     FigureSize size = figureSize(chosen, m_subject.height(chosen));

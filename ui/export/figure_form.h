@@ -14,12 +14,13 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
 
 namespace slidercrank
 {
+
+class NumberBox;
 
 /// A figure that can be exported.
 struct FigureSubject {
@@ -55,13 +56,14 @@ private:
     QLayout *makeForm();
     void fitPreview(const QSize &others);
     QLayout *makePlots(const FigureOptions &options);
+    void limitWidth();
     void changeUnit();
     void showPreview();
 
     FigureSubject m_subject;
-    QDoubleSpinBox *m_width;
+    NumberBox *m_width;
     QComboBox *m_unit;
-    QDoubleSpinBox *m_fontSize;
+    NumberBox *m_fontSize;
     QComboBox *m_format;
     QCheckBox *m_cursor;
     std::vector<QCheckBox *> m_plots;

@@ -36,6 +36,20 @@ bool isUndo(const QKeyEvent &key)
     return key.matches(QKeySequence::Undo) || key.matches(QKeySequence::Redo);
 }
 
+/// Returns the text without the unit at its end, "9" for "9 pt" and "9pt". "9 mm" is not 9 times the unit "m".
+QString withoutUnit(QString text, const QString &unit)
+{
+    const auto endsWithUnit = [&] {
+        const qsizetype length = text.size() - unit.size();
+        return !unit.isEmpty() && text.endsWith(unit) && (length == 0 || !text[length - 1].isLetter());
+    };
+    while (endsWithUnit()) {
+        text.chop(unit.size());
+        text = text.trimmed();
+    }
+    return text.trimmed();
+}
+
 } // namespace
 
 NumberBox::NumberBox(QWidget *parent)
@@ -176,11 +190,7 @@ QString NumberBox::textFromValue(double value) const
 double NumberBox::valueFromText(const QString &text) const
 {
     m_refusal.clear();
-    QString number = text;
-    while (!suffix().isEmpty() && number.endsWith(suffix())) { // the displayed unit remains in the text while typing
-        number.chop(suffix().size());
-    }
-    number = number.trimmed();
+    const QString number = withoutUnit(text, suffix().trimmed()); // the displayed unit remains in the text while typing
     if (number.isEmpty() || number == textFromValue(value())) {
         return value(); // the exact number instead of the shortened text
     }
@@ -317,6 +327,7 @@ void NumberBox::keyPressEvent(QKeyEvent *event)
     }
     QDoubleSpinBox::keyPressEvent(event);
     if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        event->setAccepted(m_note && m_note->isVisible()); // a dialog does not close with a number that was refused
         emit enterPressed();
     }
 }

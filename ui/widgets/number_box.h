@@ -32,8 +32,9 @@ public:
     /// Sets the numbers that are accepted. By default, they are -kLargestParameter to kLargestParameter.
     void setRange(double smallest, double largest);
 
-    /// Sets the unit of the number, which may be omitted when typing. By default, the number has no unit.
+    /// Set and remove the unit of the number, which may be omitted when typing. By default, the number has no unit.
     void setUnit(const Unit &unit) { m_unit = unit; }
+    void clearUnit() { m_unit.reset(); }
 
     /// Shows a fixed number of decimals if there is space, also while editing; for numbers that change continuously.
     /// With 0 decimals, only whole numbers are accepted, and the step is 1.

@@ -12,6 +12,7 @@
 #include "ui/panels/motion_table_panel.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/text/notation.h"
+#include "ui/widgets/number_box.h"
 #include "ui/widgets/save_dialog.h"
 #include "ui/window/exports.h"
 #include "ui/window/scene_file.h"
@@ -363,6 +364,34 @@ private slots:
         QVERIFY(form->width() <= form->screen()->availableSize().width());
         QVERIFY(form->height() <= form->screen()->availableSize().height());
         view<FigureForm>()->reject();
+    }
+
+    /// A former defect: "3.15in" was a width of 315 mm in Spanish, and impossible numbers vanished without a word.
+    void theWidthOfAFigureMayHaveAUnit()
+    {
+        action("Figure…")->trigger();
+        auto *form = view<FigureForm>();
+        settle();
+        const auto type = [&](const QString &box, const QString &text, Qt::Key last) {
+            auto *number = child<NumberBox>(*form, box);
+            number->setFocus();
+            number->selectAll();
+            QTest::keyClicks(number, text);
+            QTest::keyClick(number, last);
+            return number->accessibleDescription();
+        };
+        QCOMPARE(type("widthBox", "3.15in", Qt::Key_Tab), QString());
+        QVERIFY(std::abs(form->options().width - 80.01) < 1e-9);
+        QCOMPARE(type("fontSizeBox", "10pt", Qt::Key_Tab), QString());
+        QCOMPARE(form->options().fontSize, 10.0);
+        QVERIFY(type("widthBox", "5", Qt::Key_Return).contains("20")); // the smallest width
+        QVERIFY(form->isVisible());                                    // and not closed
+        QVERIFY(type("widthBox", "80 kg", Qt::Key_Tab).contains("mm"));
+        QVERIFY(std::abs(form->options().width - 80.01) < 1e-9);
+        child<QComboBox>(*form, "unitBox")->setCurrentIndex(1);
+        QCOMPARE(form->options().width, 302.0);
+        QVERIFY(type("widthBox", "99", Qt::Key_Tab).contains("100"));
+        form->reject();
     }
 
     void theAnimationHasTheSettingsOfItsForm()
