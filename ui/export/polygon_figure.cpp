@@ -234,7 +234,7 @@ private:
         const QPointF preferred = side == Side::Left ? left : -left;
         const double apart = 0.5 * (std::abs(left.x()) * size.width() + std::abs(left.y()) * size.height()) + 2.0;
         std::vector<QRectF> places;
-        for (const double distance : {apart, 1.5 * apart, 2.0 * apart}) {
+        for (const double distance : {apart, 1.5 * apart, 2.0 * apart, 3.0 * apart}) {
             for (const double part : {0.5, 0.3, 0.7, 0.0, 1.0}) {
                 for (const QPointF &direction : {preferred, -preferred}) {
                     QRectF &box = places.emplace_back(QPointF(), size);
@@ -242,8 +242,11 @@ private:
                 }
             }
         }
-        const auto isFree = [this](const QRectF &box) {
-            const auto covers = [&box](const QRectF &name) { return name.intersects(box); };
+        constexpr double kGapInHeights = 0.4; // between two names, which would otherwise be read as one
+        const double gap = kGapInHeights * size.height();
+        const auto isFree = [this, gap](const QRectF &box) {
+            const QRectF withGap = box.adjusted(-gap, 0.0, gap, 0.0);
+            const auto covers = [&withGap](const QRectF &name) { return name.intersects(withGap); };
             const auto crosses = [this, &box](const PlacedVector &placed) {
                 return isCrossed(box, {toPixels(placed.from), toPixels(placed.to)});
             };

@@ -18,6 +18,7 @@
 
 #include "tests/support/files.h"
 #include "tests/support/suite.h"
+#include "tests/support/text_recorder.h"
 #include "tests/support/waiting.h"
 #include "tests/support/widget_parts.h"
 
@@ -594,6 +595,43 @@ private slots:
         }
         constexpr int kLegible = 40; // px
         QVERIFY2(bottom - top >= kLegible, qPrintable(QString::number(bottom - top)));
+    }
+
+    /// A former defect: in a figure of half a column, two names stood so close that they read as one, "aBaBAᵗ".
+    void namesInPolygonsStandApart()
+    {
+        constexpr double kGap = 3.0; // px
+        const QSize size(302, 230);
+        QFont font;
+        font.setPixelSize(12);
+        for (int degrees = 0; degrees < 360; degrees += 5) {
+            const Mechanism mechanism(Parameters{.theta20 = degrees / kDegreesPerRadian});
+            TextRecorder recorder(size);
+            QPainter painter(&recorder);
+            painter.setFont(font);
+            drawPolygons(painter, QRectF({0.0, 0.0}, QSizeF(size)), polygonsAt(mechanism, 0.0, 3.0),
+                         paletteFor(Theme::Light));
+            painter.end();
+            std::vector<QRectF> names; // each consists of a letter and its indices, which follow it
+            bool isName = false;
+            for (const auto &[text, box] : recorder.texts) {
+                if (text == u"v" || text == u"a") {
+                    names.push_back(box);
+                    isName = true;
+                } else if (isName && text.front().isLetter()) {
+                    names.back() |= box;
+                } else {
+                    isName = false; // a magnitude or a scale
+                }
+            }
+            QVERIFY(names.size() >= 6);
+            for (std::size_t i = 0; i < names.size(); ++i) {
+                for (std::size_t j = 0; j < i; ++j) {
+                    QVERIFY2(!names[i].adjusted(-kGap, 0.0, kGap, 0.0).intersects(names[j]),
+                             qPrintable(QStringLiteral("θ₂ = %1°").arg(degrees)));
+                }
+            }
+        }
     }
 
     void designsInTheChosenUnits()
