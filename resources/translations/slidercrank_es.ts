@@ -2939,7 +2939,7 @@ PA = %4, PB = %5</translation>
     </message>
     <message>
         <source>%1 in total, at most %2 at a time step</source>
-        <translation>%1 en total, a lo sumo %2 en un instante</translation>
+        <translation>%1 en total, a lo sumo %2 en un paso de tiempo</translation>
     </message>
     <message>
         <source>limit</source>
@@ -3832,7 +3832,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>no time step is solved</source>
-        <translation>no se resuelve ningún instante</translation>
+        <translation>no se resuelve ningún paso de tiempo</translation>
     </message>
     <message>
         <source>difference of the coupler from %1</source>
@@ -4788,7 +4788,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>All %1 time steps are solved.</source>
-        <translation>Los %1 instantes están resueltos.</translation>
+        <translation>Los %1 pasos de tiempo están resueltos.</translation>
     </message>
     <message>
         <source>Iterates until ‖C‖ is at most this; 0: until it no longer decreases</source>
@@ -4812,11 +4812,11 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>cannot be assembled at %1 of %2 time steps</source>
-        <translation>no se puede ensamblar en %1 de %2 instantes</translation>
+        <translation>no se puede ensamblar en %1 de %2 pasos de tiempo</translation>
     </message>
     <message>
         <source>%1 of %2 time steps not solved</source>
-        <translation>%1 de %2 instantes sin resolver</translation>
+        <translation>%1 de %2 pasos de tiempo sin resolver</translation>
     </message>
     <message>
         <source>iterations: %1</source>
@@ -4832,7 +4832,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>⚠ %1 of %2 time steps: %3</source>
-        <translation>⚠ %1 de %2 instantes: %3</translation>
+        <translation>⚠ %1 de %2 pasos de tiempo: %3</translation>
     </message>
 </context>
 <context>
