@@ -4583,11 +4583,11 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>peak slider speed [%1]</source>
-        <translation>velocidad máx. corredera [%1]</translation>
+        <translation>pico de vel. de la corredera [%1]</translation>
     </message>
     <message>
         <source>peak slider acc. [%1]</source>
-        <translation>aceleración máx. corredera [%1]</translation>
+        <translation>pico de acel. de la corredera [%1]</translation>
     </message>
     <message>
         <source>Hollow dots: pinned motions, %1.</source>
