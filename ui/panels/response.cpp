@@ -84,19 +84,42 @@ QString fullTurnText(Parameter parameter, const ResponseRange &range)
     return {};
 }
 
+/// Returns `count` equally spaced values, and more of them next to the ends of the ranges. There the limits have
+/// vertical tangents like those of a square root, which straight lines between equally spaced values would cut off.
+static std::vector<double> responseValues(const ResponseRange &range, int count)
+{
+    constexpr int kValuesBesideEnd = 8; // on each side, at quadratically growing distances
+    const auto &[assembled, fullTurn] = range;
+    const double spacing = assembled.length() / (count - 1.0);
+    std::vector<double> values;
+    for (int i = 0; i < count; ++i) {
+        values.push_back(std::lerp(assembled.lower, assembled.upper, i / (count - 1.0)));
+    }
+    std::vector<double> ends{assembled.lower, assembled.upper};
+    for (const double end : {fullTurn.lower, fullTurn.upper}) {
+        if (!fullTurn.isEmpty() && assembled.contains(end)) {
+            values.push_back(end);
+            ends.push_back(end);
+        }
+    }
+    for (const double end : ends) {
+        for (int i = 1; i < kValuesBesideEnd; ++i) {
+            const double distance = spacing * std::pow(static_cast<double>(i) / kValuesBesideEnd, 2);
+            for (const double value : {end - distance, end + distance}) {
+                if (assembled.contains(value)) {
+                    values.push_back(value);
+                }
+            }
+        }
+    }
+    std::ranges::sort(values);
+    return values;
+}
+
 Response computeResponse(const Parameters &parameters, Parameter parameter, int count, const std::stop_token &stop)
 {
     Response response{.parameters = parameters, .parameter = parameter, .range = responseRange(parameters, parameter)};
-    const auto &[assembled, fullTurn] = response.range;
-    for (int i = 0; i < count; ++i) {
-        response.values.push_back(std::lerp(assembled.lower, assembled.upper, i / (count - 1.0)));
-    }
-    for (const double end : {fullTurn.lower, fullTurn.upper}) {
-        if (!fullTurn.isEmpty() && assembled.contains(end)) {
-            response.values.push_back(end);
-        }
-    }
-    std::ranges::sort(response.values);
+    response.values = responseValues(response.range, count);
     LimitValues noLimits;
     noLimits.fill(kNone);
     for (const double value : response.values) {

@@ -45,7 +45,7 @@ struct Response {
     std::vector<LimitValues> limits{};
 };
 
-/// Computes the limits at `count` (at least 2) equally spaced values and at the ends of the range of full turns. If
+/// Computes the limits at `count` (at least 2) equally spaced values, and at and next to the ends of the ranges. If
 /// `stop` is requested, the remaining limits are NaN.
 Response computeResponse(const Parameters &parameters, Parameter parameter, int count,
                          const std::stop_token &stop = {});
