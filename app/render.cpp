@@ -346,6 +346,9 @@ public:
         m_plots.setSettings(m_scene.plots);
         m_plots.setResult(result);
         m_plots.setZoom(m_scene.zoom);
+        if (request.subject == Subject::Report) {
+            m_figure.time = plottedTime(*result, m_scene.zoom);
+        }
         m_mechanism.setResult(result);
         m_mechanism.setSettings(m_scene.mechanism);
         m_mechanism.setZoom(m_scene.mechanismFrame);
@@ -431,6 +434,7 @@ std::optional<QString> write(const RenderRequest &request, const std::shared_ptr
                                     .time = request.scene.time,
                                     .alpha2 = request.scene.alpha2,
                                     .table = request.scene.table,
+                                    .plottedTime = plottedTime(*result, request.scene.zoom),
                                     .paper = request.paper};
         return exportReport(request.output, content, drawMechanism, drawPlots);
     }

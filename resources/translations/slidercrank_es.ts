@@ -4387,6 +4387,10 @@ perpendicular a la línea de la corredera.</translation>
         <translation>error máximo</translation>
     </message>
     <message>
+        <source>The plots show t = %1 s to %2 s.</source>
+        <translation>Las gráficas muestran de t = %1 s a %2 s.</translation>
+    </message>
+    <message>
         <source>Thin curves: the pinned motions (%1).</source>
         <translation>Curvas finas: los movimientos fijados (%1).</translation>
     </message>

@@ -33,9 +33,15 @@ struct ReportContent {
     double time = 0.0;                    ///< s, at which the values are stated and the mechanism is drawn
     double alpha2 = 0.0;                  ///< rad/s²: acceleration of the crank in values, table and polygons
     std::optional<MotionTableSettings> table = {}; ///< nullopt: every 15°, with the usual columns
+    std::optional<Interval> plottedTime = {};      ///< s; nullopt if the plots show the whole time range
     PaperSize paper = PaperSize::A4;
     QDateTime timeOfWriting = QDateTime::currentDateTime();
 };
+
+/// Returns the time range (s) that the plots of a report show: that of the zoom or, if there is none and the crank is
+/// so fast that the curves would look like bands, the first revolution. Otherwise returns nullopt: the whole time
+/// range, also of motions that are compared.
+std::optional<Interval> plottedTime(const Result &result, const PlotZoom &zoom);
 
 /// The paragraphs that stand for the drawings in the text of a report.
 inline constexpr const char *kMechanismPlace = "[mechanism]";

@@ -375,12 +375,17 @@ QString differenceText(const Result &result)
 }
 
 /// Returns the section with the plots; an empty text if they would contain no curve.
-QString plotSection(const Result &result)
+QString plotSection(const ReportContent &content)
 {
+    const Result &result = *content.result;
     if (result.limits.mobility == Mobility::Impossible && !result.isCompared()) {
         return {};
     }
-    return heading(Report::tr("Motion")) + paragraph(pinnedText(result)) +
+    QString shown;
+    if (const std::optional<Interval> &time = content.plottedTime) {
+        shown = Report::tr("The plots show t = %1 s to %2 s.").arg(numberText(time->lower), numberText(time->upper));
+    }
+    return heading(Report::tr("Motion")) + paragraph(shown) + paragraph(pinnedText(result)) +
            QStringLiteral("<p>%1</p>").arg(kFigurePlace);
 }
 
@@ -420,6 +425,18 @@ QString methodText(const Result &result)
 
 } // namespace
 
+std::optional<Interval> plottedTime(const Result &result, const PlotZoom &zoom)
+{
+    constexpr double kMaxRevolutions = 5.0;
+    const Sampling &sampling = result.sampling;
+    const double speed = std::abs(result.mechanism.omega2());
+    const bool isFast = speed * sampling.duration > kMaxRevolutions * kTurn * (1.0 + kEpsilon);
+    if (zoom.time || !isFast || result.isCompared()) {
+        return zoom.time;
+    }
+    return Interval{sampling.start, sampling.start + kTurn / speed};
+}
+
 QString parameterTable(const ReportContent &content)
 {
     const Parameters &model = content.result->mechanism.parameters();
@@ -454,7 +471,7 @@ QString reportHtml(const ReportContent &content)
            sideBySide(parameterTable(content), kMechanismPlace) + note(caption) +
            heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) + derivedValues(content) +
            jumpNote(content) + accelerationNote(content) + limitSection(result) + motionTable(content) +
-           polygonSection(content) + plotSection(result) + heading(Report::tr("Method")) +
+           polygonSection(content) + plotSection(content) + heading(Report::tr("Method")) +
            paragraph(methodText(result)) + comparison;
 }
 

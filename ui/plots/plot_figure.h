@@ -99,6 +99,7 @@ struct PlotReading {
 struct FigureContent {
     std::vector<std::size_t> plots = {};   ///< in their order; empty for all that can be shown
     std::optional<double> cursorTime = {}; ///< s; the values at this time are written beside a line
+    std::optional<Interval> time = {};     ///< s, the time range; nullopt for that of the screen
 };
 
 /// The plots that are shown, and their look.

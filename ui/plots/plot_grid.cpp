@@ -240,6 +240,8 @@ void PlotGrid::paintEvent(QPaintEvent *)
 void PlotGrid::paintFigure(QPainter &painter, const FigureContent &content, const QSize &size, const QPalette &palette)
 {
     const std::vector<std::size_t> plots = content.plots.empty() ? plotsToShow({}) : content.plots;
+    const std::optional<Interval> timeOnScreen = m_zoom.time;
+    m_zoom.time = content.time ? content.time : timeOnScreen;
     compose({.plots = plots,
              .font = painter.font(),
              .palette = palette,
@@ -247,6 +249,7 @@ void PlotGrid::paintFigure(QPainter &painter, const FigureContent &content, cons
              .cursorTime = content.cursorTime},
             size);
     paint(painter);
+    m_zoom.time = timeOnScreen;
     requestRefresh(); // restores the figure for the screen
 }
 

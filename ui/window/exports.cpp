@@ -174,6 +174,7 @@ void Exports::writeReport(const QString &path, PaperSize paper)
                           .time = m_session->time(),
                           .alpha2 = m_session->alpha2(),
                           .table = m_views.table->settings(),
+                          .plottedTime = plottedTime(*m_session->result(), m_views.plots->zoom()),
                           .paper = paper};
     if (const auto &reference = content.result->choices.reference) {
         const auto &identification = m_session->identification();
@@ -185,7 +186,8 @@ void Exports::writeReport(const QString &path, PaperSize paper)
         }
         content.found = identification->found;
     }
-    m_session->reportWritten(path, exportReport(path, content, mechanismDrawing(), plotsDrawing({})));
+    m_session->reportWritten(
+        path, exportReport(path, content, mechanismDrawing(), plotsDrawing({.time = content.plottedTime})));
 }
 
 Animation Exports::animationShown() const

@@ -504,6 +504,26 @@ private slots:
         QVERIFY(ReportText({session.result(), {}}).has("too few"));
     }
 
+    /// A former defect: fifty revolutions of an engine were a band, in which no curve could be read.
+    void thePlotsShowTheFirstRevolutionOfAFastCrank()
+    {
+        Session session;
+        session.setParameters({.omega2 = -100.0 * std::numbers::pi});
+        session.setSampling({0.5, 1.0, 200});
+        const std::optional<Interval> time = plottedTime(*session.result(), {});
+        QVERIFY(time && time->lower == 0.5 && std::abs(time->upper - 0.52) < 1e-12);
+        QVERIFY(ReportText({.result = session.result(), .found = {}, .plottedTime = time}).has("t = 0.5 s to 0.52 s"));
+        const Interval zoomed{0.6, 0.7};
+        QCOMPARE(plottedTime(*session.result(), {.time = zoomed, .values = {}}), zoomed);
+        session.pinMotion();
+        session.setParameter(Parameter::B, 80.0);
+        QCOMPARE(plottedTime(*session.result(), {}), std::nullopt);
+        session.unpinMotions();
+        session.setParameters({.omega2 = 10.0 * std::numbers::pi}); // five revolutions
+        QCOMPARE(plottedTime(*session.result(), {}), std::nullopt);
+        QVERIFY(!ReportText({session.result(), {}}).has("The plots show"));
+    }
+
     void putsTextAndDrawingsOnA4()
     {
         const auto draw = [](QPainter &painter, const QSize &size) {

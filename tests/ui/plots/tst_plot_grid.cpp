@@ -478,7 +478,8 @@ private slots:
     {
         ShownGrid shown({.reference = referenceOf(65.0)});
         const QImage before = shown.grid.grab().toImage();
-        for (const FigureContent &content : {FigureContent(), FigureContent{.plots = {1}}}) {
+        for (const FigureContent &content :
+             {FigureContent(), FigureContent{.plots = {1}}, FigureContent{.time = Interval{0.2, 0.6}}}) {
             TextRecorder recorder({900, 700});
             QPainter painter(&recorder);
             shown.grid.paintFigure(painter, content, {900, 700}, paletteFor(Theme::Light));
@@ -490,6 +491,7 @@ private slots:
             for (const char *wanted : {"model", "simulation.csv", "t [s]"}) {
                 QVERIFY2(text.contains(QLatin1String(wanted)), qPrintable(text));
             }
+            QCOMPARE(text.contains("0.8"), !content.time); // a number on the time axis
         }
         QCOMPARE(shown.grid.grab().toImage(), before);
     }
