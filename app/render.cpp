@@ -356,7 +356,7 @@ public:
     }
 
     void drawPlots(QPainter &painter, const QSize &size) { m_plots.paintFigure(painter, m_figure, size, m_palette); }
-    int plotsHeight(int width, const QFont &font) const { return m_plots.figureHeight(m_figure, width, font); }
+    int plotsHeight(int width, const QFont &font) { return m_plots.figureHeight(m_figure, width, font); }
 
     void drawMechanism(QPainter &painter, const QSize &size) { drawFrame(painter, size, m_scene.time); }
     int mechanismHeight(int width) const { return m_mechanism.pictureHeight(width); }

@@ -25,6 +25,7 @@ constexpr int kTickLength = 3; // px
 constexpr int kLabelGap = 4;   // px between a tick and its label
 
 constexpr QSize kMinSizeOfAxes{50, 20}; // px: low enough for the legend to keep its height in a small window
+constexpr int kAboveLegend = 6;         // px
 constexpr int kLegendSpacing = 12;      // px between two entries of the legend, and between them and the edges
 constexpr int kLinesOfTimeLabels = 2;   // lines of text below a plot: the numbers and the title of the time axis
 
@@ -72,6 +73,13 @@ std::size_t columnsFor(const std::vector<std::size_t> &plots)
     return isSquare || isGridWithoutErrors ? kPair : std::min(count, kPlotColumns);
 }
 
+/// Returns whether the last row of the figure has fewer plots than the others. Then every plot has numbers on its time
+/// axis, and space for them below it.
+bool isLastRowShort(const std::vector<std::size_t> &plots)
+{
+    return plots.size() % columnsFor(plots) != 0;
+}
+
 } // namespace
 
 PlotFigure::PlotFigure()
@@ -95,19 +103,19 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_plots = {};
     const std::size_t count = style.plots.size();
     const std::size_t columns = columnsFor(style.plots);
-    const bool isLastRowShort = count % columns != 0;
+    const bool hasLabelsEverywhere = isLastRowShort(style.plots);
     for (std::size_t place = 0; place < count; ++place) {
         const std::size_t index = style.plots[place];
         Plot &plot = m_plots[index];
         plot.row = place / columns;
-        plot.hasTimeLabels = isLastRowShort || plot.row + 1 == count / columns;
+        plot.hasTimeLabels = hasLabelsEverywhere || plot.row + 1 == count / columns;
         constexpr bool kHasFourAxes = false; // only the two that are added below
         plot.axes = new QCPAxisRect(m_drawing.get(), kHasFourAxes);
         plot.timeAxis = plot.axes->addAxis(QCPAxis::atBottom);
         plot.valueAxis = plot.axes->addAxis(QCPAxis::atLeft);
         plot.axes->setMinimumSize(kMinSizeOfAxes);
         plot.axes->setMarginGroup(QCP::msLeft | QCP::msRight, m_margins);
-        const int linesBelow = plot.hasTimeLabels && isLastRowShort ? kLinesOfTimeLabels + 1 : 1;
+        const int linesBelow = hasLabelsEverywhere ? kLinesOfTimeLabels + 1 : 1;
         const int below = linesBelow * lineHeight(m_fonts.tick);
         plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, below));
         plot.axes->setAutoMargins(QCP::msLeft | QCP::msRight);
@@ -248,21 +256,21 @@ void PlotFigure::fill()
         drawCurves(m_plots[index]);
     }
     m_legendSize = placeLegend();
-    m_drawing->plotLayout()->setMargins( // for the legend and the title of the time axis
-        {0, m_legendSize.height(), 0, kLinesOfTimeLabels * lineHeight(m_fonts.tick) + kLabelGap});
+    const int linesBelow = isLastRowShort(plots()) ? 0 : kLinesOfTimeLabels;
+    m_drawing->plotLayout()->setMargins( // for the legend, and the numbers and the title of the time axis
+        {0, m_legendSize.height(), 0, linesBelow * lineHeight(m_fonts.tick) + kLabelGap});
 }
 
 /// Places as many entries of the legend side by side as fit, and the times of the values at a cursor after them. Draws
 /// them if there is a painter, and returns their size.
 QSize PlotFigure::placeLegend(QPainter *painter)
 {
-    constexpr int kTop = 6;              // px above the legend
     constexpr int kLine = 28;            // px, length of the line before a name
     constexpr int kGap = 7;              // px between a line and its name
     constexpr int kSpaceBesideName = 80; // px: the line before a name, and spacing
     const int width = m_drawing->viewport().width();
     const int height = lineHeight(m_fonts.title);
-    QPoint place(kLegendSpacing, kTop);
+    QPoint place(kLegendSpacing, kAboveLegend);
     for (const auto &[name, pen] : m_legend) {
         QStaticText &text = m_names[name];
         if (text.text().isEmpty()) {
@@ -499,6 +507,11 @@ int PlotFigure::heightFor(const std::vector<std::size_t> &plots, int width, cons
         std::max<double>(kRowHeight[columns] * width / static_cast<double>(columns), kMinLines * lineHeight(font));
     const int legendAndTimeLabels = 3 * lineHeight(font);
     return static_cast<int>(std::lround(static_cast<double>(rows) * row)) + legendAndTimeLabels;
+}
+
+int PlotFigure::excessOfLegend() const
+{
+    return m_legendSize.height() - (kAboveLegend + lineHeight(m_fonts.title) + kLabelGap);
 }
 
 /// Returns the place of a plot's note: above the curves, which leave space for it, or in the middle if there are none.

@@ -187,6 +187,9 @@ protected:
     /// the event loop into one.
     virtual void requestRefresh();
 
+    /// Returns the height (px) by which the legend exceeds the single line for which heightFor() has space.
+    int excessOfLegend() const;
+
     PlotZoom m_zoom;
     bool m_isStale = true; ///< compose() has to be called
     QSize m_legendSize;    ///< px

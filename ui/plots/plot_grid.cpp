@@ -262,9 +262,13 @@ std::vector<NamedPlot> PlotGrid::choosablePlots() const
     return plots;
 }
 
-int PlotGrid::figureHeight(const FigureContent &content, int width, const QFont &font) const
+int PlotGrid::figureHeight(const FigureContent &content, int width, const QFont &font)
 {
-    return heightFor(content.plots.empty() ? plotsToShow({}) : content.plots, width, font);
+    const std::vector<std::size_t> plots = content.plots.empty() ? plotsToShow({}) : content.plots;
+    const int height = heightFor(plots, width, font);
+    compose({.plots = plots, .font = font, .cursorTime = content.cursorTime}, {width, height});
+    requestRefresh(); // restores the figure for the screen
+    return height + excessOfLegend();
 }
 
 } // namespace slidercrank

@@ -44,7 +44,7 @@ public:
     std::vector<NamedPlot> choosablePlots() const;
 
     /// Returns the height (px) at which the plots have good proportions.
-    int figureHeight(const FigureContent &content, int width, const QFont &font) const;
+    int figureHeight(const FigureContent &content, int width, const QFont &font);
 
     /// Returns checkable actions for the settings of the plots, to be shown in menus.
     const QList<QAction *> &choices() const { return m_choices; }

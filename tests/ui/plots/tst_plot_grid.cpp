@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/pixels.h"
 #include "tests/support/suite.h"
+#include "ui/plots/plot_drawing.h"
 #include "ui/plots/plot_grid.h"
 
 #include "tests/support/text_recorder.h"
@@ -472,6 +473,36 @@ private slots:
         const QImage atOnce = shown.grid.grab().toImage();
         settle();
         QCOMPARE(atOnce, shown.grid.grab().toImage());
+    }
+
+    /// Former defects: a long legend made the plots of a narrow figure low, and a figure whose last row is short had
+    /// empty lines below it.
+    void plotsOfAFigureKeepTheirProportions()
+    {
+        ShownGrid shown({.reference = referenceOf(65.0)});
+        QFont font;
+        font.setPixelSize(12);
+        const int line = QFontMetrics(font).height();
+        constexpr double kMinRatio = 0.4; // height of the axes over their width
+        for (const FigureContent &content :
+             {FigureContent{.plots = {5}}, FigureContent{.plots = {5}, .cursorTime = 0.13},
+              FigureContent{.plots = {0, 1, 2, 3, 4}}, FigureContent{.cursorTime = 0.13}}) {
+            for (const int width : {302, 605, 945}) {
+                const QSize size(width, shown.grid.figureHeight(content, width, font));
+                TextRecorder recorder(size);
+                QPainter painter(&recorder);
+                painter.setFont(font);
+                shown.grid.paintFigure(painter, content, size, paletteFor(Theme::Light));
+                painter.end();
+                const QCPAxisRect &axes = *shown.grid.shownPlot(shown.grid.plots().front()).axes;
+                QVERIFY2(axes.height() > kMinRatio * axes.width(), qPrintable(QString::number(axes.height())));
+                double lowest = 0.0;
+                for (const auto &[text, box] : recorder.texts) {
+                    lowest = std::max(lowest, box.bottom());
+                }
+                QVERIFY2(lowest > size.height() - line, qPrintable(QString::number(size.height() - lowest)));
+            }
+        }
     }
 
     void anExportedFigureLeavesTheScreenAsItWas()
