@@ -8,6 +8,7 @@
 #include "ui/text/channel_text.h"
 #include "ui/text/parameter_text.h"
 #include "ui/text/subscripts.h"
+#include "ui/widgets/paragraph.h"
 
 #include <QFontMetricsF>
 
@@ -78,6 +79,24 @@ std::size_t columnsFor(const std::vector<std::size_t> &plots)
 bool isLastRowShort(const std::vector<std::size_t> &plots)
 {
     return plots.size() % columnsFor(plots) != 0;
+}
+
+/// Returns a name of the legend for lines of that width (px): a long name has several lines, and a word that is too
+/// long for one, such as the name of a file, is elided.
+QStaticText legendName(const QString &name, const QFont &font, int width)
+{
+    const QFontMetrics metrics(font);
+    const QStringList words = withUnbrokenUnits(name).split(u' ');
+    const auto isTooLong = [&](const QString &word) { return metrics.horizontalAdvance(word) > width; };
+    const bool fits = !isTooLong(name) || std::ranges::none_of(words, isTooLong);
+    QStaticText text;
+    text.setTextFormat(Qt::PlainText); // a file's name may look like HTML
+    text.setText(fits ? words.join(u' ') : metrics.elidedText(name, Qt::ElideMiddle, width));
+    if (fits && isTooLong(name)) {
+        text.setTextWidth(width);
+    }
+    text.prepare({}, font);
+    return text;
 }
 
 } // namespace
@@ -274,12 +293,10 @@ QSize PlotFigure::placeLegend(QPainter *painter)
     for (const auto &[name, pen] : m_legend) {
         QStaticText &text = m_names[name];
         if (text.text().isEmpty()) {
-            text.setTextFormat(Qt::PlainText); // a file's name may look like HTML
-            text.setText(QFontMetrics(m_fonts.title).elidedText(name, Qt::ElideMiddle, width - kSpaceBesideName));
-            text.prepare({}, m_fonts.title);
+            text = legendName(name, m_fonts.title, width - kSpaceBesideName);
         }
         const int length = kLine + kGap + static_cast<int>(text.size().width());
-        if (place.x() + length > width) { // never the first, which is elided
+        if (place.x() + length > width && place.x() > kLegendSpacing) {
             place = {kLegendSpacing, place.y() + height + kLabelGap};
         }
         if (painter) {
@@ -289,7 +306,8 @@ QSize PlotFigure::placeLegend(QPainter *painter)
             painter->setPen(m_colours.text);
             painter->drawStaticText(place + QPoint(kLine + kGap, 0), text);
         }
-        place.rx() += length + kLegendSpacing;
+        const int furtherLines = std::max(0, static_cast<int>(std::lround(text.size().height())) - height);
+        place += QPoint(length + kLegendSpacing, furtherLines);
     }
     place = placeTimes(place, painter);
     return {place.x(), place.y() + height + kLabelGap};

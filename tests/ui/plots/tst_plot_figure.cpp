@@ -467,6 +467,32 @@ private slots:
         QVERIFY(times > 0);
     }
 
+    /// A former defect: in a narrow figure, the middle of a name was left out: "difference of the co…m b = 80 mm".
+    void aLongNameInTheLegendHasSeveralLines()
+    {
+        constexpr QSize kSize(302, 260);
+        QFont font;
+        font.setPixelSize(12);
+        PlotFigure &figure = figureOf({.pinned = {{.a = 25.0, .b = 80.0, .c = -12.5}}});
+        figure.compose({.plots = {kVelocityErrors}, .font = font, .cursorTime = 0.13}, kSize);
+        TextRecorder recorder(kSize);
+        QPainter painter(&recorder);
+        figure.paint(painter);
+        painter.end();
+        QStringList legend;
+        for (const auto &[text, box] : recorder.texts) {
+            if (box.bottom() < figure.shownPlot(kVelocityErrors).axes->top()) {
+                legend << QString(text).replace(QChar::Nbsp, u' ');
+                QVERIFY2(box.left() >= 0.0 && box.right() <= kSize.width(), qPrintable(text));
+                for (const auto &[other, place] : recorder.texts) {
+                    QVERIFY2(other == text || !place.intersects(box), qPrintable(other));
+                }
+            }
+        }
+        const QString all = legend.join(u' ').simplified();
+        QVERIFY2(all.contains("difference of the slider from a = 25 mm, b = 80 mm, c = −12.5 mm"), qPrintable(all));
+    }
+
     /// A former defect: the plots of errors of a figure with a choice of plots all had the title "error".
     void theTitleOfErrorsNamesTheQuantity()
     {
