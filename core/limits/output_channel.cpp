@@ -245,11 +245,23 @@ OutputState outputStateAt(const Mechanism &mechanism, double t, double alpha2)
     return output;
 }
 
+/// Returns whether the crank angle (rad) is an end of the arc of a rocker, except for rounding. There the coupler is
+/// perpendicular to the slider's line, and the velocities are infinite or, by a rounding error, huge.
+static bool isCrankLimit(const Mechanism &mechanism, double theta2)
+{
+    constexpr double kRounding = 1e-12; // rad
+    return std::ranges::any_of(motionLimits(mechanism).crankLimits, [theta2](const SliderPosition &limit) {
+        return std::abs(wrapToPi(theta2 - limit.theta2)) <= kRounding;
+    });
+}
+
 OutputState unambiguousStateAt(const Mechanism &mechanism, double t, double alpha2)
 {
     OutputState output = outputStateAt(mechanism, t, alpha2);
     const bool isAtRest = mechanism.omega2() == 0.0 && alpha2 == 0.0;
-    if (!isAtRest && velocitiesJumpAt(mechanism, output.state.q[Theta2])) {
+    const double theta2 = output.state.q[Theta2];
+    if (!isAtRest && output.state.status == Status::Solved &&
+        (velocitiesJumpAt(mechanism, theta2) || isCrankLimit(mechanism, theta2))) {
         output.state.setStatus(Status::Singular);
         output.derived = derivedState(mechanism, output.state, ClosedForm(mechanism).motionAt(t).s);
     }

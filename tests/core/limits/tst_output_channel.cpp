@@ -127,6 +127,19 @@ private slots:
         QCOMPARE(unambiguousStateAt(atRest, 0.0).state.status, Status::Solved);
     }
 
+    /// A former defect: 10¹⁰ mm/s and 10²⁶ mm/s² at the crank angle at which the limits say ∞.
+    void atTheEndOfARockersArcThereAreNoVelocities()
+    {
+        const double end = 210.0 * std::numbers::pi / 180.0; // sin 210° = -1/2 = (c - b)/a
+        const Mechanism atEnd({.a = 60.0, .b = 50.0, .c = 20.0, .theta20 = end - 1e-15}); // not beyond it
+        const OutputState state = unambiguousStateAt(atEnd, 0.0);
+        QCOMPARE(state.state.status, Status::Singular);
+        QVERIFY(std::isnan(state.valueOf(Channel{R4x, Order::Velocity})));
+        QVERIFY(std::isfinite(state.valueOf(Channel{R4x, Order::Position})));
+        const Mechanism before({.a = 60.0, .b = 50.0, .c = 20.0, .theta20 = end - 1e-6});
+        QCOMPARE(unambiguousStateAt(before, 0.0).state.status, Status::Solved);
+    }
+
     void understandsSymbolsAsTheyAreWritten()
     {
         struct Row {
