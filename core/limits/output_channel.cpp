@@ -6,6 +6,7 @@
 #include "core/limits/mobility.h"
 #include "core/mechanism/enum_table.h"
 #include "core/mechanism/find_element.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <array>

@@ -16,6 +16,8 @@
 #include "ui/text/written_number.h"
 #include "ui/widgets/paragraph.h"
 
+#include "core/mechanism/turn.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
