@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <optional>
 
 namespace slidercrank
 {
@@ -21,7 +21,7 @@ struct KnownCharacter {
     unsigned shiftJis;
 };
 
-/// The characters of the vocabulary.
+/// The characters of the vocabulary. A code is that of one of them only.
 constexpr auto kKnownCharacters = std::to_array<KnownCharacter>(
     {{"位", 0xCEBB, 0x88CA}, {"刻", 0xBFCC, 0x8D8F}, {"力", 0xC1A6, 0x97CD}, {"加", 0xBCD3, 0x89C1},
      {"厘", 0xC0E5, 0x97D0}, {"块", 0xBFE9, 0},      {"塞", 0xC8FB, 0x8DC7}, {"変", 0x89E4, 0x95CF},
@@ -40,8 +40,8 @@ constexpr auto kKnownCharacters = std::to_array<KnownCharacter>(
      {"］", 0xA3DD, 0x816E}, {"°", 0xA1E3, 0x818B},  {"θ", 0xA6C8, 0x83C6},  {"ω", 0xA6D8, 0x83D6},
      {"α", 0xA6C1, 0x83BF},  {"φ", 0xA6D5, 0x83D3},  {"：", 0xA3BA, 0x8146}, {"／", 0xA3AF, 0x815E}});
 
-/// Returns the character with a code in one of the two encodings, in which the codes differ; nullopt if none has it.
-std::optional<std::string_view> characterOf(unsigned code)
+/// Returns the character with a code in one of the two encodings; nullopt if none has it.
+std::optional<std::string_view> characterWithCode(unsigned code)
 {
     const auto hasCode = [code](const KnownCharacter &character) {
         return code != 0 && (character.gbk == code || character.shiftJis == code);
@@ -50,30 +50,45 @@ std::optional<std::string_view> characterOf(unsigned code)
     return found != kKnownCharacters.end() ? std::optional(found->text) : std::nullopt;
 }
 
+/// Removes the first character of a text, and returns its known UTF-8 text; nullopt for an unknown character. A byte
+/// outside ASCII without a second byte is one.
+std::optional<std::string_view> takeKnownCharacter(std::string_view &bytes)
+{
+    constexpr unsigned kMinSecondByte = 0x40;
+    const bool isAscii = byteOf(bytes[0]) < 0x80;
+    const bool isPair = !isAscii && bytes.size() > 1 && byteOf(bytes[1]) >= kMinSecondByte;
+    const std::string_view character = bytes.substr(0, isPair ? 2 : 1);
+    bytes.remove_prefix(character.size());
+    if (isAscii) {
+        return character;
+    }
+    return isPair ? characterWithCode(byteOf(character[0]) * 0x100 + byteOf(character[1])) : std::nullopt;
+}
+
 } // namespace
 
-std::optional<std::string> decodeDoubleBytes(std::string_view bytes)
+bool isDoubleByteText(std::string_view bytes)
 {
-    constexpr std::ptrdiff_t kFewestKnown = 2; // a single one may be two letters of another encoding by chance
-    constexpr unsigned kSmallestSecondByte = 0x40;
+    constexpr std::size_t kMinKnown = 2; // a single one may be two letters of another encoding by chance
+    std::size_t known = 0;
+    std::size_t unknown = 0;
+    while (!bytes.empty()) {
+        const bool isAscii = byteOf(bytes[0]) < 0x80;
+        const bool isKnown = takeKnownCharacter(bytes).has_value();
+        known += isKnown && !isAscii ? 1 : 0;
+        unknown += isKnown ? 0 : 1;
+    }
+    return known >= kMinKnown && 2 * known > unknown;
+}
+
+std::string decodeDoubleBytes(std::string_view bytes)
+{
     constexpr std::string_view kUnknown = "〓"; // the sign that printers use for a missing character
     std::string text;
-    std::ptrdiff_t known = 0;
-    std::ptrdiff_t unknown = 0;
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        if (byteOf(bytes[i]) < 0x80) {
-            text += bytes[i];
-            continue;
-        }
-        const bool isPair = i + 1 < bytes.size() && byteOf(bytes[i + 1]) >= kSmallestSecondByte;
-        const unsigned code = isPair ? byteOf(bytes[i]) * 0x100 + byteOf(bytes[i + 1]) : 0;
-        const std::optional<std::string_view> character = characterOf(code);
-        text += character.value_or(kUnknown);
-        ++(character ? known : unknown);
-        i += isPair ? 1 : 0;
+    while (!bytes.empty()) {
+        text += takeKnownCharacter(bytes).value_or(kUnknown);
     }
-    const bool isSure = known >= kFewestKnown && 2 * known > unknown;
-    return isSure ? std::optional(std::move(text)) : std::nullopt;
+    return text;
 }
 
 } // namespace slidercrank

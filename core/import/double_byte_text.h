@@ -3,16 +3,19 @@
 
 // Decodes the headings of tables in Chinese and Japanese, as Excel and programs for laboratories write them on Windows.
 
-#include <optional>
 #include <string>
 #include <string_view>
 
 namespace slidercrank
 {
 
-/// Converts a text in GBK (GB 2312, GB 18030) or Shift-JIS to UTF-8. Two bytes are a character outside ASCII there.
-/// Only the characters in the vocabulary of headings are known, whose codes also tell the encoding; the others become
-/// 〓. Returns nullopt if too few characters are known.
-std::optional<std::string> decodeDoubleBytes(std::string_view bytes);
+// A character outside ASCII has two bytes in GBK (GB 2312, GB 18030) and in Shift-JIS. Only the characters in the
+// vocabulary of headings are known; their codes differ in the two encodings, which therefore need not be told apart.
+
+/// Returns whether a text is in one of these encodings: more than a third of its characters outside ASCII are known.
+bool isDoubleByteText(std::string_view bytes);
+
+/// Converts a text in one of these encodings to UTF-8. Unknown characters become 〓.
+std::string decodeDoubleBytes(std::string_view bytes);
 
 } // namespace slidercrank

@@ -267,8 +267,8 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
             units[i] = static_cast<char16_t>(byteOf(bytes[2 * i + 1 - *lower]) * 256 + byteOf(bytes[2 * i + *lower]));
         }
     } else if (const std::string_view examined = bytes.substr(0, kExamined); !isUtf8(examined)) {
-        if (decodeDoubleBytes(examined)) {
-            text = converted = decodeDoubleBytes(bytes).value_or(converted);
+        if (isDoubleByteText(examined)) {
+            text = converted = decodeDoubleBytes(bytes);
         } else {
             units = decodeAs(codePageOf(examined), bytes);
         }

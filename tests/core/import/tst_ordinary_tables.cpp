@@ -404,6 +404,21 @@ private slots:
         QVERIFY(std::holds_alternative<ReadError>(read("θ2;x\n0°00';160\n7°75';159\n15°80';158\n")));
     }
 
+    /// The encoding is that of the beginning of a file, whatever a remark at its end contains.
+    void decodesALongFileInGbk()
+    {
+        QByteArray text =
+            "\xCA\xB1\xBC\xE4(s),\xBB\xAC\xBF\xE9\xCE\xBB\xD2\xC6(\xBA\xC1\xC3\xD7)\n"; // time, displacement
+        constexpr int kRows = 200'000; // more than the beginning that is examined
+        for (int row = 0; row < kRows; ++row) {
+            text += QByteArray::number(row) + ',' + QByteArray::number(80 + row % 7) + '\n';
+        }
+        text += "# " + QByteArray("\xB2\xE2\xCA\xD4").repeated(100); // characters that are not in the vocabulary
+        const Outcome outcome = read(text);
+        const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+        QVERIFY2(data && data->time.size() == kRows, described(outcome).c_str());
+    }
+
     /// Below the last row of numbers, a line that names quantities is a remark.
     void readsNoTableIntoARemark()
     {
