@@ -38,10 +38,9 @@ struct Ripple {
 
     bool isZero() const { return cosine == 0.0 && sine == 0.0; }
     double angle(double phase) const { return cosine * std::cos(phase) + sine * std::sin(phase); }
-    double derivative(double phase) const
-    {
-        return sine * std::cos(phase) - cosine * std::sin(phase);
-    } ///< by the phase
+
+    /// The derivative of the angle by the phase.
+    double derivative(double phase) const { return sine * std::cos(phase) - cosine * std::sin(phase); }
 };
 
 struct Model {

@@ -11,11 +11,11 @@ namespace slidercrank
 namespace
 {
 
-/// The residuals of all columns, or the changes of all predictions, below each other, each divided by the size of the
-/// errors of its column. Gaps are 0.
-Eigen::VectorXd weightedTogether(const Observations &observations, const Fit &fit, const Eigen::ArrayXXd &values)
+/// Values in the shape of fit.residuals as one column. Each is divided by the size of the errors of its column, so that
+/// all weigh the same. Gaps are 0.
+Eigen::VectorXd weightedColumn(const Observations &observations, const Fit &fit, const Eigen::ArrayXXd &values)
 {
-    Eigen::ArrayXXd weighted = (fit.residuals.isFinite()).select(values, 0.0);
+    Eigen::ArrayXXd weighted = fit.residuals.isFinite().select(values, 0.0);
     for (Index place = 0; place < weighted.cols(); ++place) {
         const double variance = observations.columns[fit.columns[place]].variance;
         weighted.col(place) /= std::sqrt(fit.rms[place] * fit.rms[place] + variance);
@@ -23,26 +23,53 @@ Eigen::VectorXd weightedTogether(const Observations &observations, const Fit &fi
     return weighted.reshaped();
 }
 
-/// The derivatives of the predictions by a number of the model, by central differences. `change`: adds a given amount
-/// to that number.
-template <class Change>
-Eigen::VectorXd derivativeBy(const Observations &observations, const Fit &fit, double step, const Change &change)
+/// The derivative of all predictions by a number of the model, as weightedColumn(), by central differences. `add`: adds
+/// an amount to this number in a model. `size`: its order of magnitude.
+template <class Add>
+Eigen::VectorXd derivativeOfPredictions(const Observations &observations, const Fit &fit, double size, const Add &add)
 {
+    constexpr double kRelativeStep = 1e-6;
+    const double step = kRelativeStep * size;
     Model more = fit.model;
-    change(more, step);
+    add(more, step);
     Model less = fit.model;
-    change(less, -step);
+    add(less, -step);
     const Eigen::ArrayXXd difference =
         predictValues(more, observations, fit.columns) - predictValues(less, observations, fit.columns);
-    return weightedTogether(observations, fit, difference / (2.0 * step));
+    return weightedColumn(observations, fit, difference / (2.0 * step));
+}
+
+/// The derivatives of the predictions by some unknowns: a column for each of them, in their order.
+Eigen::MatrixXd derivativesByUnknowns(const Observations &observations, const Fit &fit, const Unknowns &unknowns)
+{
+    Eigen::MatrixXd derivatives(fit.residuals.size(), std::ssize(unknowns));
+    for (Index i = 0; i < std::ssize(unknowns); ++i) {
+        const Unknown unknown = unknowns[i];
+        const double size = unknown.isParameter() ? parameterSize(toParameter(unknown), fit.model.mechanism)
+                                                  : observations.columns[unknown.column].range;
+        derivatives.col(i) = derivativeOfPredictions(
+            observations, fit, size, [unknown](Model &model, double amount) { valueOf(model, unknown) += amount; });
+    }
+    return derivatives;
+}
+
+/// The derivatives of the predictions by both numbers of a ripple, a column for each.
+Eigen::MatrixXd derivativesByRipple(const Observations &observations, const Fit &fit)
+{
+    constexpr double kSize = 1.0; // rad
+    Eigen::MatrixXd derivatives(fit.residuals.size(), 2);
+    derivatives << derivativeOfPredictions(observations, fit, kSize,
+                                           [](Model &model, double amount) { model.ripple.cosine += amount; }),
+        derivativeOfPredictions(observations, fit, kSize,
+                                [](Model &model, double amount) { model.ripple.sine += amount; });
+    return derivatives;
 }
 
 } // namespace
 
 ParameterErrors changesByRipple(const LastFit &lastFit)
 {
-    constexpr double kStep = 1e-6;       // of the numerical derivatives, relative to the size of a number
-    constexpr double kMaxFraction = 0.5; // of the residuals that remain if a ripple explains them
+    constexpr double kMaxRemainingFraction = 0.5; // of the residuals (rms), if a ripple explains them
     ParameterErrors changes{};
     if (lastFit.fit.model.followsAngle) {
         return changes;
@@ -50,26 +77,19 @@ ParameterErrors changesByRipple(const LastFit &lastFit)
     const Observations observations = selectRows(lastFit.observations, kSearchedRows);
     const Fit fit = evaluateModel(observations, lastFit.fit.model, lastFit.fit.columns);
     const Unknowns &unknowns = lastFit.fit.unknowns;
-    const Index count = std::ssize(unknowns);
-    Eigen::MatrixXd basis(fit.residuals.size(), count + 2);
-    for (Index i = 0; i < count; ++i) {
-        const Unknown unknown = unknowns[i];
-        const double size = unknown.isParameter() ? parameterSize(toParameter(unknown), fit.model.mechanism)
-                                                  : observations.columns[unknown.column].range;
-        basis.col(i) = derivativeBy(observations, fit, kStep * size,
-                                    [&](Model &model, double step) { valueOf(model, unknown) += step; });
-    }
-    basis.col(count) =
-        derivativeBy(observations, fit, kStep, [](Model &model, double step) { model.ripple.cosine += step; });
-    basis.col(count + 1) =
-        derivativeBy(observations, fit, kStep, [](Model &model, double step) { model.ripple.sine += step; });
-    const Eigen::VectorXd residuals = weightedTogether(observations, fit, fit.residuals);
+    const Eigen::MatrixXd byUnknowns = derivativesByUnknowns(observations, fit, unknowns);
+    const Eigen::MatrixXd byRipple = derivativesByRipple(observations, fit);
+    Eigen::MatrixXd basis(byUnknowns.rows(), byUnknowns.cols() + byRipple.cols());
+    basis << byUnknowns, byRipple;
+    const Eigen::VectorXd residuals = weightedColumn(observations, fit, fit.residuals);
     const LinearFit withRipple = fitLinearly(basis, residuals);
-    if (withRipple.residuals.matrix().norm() < kMaxFraction * residuals.norm()) {
-        for (Index i = 0; i < count; ++i) {
-            if (unknowns[i].isParameter()) {
-                changes[indexOf(toParameter(unknowns[i]))] = std::abs(withRipple.coefficients[i]);
-            }
+    if (withRipple.residuals.matrix().norm() >= kMaxRemainingFraction * residuals.norm()) {
+        return changes;
+    }
+    const Eigen::VectorXd changesOfUnknowns = withRipple.coefficients.head(std::ssize(unknowns));
+    for (Index i = 0; i < std::ssize(unknowns); ++i) {
+        if (unknowns[i].isParameter()) {
+            changes[indexOf(toParameter(unknowns[i]))] = std::abs(changesOfUnknowns[i]);
         }
     }
     return changes;
