@@ -172,8 +172,9 @@ LengthTolerances readTolerances(const OptionReader &options, const Mechanism &me
         names += name;
         const double tolerance = parseNumber("tolerance", part.section('=', 1), kMillimetre, 0.0);
         if (tolerance >= length->bound) {
-            throw UsageError{CommandLine::tr("--tolerance: %1 = %2 mm cannot be shorter by \"%3\".")
-                                 .arg(name, typedNumberText(length->bound), part.section('=', 1))};
+            throw UsageError{
+                CommandLine::tr("--tolerance: the tolerance of %1 must be smaller than %1 = %2 mm, not \"%3\".")
+                    .arg(name, typedNumberText(length->bound), part.section('=', 1))};
         }
         tolerances.*length->tolerance = tolerance;
     }

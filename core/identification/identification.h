@@ -37,7 +37,7 @@ struct AlternativeMechanism {
 /// A column that the fit does not use.
 struct LeftOutColumn {
     enum class Reason {
-        FiniteDifferences, ///< it contains difference quotients of another column
+        FiniteDifferences, ///< it agrees with difference quotients of another column, but not with the derivative
         UnevenSpeed,       ///< the speed of the crank changes, so that nothing predicts this derivative
         OpenSpeed, ///< ω2, or the unit in which it is counted, is not known; for θ2: it has gaps, or its rows are too
                    ///< far apart to show how many turns the crank makes

@@ -34,6 +34,13 @@
 <context>
     <name>slidercrank::Report</name>
     <message numerus="yes">
+        <source>%n time steps: %1</source>
+        <translation>
+            <numerusform>%n time step: %1</numerusform>
+            <numerusform>%n time steps: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Reference: %1, %2, %n rows.</source>
         <translation>
             <numerusform>Reference: %1, %2, %n row.</numerusform>

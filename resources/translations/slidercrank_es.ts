@@ -490,8 +490,8 @@
         <translation>Las longitudes no tienen unidad y se leen en mm. Si son pulgadas, añada %1</translation>
     </message>
     <message>
-        <source>The angles have no unit and are read in radians, as their values suggest. If they are degrees, add %1</source>
-        <translation>Los ángulos no tienen unidad y se leen en radianes, como indican sus valores. Si son grados, añada %1</translation>
+        <source>The angles have no unit and are read in radians, as their values suggest. If they are in degrees, add %1</source>
+        <translation>Los ángulos no tienen unidad y se leen en radianes, como indican sus valores. Si están en grados, añada %1</translation>
     </message>
     <message>
         <source>If this is the speed of the crank in rad/s, add %1; in turns per second, add %2</source>
@@ -1075,8 +1075,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>--design time-ratio necesita una carrera, por ejemplo stroke=80, o las longitudes --a y --b.</translation>
     </message>
     <message>
-        <source>--tolerance: %1 = %2 mm cannot be shorter by &quot;%3&quot;.</source>
-        <translation>--tolerance: %1 = %2 mm no puede ser menor en «%3».</translation>
+        <source>--tolerance: the tolerance of %1 must be smaller than %1 = %2 mm, not &quot;%3&quot;.</source>
+        <translation>--tolerance: la tolerancia de %1 debe ser menor que %1 = %2 mm, no «%3».</translation>
     </message>
     <message>
         <source>--vary sets the values of this parameter: remove %1.</source>
@@ -2200,8 +2200,8 @@ difiere: lo demás</translation>
         <translation>La otra configuración, con c de signo contrario y θ₂₀ aumentado en 180°, da los mismos valores.</translation>
     </message>
     <message>
-        <source>finite differences, not the derivative</source>
-        <translation>diferencias finitas, no la derivada</translation>
+        <source>agrees with finite differences, not with the derivative</source>
+        <translation>coincide con las diferencias finitas, no con la derivada</translation>
     </message>
     <message>
         <source>the crank speed is not constant</source>
@@ -4398,9 +4398,12 @@ perpendicular a la línea de la corredera.</translation>
         <source>largest difference</source>
         <translation>diferencia máxima</translation>
     </message>
-    <message>
-        <source>%1 time steps: %2</source>
-        <translation>%1 pasos de tiempo: %2</translation>
+    <message numerus="yes">
+        <source>%n time steps: %1</source>
+        <translation>
+            <numerusform>%n paso de tiempo: %1</numerusform>
+            <numerusform>%n pasos de tiempo: %1</numerusform>
+        </translation>
     </message>
     <message>
         <source>at θ₂ [%1]</source>

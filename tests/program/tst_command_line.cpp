@@ -124,7 +124,7 @@ private slots:
             {"limits --vary x --format csv", "must be a parameter"},
             {"limits --vary b=50..120 --b 60", "remove --b"},
             {"limits --tolerance a", "must be a list such as a=0.05"},
-            {"limits --tolerance b=0.1,a=25", "a = 20 mm cannot be shorter by \"25\""},
+            {"limits --tolerance b=0.1,a=25", "the tolerance of a must be smaller than a = 20 mm, not \"25\""},
             {"limits --vary b=0..2 --format csv", "--vary must be between 1e-9"},
             {"limits --vary theta20=0..90", "--vary 90: add a unit"},
             {"limits --design ratio=2", "a list such as stroke=80"},

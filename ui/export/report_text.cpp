@@ -416,7 +416,8 @@ QString methodText(const Result &result)
         const auto status = static_cast<Status>(i);
         const QString reason = statusSentence(status, newton);
         if (summary.count(status) > 0 && !reason.isEmpty()) {
-            text += u' ' + Report::tr("%1 time steps: %2").arg(QString::number(summary.count(status)), reason);
+            text +=
+                u' ' + Report::tr("%n time steps: %1", nullptr, static_cast<int>(summary.count(status))).arg(reason);
         }
     }
     if (result.solver.method == Method::Newton) { // the closed form computes as many points as a curve needs

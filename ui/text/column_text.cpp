@@ -128,7 +128,7 @@ QStringList hintsOfRadians(const FileLayout &layout)
     if (choices.empty()) {
         return {};
     }
-    return {ColumnText::tr("The angles have no unit and are read in radians, as their values suggest. If they are "
+    return {ColumnText::tr("The angles have no unit and are read in radians, as their values suggest. If they are in "
                            "degrees, add %1")
                 .arg(optionText(choices))};
 }

@@ -100,7 +100,8 @@ public:
         const char *text;
     };
     static constexpr ReasonRow kReasons[] = {
-        {Reason::FiniteDifferences, "finite-differences", QT_TR_NOOP("finite differences, not the derivative")},
+        {Reason::FiniteDifferences, "finite-differences",
+         QT_TR_NOOP("agrees with finite differences, not with the derivative")},
         {Reason::UnevenSpeed, "uneven-speed", QT_TR_NOOP("the crank speed is not constant")},
         {Reason::OpenSpeed, "open-speed", QT_TR_NOOP("the crank speed is unknown")},
         {Reason::OtherMotion, "other-motion", QT_TR_NOOP("the motion of a different mechanism")},

@@ -155,7 +155,8 @@ private slots:
             {[](Identification &found) {
                  found.leftOut = {{kSliderSpeed, Reason::FiniteDifferences, 1.25}, {kTheta3, Reason::Unknown, 3.0}};
              },
-             "Columns left out of the fit: v⁴ (finite differences, not the derivative; off by up to 1.25 % of its "
+             "Columns left out of the fit: v⁴ (agrees with finite differences, not with the derivative; off by up to "
+             "1.25 % of its "
              "peak), θ³ (does not fit the other columns; off by up to 3.00 % of its peak)."},
             {[](Identification &found) {
                  found.leftOut = {{kSliderSpeed, Reason::UnevenSpeed}};
