@@ -174,13 +174,13 @@ struct ImageRank {
 
 ImageRank rankImage(const Observations &observations, const Fit &fit, const Model &model, const Parameters &given)
 {
-    constexpr double kSameLength = 1e-3;   // fraction of a: the c of a fit is never exactly the given one
-    constexpr double kReversedCrank = 1.5; // more than the distance of the opposite c, which is 1
+    constexpr double kLengthTolerance = 1e-3; // fraction of a: the c of a fit is never exactly the given one
+    constexpr double kReversedCrank = 1.5;    // more than the distance of the opposite c, which is 1
     const Parameters &m = model.mechanism;
     const SignCounts signs = countSigns(observations, fit, model);
     const int unusualReadings = countUnusualReadings(observations, fit, model, signs);
     const bool isGivenAssembly = m.branch == given.branch;
-    const bool isGivenC = std::abs(m.c - given.c) <= kSameLength * m.a;
+    const bool isGivenC = std::abs(m.c - given.c) <= kLengthTolerance * m.a;
     const bool isReversed = m.omega2 * given.omega2 < 0.0;
     const double sumOfOffsets = std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a; // not 0, even if both offsets are
     const double distanceOfC = std::abs(m.c - given.c) / sumOfOffsets;
@@ -209,17 +209,17 @@ Model withReflectedCrank(const Model &model, const Observations &observations)
 /// follow it.
 bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
 {
-    constexpr double kSameOrigin = 1e-6; // rad or mm: rounding errors
-    if (first.followsAngle) {            // then θ20 is the origin of the angle in the file
+    constexpr double kOriginTolerance = 1e-6; // rad or mm: rounding errors
+    if (first.followsAngle) {                 // then θ20 is the origin of the angle in the file
         const double originDifference = wrapToPi(first.mechanism.theta20 - second.mechanism.theta20);
-        const bool isSameOrigin = std::abs(originDifference) < kSameOrigin;
+        const bool isSameOrigin = std::abs(originDifference) < kOriginTolerance;
         if (first.angleFactor != second.angleFactor || !isSameOrigin) {
             return false;
         }
     }
     return std::ranges::all_of(fit.columns, [&](Index k) {
         return first.readings[k].factor == second.readings[k].factor &&
-               std::abs(first.readings[k].origin - second.readings[k].origin) < kSameOrigin;
+               std::abs(first.readings[k].origin - second.readings[k].origin) < kOriginTolerance;
     });
 }
 

@@ -41,11 +41,11 @@ void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, d
 {
     constexpr double kHalfTurnInDegrees = 180.0;
     // ° or mm: far above the rounding errors of an amount that is usual, far below an origin that matters.
-    constexpr double kSameAmount = 2e-7;
+    constexpr double kAmountTolerance = 2e-7;
     const double usual =
         isAngle(channel.coordinate) ? kHalfTurnInDegrees * std::rint(amount / kHalfTurnInDegrees) : 0.0;
     const bool areWholeTurns = std::fmod(usual, 2.0 * kHalfTurnInDegrees) == 0.0;
-    if (std::abs(amount - usual) > kSameAmount) {
+    if (std::abs(amount - usual) > kAmountTolerance) {
         if (hadJumps) {
             appendForColumn(conventions, Kind::WholeTurns, channel, 0.0);
         }

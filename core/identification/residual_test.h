@@ -39,9 +39,9 @@ bool isExplained(const Observations &observations, const Fit &fit, Index place);
 bool isExact(const Observations &observations, const Fit &fit);
 
 /// Whether a fit with no more unknowns explains its columns as well as `best`, a fit of the same columns, does: its
-/// residuals are rounding, or its misfit is higher by less than 20 (kSameMisfit). As the misfit counts each independent
-/// error of systematic residuals several times (dependence() in noise.h), the share of each column is divided by that
-/// number.
+/// residuals are rounding, or its misfit is higher by less than 20 (kMaxMisfitIncrease). As the misfit counts each
+/// independent error of systematic residuals several times (dependence() in noise.h), the share of each column is
+/// divided by that number.
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best);
 
 /// Whether the file proves that the residuals of the fit are systematic, not rounding or noise: they keep their sign

@@ -175,11 +175,12 @@ PrintedPlaces placesOfDouble(double value)
 {
     constexpr int kDigits = 17;
     const int last = firstPlaceOf(value) - kDigits + 1;
-    return {value == 0.0, firstPlaceOf(value), last, last};
+    return {.zero = value == 0.0, .first = firstPlaceOf(value), .last = last, .printed = last};
 }
 
 /// Parses an angle in degrees, minutes and seconds: 45°30'15", 45° 30.25', -3°07′. The minutes may be missing, as in
-/// the "45°" of a column in which other angles have them.
+/// the "45°" of a column in which other angles have them. The last digit of a minute or second counts as the next
+/// coarser power of ten of a degree, because a rounding step is one.
 CellNumber parseMinutes(std::string_view text)
 {
     static const Spellings kMarks{{"°", ":"}, {"º", ":"}, {"''", ""}, {"\"", ""}, {"″", ""},  {"”", ""},
@@ -194,20 +195,21 @@ CellNumber parseMinutes(std::string_view text)
     const bool isNegative = plain.starts_with('-');
     std::string_view rest = std::string_view(plain).substr(isNegative ? 1 : 0);
     double degrees = 0.0;
-    double unit = kPerUnit; // of a part, in degrees
-    double step = 1.0;      // of the last printed digit, in degrees
+    double unit = 1.0;         // °: the size of the unit of the next part
+    double roundingStep = 1.0; // °: of the last part
     for (int part = 0; !rest.empty(); ++part) {
         const CellNumber number = parsePlain(takeUntil(':', rest));
-        unit /= kPerUnit;
-        if (number.fault || number.value < 0.0 || (part > 0 && number.value > kPerUnit) || part == kMaxParts) {
+        const bool isTooLarge = part > 0 && number.value > kPerUnit;
+        if (part == kMaxParts || number.fault || number.value < 0.0 || isTooLarge) {
             return none;
         }
         degrees += unit * number.value;
-        step = unit * powerOfTen(number.places.printed);
+        roundingStep = unit * powerOfTen(number.places.printed);
+        unit /= kPerUnit;
     }
-    const int place = static_cast<int>(std::ceil(std::log10(step))); // a minute is rounded to 0.1°
+    const int place = static_cast<int>(std::ceil(std::log10(roundingStep)));
     return {.value = isNegative ? -degrees : degrees,
-            .places = {degrees == 0.0, firstPlaceOf(degrees), place, place},
+            .places = {.zero = degrees == 0.0, .first = firstPlaceOf(degrees), .last = place, .printed = place},
             .unit = "deg"};
 }
 

@@ -11,9 +11,9 @@ namespace slidercrank
 
 bool isConstant(const RawColumn &column)
 {
-    constexpr std::size_t kFewestValues = 3; // "20 20" may be the same by chance
+    constexpr std::size_t kMinValues = 3; // "20 20" may be the same by chance
     const ValueRange range = rangeOf(column.values);
-    return range.count >= kFewestValues && range.width() == 0.0;
+    return range.count >= kMinValues && range.width() == 0.0;
 }
 
 bool countsRows(const RawColumn &column)
@@ -48,7 +48,7 @@ bool isNearlyConstant(const RawColumn &column)
 {
     constexpr double kVariation = 0.01; // of the largest value
     const ValueRange range = rangeOf(column.values);
-    return range.count >= kFewestTellingRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
+    return range.count >= kMinConclusiveRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
 }
 
 double angularWidth(std::vector<double> degrees)

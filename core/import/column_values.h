@@ -11,8 +11,8 @@
 namespace slidercrank
 {
 
-/// Number of rows from which on values are not alike by chance.
-inline constexpr std::size_t kFewestTellingRows = 10;
+/// The smallest number of rows whose values are not alike by chance.
+inline constexpr std::size_t kMinConclusiveRows = 10;
 
 /// Largest range of the angle of a coupler, in degrees, in every mechanism that makes full turns.
 inline constexpr double kLargestSwing = 180.0;

@@ -49,12 +49,12 @@ Mismatch compareWithDifferences(std::span<const double> rates, const std::vector
 std::optional<Difference> differenceIn(const ReferenceData &data, Channel channel)
 {
     constexpr std::size_t kExaminedRows = 512;
-    constexpr std::size_t kFewestRows = 12;
+    constexpr std::size_t kMinRows = 12;
     constexpr double kBetter = 16.0;          // ratio of the sums of squares of the second best to the best match
     constexpr double kArithmeticError = 1e-6; // relative to the peak
     const std::size_t rows = std::min(data.time.size(), kExaminedRows);
     const bool hasTime = !data.crank;
-    if (channel.order == Order::Position || rows < kFewestRows || !hasTime) {
+    if (channel.order == Order::Position || rows < kMinRows || !hasTime) {
         return std::nullopt;
     }
     const ReferenceSeries *const rate = data.find(channel);

@@ -3,10 +3,10 @@
 
 #include "core/import/column_values.h"
 #include "core/import/crank_angles.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -125,40 +125,45 @@ bool returnsToStart(const RawColumn &column)
     return largestChange > 0.0 && std::abs(values.back() - values.front()) <= largestChange;
 }
 
-/// Returns whether the values of an angle, which turns in one direction, are those of radians, and not of degrees. They
-/// jump by 2π, or span some half turns, or stop less than a step before 2π while other columns return to their start:
+/// Returns whether the difference of the first and the last angle is a whole number of half turns in radians.
+bool spansHalfTurns(double width, double roundingStep)
+{
+    constexpr double kMaxRoundingStep = 0.01; // with fewer decimals, many widths look like multiples of π
+    const double rest = std::remainder(width, 0.5 * kTurn);
+    return roundingStep <= kMaxRoundingStep && width > kMaxRoundingStep && std::abs(rest) <= roundingStep;
+}
+
+/// Returns whether an angle turns in one direction, and its values are those of radians, not of degrees. They jump by
+/// 2π, or span some half turns, or stop less than a step before 2π while another column returns to its start:
 ///
 ///     0, 0.2618, … 6.0214, 0      0, 0.2618, … 6.2832      0, 0.1, … 6.2
 bool turnsInRadians(const RawColumn &column, std::span<const RawColumn> columns)
 {
-    constexpr std::size_t kFewestValues = 5;
-    constexpr double kTurn = 2.0 * std::numbers::pi;
+    constexpr std::size_t kMinValues = 5;
     constexpr double kMaxWidth = 4.1 * kTurn; // angles in degrees span more
-    constexpr double kLargestRounding = 0.01; // with fewer decimals, many widths look like multiples of π
-    std::vector<double> values = column.finiteValues();
+    const std::vector<double> values = column.finiteValues();
     const double width = rangeOf(values).width();
-    if (values.size() < kFewestValues || width > kMaxWidth) {
+    if (values.size() < kMinValues || width > kMaxWidth) {
         return false;
     }
-    const double rounding = column.rounding.infer(column.factor, true).finestStep();
+    const double roundingStep = column.rounding.infer(column.factor, true).finestStep();
+    if (findReversal(values)) { // at a jump, or because the angle oscillates
+        std::vector<double> unwrapped = values;
+        const bool hasJumps = removeJumps(unwrapped, kTurn);
+        return hasJumps && width <= kTurn + roundingStep && !findReversal(unwrapped);
+    }
     const double step = width / static_cast<double>(values.size() - 1);
-    const bool isLimited = findReversal(values) && width <= kTurn + rounding && removeJumps(values, kTurn);
-    if (findReversal(values)) {
-        return false;
-    }
-    const double rest = std::remainder(width, 0.5 * kTurn);
-    const bool spansHalfTurns = width > kLargestRounding && rounding <= kLargestRounding && std::abs(rest) <= rounding;
     const bool isNearlyTurn = width < kTurn && width + step > kTurn;
     const auto isOtherBackAtStart = [&column](const RawColumn &other) {
         return &other != &column && other.meaning.kind >= Kind::Quantity && returnsToStart(other);
     };
-    return isLimited || spansHalfTurns || (isNearlyTurn && std::ranges::any_of(columns, isOtherBackAtStart));
+    return spansHalfTurns(width, roundingStep) || (isNearlyTurn && std::ranges::any_of(columns, isOtherBackAtStart));
 }
 
 /// Returns whether an angle may be in radians beside one that is: it does not span more than a turn.
 bool mayBeInRadians(const RawColumn &column)
 {
-    return column.meaning.channel.order != Order::Position || rangeOf(column.values).width() <= 2.0 * std::numbers::pi;
+    return column.meaning.channel.order != Order::Position || rangeOf(column.values).width() <= kTurn;
 }
 
 /// Reads angles without a unit in radians if the values of one of them are those of radians.

@@ -137,9 +137,11 @@ std::string_view withoutQuotes(std::string_view line)
 /// or "A = [0.1, 85;", "0.1 85;" and "0.1, 85];" of MATLAB. A line of brackets alone becomes empty.
 std::string_view withoutBrackets(std::string_view line)
 {
-    const std::size_t matrix = line.find("= [");
-    const bool beginsMatrix = matrix != line.npos && isData(line.substr(matrix + 3));
-    const std::string_view text = trimmed(beginsMatrix ? line.substr(matrix + 3) : line);
+    constexpr std::string_view kAssignment = "= [";
+    const std::size_t assignment = line.find(kAssignment);
+    const std::string_view assigned =
+        assignment != line.npos ? line.substr(assignment + kAssignment.size()) : std::string_view();
+    const std::string_view text = trimmed(isData(assigned) ? assigned : line);
     const std::size_t begin = std::min(text.find_first_not_of("[({"), text.size());
     const std::size_t end = std::max(text.find_last_not_of(" ;,])}") + 1, begin);
     const std::string_view inner = trimmed(text.substr(begin, end - begin));

@@ -89,14 +89,14 @@ bool isProse(const std::vector<Line> &lines)
 
 bool isTransposed(Lines lines)
 {
-    constexpr std::size_t kFewestNumbers = 3;
+    constexpr std::size_t kMinNumbers = 3;
     bool hasAbscissa = false;
     bool hasOther = false;
     for (const Line &line : lines) {
         for (const char delimiter : std::string_view("\t;,| ")) {
             const Cells cells = splitCells(line.text, delimiter);
             const auto numbers = static_cast<std::size_t>(std::ranges::count_if(cells, isNumber));
-            const bool isQuantity = numbers >= kFewestNumbers && numbers + 2 >= cells.size() && !isNumber(cells[0]);
+            const bool isQuantity = numbers >= kMinNumbers && numbers + 2 >= cells.size() && !isNumber(cells[0]);
             const NameMeaning meaning = isQuantity ? parseHeading(cells[0]).meaning : NameMeaning();
             const bool isAbscissa = meaning.kind == Kind::Time || meaning.channel.coordinate == Theta2;
             hasAbscissa = hasAbscissa || (meaning.kind != Kind::Nothing && isAbscissa);

@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr double kUnreadable = kInfinity;
-constexpr std::size_t kFewestCells = 2; // in a row that is read
+constexpr std::size_t kMinCells = 2; // in a row that is read
 
 /// Parses a cell of a column. A number whose spelling implies a unit, such as a multiple of π, is none if the column
 /// has a different one.
@@ -78,7 +78,7 @@ std::size_t fewestCellsOf(const TableFile &file, std::span<const std::size_t> co
     const std::size_t longest = counts.empty() ? 0 : std::min(std::ranges::max(counts), file.width);
     const auto shorter = std::ranges::count_if(counts, [longest](std::size_t cells) { return cells < longest; });
     const bool areGapsOpen = file.layout.delimiter == ' ' && 2 * shorter < std::ssize(counts);
-    return areGapsOpen ? longest : std::min(file.width, kFewestCells);
+    return areGapsOpen ? longest : std::min(file.width, kMinCells);
 }
 
 /// Returns whether a row begins with the name of a statistic, such as "Mean".
@@ -156,7 +156,7 @@ void requireCellForEachHeading(std::span<const RawColumn> columns, const TableFi
     const std::size_t used = std::min(cells, columns.size());
     const bool areRemarks =
         std::ranges::all_of(columns.first(used), isKnown) && std::ranges::none_of(columns.subspan(used), isKnown);
-    if (used < columns.size() && cells >= kFewestCells && !areRemarks) {
+    if (used < columns.size() && cells >= kMinCells && !areRemarks) {
         throw ReadError{.line = file.layout.headerLine,
                         .fault = {.kind = ReadFault::Kind::MoreHeadings, .headings = columns.size(), .numbers = cells}};
     }
@@ -172,7 +172,7 @@ TableFile &addFile(const FileBytes &bytes, RawTable &table)
     const std::vector<Heading> headings = takeHeadings(lines, file.layout);
     file.rows = std::move(lines);
     file.width = headings.size();
-    file.fewestCells = std::min(file.width, kFewestCells);
+    file.fewestCells = std::min(file.width, kMinCells);
     for (const Heading &heading : headings) {
         RawColumn &column = table.columns.emplace_back(
             RawColumn{heading.use, heading.name, heading.cells, heading.meaning, table.columns.size()});

@@ -34,10 +34,10 @@ ReadError errorAt(const SkippedRow &row, Fault fault)
 /// Returns whether a time or angle that turns back starts again, as at the beginning of another motion.
 bool startsAgain(std::span<const double> values, std::size_t row)
 {
-    constexpr std::size_t kFewestRows = 3;
+    constexpr std::size_t kMinRows = 3;
     constexpr double kRestart = 0.1; // of the range so far
     const double range = rangeOf(values.first(row)).width();
-    return row >= kFewestRows && std::abs(values[row] - values[0]) <= kRestart * range;
+    return row >= kMinRows && std::abs(values[row] - values[0]) <= kRestart * range;
 }
 
 bool areUnits(const Cells &cells)

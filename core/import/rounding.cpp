@@ -211,8 +211,10 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
 
 bool RoundingObserver::isPadded() const
 {
-    // By chance, one value in ten ends with one zero, and one in a hundred with two.
-    return 4 * m_trailingZeros >= m_values + 16 && 2 * m_paddedValues >= m_values;
+    // By chance, one value in ten ends with one zero, and one in a hundred with two: a ninth of a zero on average.
+    const bool areManyZeros = 4 * m_trailingZeros >= m_values + 16;
+    const bool havePaddedValuesMajority = 2 * m_paddedValues >= m_values;
+    return areManyZeros && havePaddedValuesMajority;
 }
 
 std::vector<RoundedDecade> RoundingObserver::roundedDecades(bool areTimeStamps) const
@@ -241,8 +243,8 @@ std::vector<RoundedDecade> RoundingObserver::roundedDecades(bool areTimeStamps) 
 
 int RoundingObserver::coarsestPlaceOf(const Rounding &rounding, const RoundedDecade &largest, bool areTimeStamps) const
 {
-    constexpr double kFewestRounded = 6.0; // values of a decade that do not all end early by chance
-    constexpr int kFewestDigitsByHand = 3; // fewer may be chosen numbers: 5, 10, 20
+    constexpr double kMinRoundedValues = 6.0; // values of a decade that do not all end early by chance
+    constexpr int kMinDigitsByHand = 3;       // fewer may be chosen numbers: 5, 10, 20
     const bool isRelative = rounding.rule == Rounding::Rule::SignificantDigits;
     int coarsest = m_coarsestPlace;
     if (isPadded() && m_coarsestPlace < 0) { // the last printed digits say nothing
@@ -250,8 +252,8 @@ int RoundingObserver::coarsestPlaceOf(const Rounding &rounding, const RoundedDec
         coarsest = isLong ? INT_MAX : 0;
     }
     // A person rounds -2123 to -2120 if three digits are enough, also beside 853.
-    const bool isByHand = isRelative && rounding.digits >= kFewestDigitsByHand && !areTimeStamps;
-    const bool endsEarly = largest.haveAllEnded && largest.weight >= kFewestRounded;
+    const bool isByHand = isRelative && rounding.digits >= kMinDigitsByHand && !areTimeStamps;
+    const bool endsEarly = largest.haveAllEnded && largest.weight >= kMinRoundedValues;
     return isByHand && endsEarly ? std::max(coarsest, largest.place) : coarsest;
 }
 
@@ -280,7 +282,7 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
 
 std::optional<double> findQuantum(std::span<const double> values, double printedStep)
 {
-    constexpr std::size_t kFewestValues = 12;     // distinct ones
+    constexpr std::size_t kMinValues = 12;        // distinct ones
     constexpr double kMinQuantum = 8.0;           // in units of the uncertainty
     constexpr double kArithmeticError = 1e-9;     // relative to the value
     constexpr double kPowerOfTenTolerance = 1e-3; // of the exponent
@@ -298,7 +300,7 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     const Gaps gaps = gapsBetween(levels, 2.0 * uncertainty);
     const Gaps gapsOfDifferences = gapsBetween(differences, 2.0 * uncertainty);
     const double smallestGap = std::min(gaps.smallest, gapsOfDifferences.smallest);
-    if (gaps.distinctValues < kFewestValues || gapsOfDifferences.distinctValues < 2 ||
+    if (gaps.distinctValues < kMinValues || gapsOfDifferences.distinctValues < 2 ||
         !(smallestGap >= kMinQuantum * uncertainty)) {
         return std::nullopt;
     }
@@ -313,7 +315,7 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
 
 std::optional<double> findStepOfFive(std::span<const double> values, const Rounding &rounding)
 {
-    constexpr std::size_t kFewestValues = 6;   // distinct ones; of fewer, all may be multiples of 5 by chance
+    constexpr std::size_t kMinValues = 6;      // distinct ones; of fewer, all may be multiples of 5 by chance
     constexpr double kArithmeticError = 1e-13; // of a unit conversion, relative to the largest value
     constexpr double kMaxEvenFraction = 0.7;   // of multiples that are also multiples of 10: with more, the step is 10
     constexpr double kMaxErrorOfStep = 0.1;    // relative to a step: with more, every value is a multiple of it
@@ -321,7 +323,7 @@ std::optional<double> findStepOfFive(std::span<const double> values, const Round
     std::ranges::for_each(magnitudes, [&](double &value) { value = std::abs(value) / rounding.unitFactor; });
     std::vector<double> levels = sortedFinite(magnitudes);
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
-    if (levels.size() < kFewestValues || rounding.finestPlace == INT_MIN) {
+    if (levels.size() < kMinValues || rounding.finestPlace == INT_MIN) {
         return std::nullopt;
     }
     const double tolerance = kArithmeticError * levels.back();

@@ -39,7 +39,7 @@ void removeConstants(std::vector<RawColumn *> &candidates)
     removeColumns(candidates, ColumnReason::Constant, [&](const RawColumn &column) {
         const Channel channel = column.use.channel;
         const bool isAcceleration =
-            channel == Channel{R4x, Order::Acceleration} && column.values.size() >= kFewestTellingRows;
+            channel == Channel{R4x, Order::Acceleration} && column.values.size() >= kMinConclusiveRows;
         const bool mayBeConstant = channel.coordinate == R4y || (channel.order != Order::Position && !isAcceleration);
         return isOfUnnamedBody(&column) && !mayBeConstant && isConstant(column) &&
                column.finiteValues().front() != 0.0 && std::ranges::count(filesOfMotion, column.use.file) > 0;
@@ -54,7 +54,7 @@ bool isAngleOfCrank(const RawColumn &angle, const RawColumn *abscissa)
     constexpr double kEvenRange = 6.0; // in the unit of the file, which may be rad though the heading does not say so
     const double width = angularWidth(angle.finiteValues());
     return width > kLargestSwing ||
-           (abscissa && angle.values.size() >= kFewestTellingRows && width > kEvenRange * angle.factor &&
+           (abscissa && angle.values.size() >= kMinConclusiveRows && width > kEvenRange * angle.factor &&
             isStraight(angle.values, abscissa->values, kEvenness * width));
 }
 
@@ -180,7 +180,7 @@ bool isRestingAngle(const RawColumn &column)
 {
     const bool isPosition = column.use.channel.order == Order::Position;
     return isOfUnnamedBody(&column) && column.use.channel.coordinate == Theta3 &&
-           column.values.size() >= kFewestTellingRows &&
+           column.values.size() >= kMinConclusiveRows &&
            (isConstant(column) || (isPosition && angularWidth(column.finiteValues()) == 0.0));
 }
 
@@ -210,7 +210,7 @@ bool moveBackAndForth(const Values &values)
 void removeMagnitudes(std::vector<RawColumn *> &candidates)
 {
     const auto returns = [](const RawColumn *column) {
-        return column->use.channel == Channel{R4x, Order::Position} && column->values.size() >= kFewestTellingRows &&
+        return column->use.channel == Channel{R4x, Order::Position} && column->values.size() >= kMinConclusiveRows &&
                moveBackAndForth(column->finiteValues());
     };
     if (std::ranges::any_of(candidates, returns)) {
