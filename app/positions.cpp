@@ -132,8 +132,9 @@ bool canBeAssembledAt(const Mechanism &mechanism, double t)
     return !std::isnan(outputStateAt(mechanism, t).state.q[R4x]);
 }
 
-/// Returns the first time from --start on at which the crank is at the angle theta2 (rad), which the mechanism can
-/// have. At a limit of the crank, the rounded time may be beyond the limit: then returns the nearest one that is not.
+/// Returns the first time from --start on at which the crank is at the angle theta2 (rad), which is within its range.
+/// If the angle is a limit of the range, rounding may make the time that of an angle beyond it. Then returns the
+/// nearest time at which the mechanism can be assembled.
 double firstTimeAtPosition(const OptionReader &options, const Mechanism &mechanism, double theta2)
 {
     constexpr int kMaxSteps = 8; // units in the last place; the rounding error of the time is smaller

@@ -15,8 +15,8 @@ namespace slidercrank
 using Vector12 = Eigen::Matrix<double, kCoordinateCount, 1>;
 using Matrix12 = Eigen::Matrix<double, kCoordinateCount, kCoordinateCount>;
 
-/// The 12 coordinates, or their derivatives, by name (mm, rad, s). As separate variables the compiler can keep them in
-/// registers; those that are not given are 0.
+/// The 12 coordinates, or their derivatives, by name (mm, rad, s). Those that are not set are 0. Unlike the elements of
+/// a vector, the compiler keeps them in registers.
 struct NamedCoordinates {
     double R1x = 0.0, R1y = 0.0, theta1 = 0.0;
     double R2x = 0.0, R2y = 0.0, theta2 = 0.0;

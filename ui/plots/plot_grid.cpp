@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QRubberBand>
+#include <QScopedValueRollback>
 
 #include <algorithm>
 #include <cmath>
@@ -240,8 +241,7 @@ void PlotGrid::paintEvent(QPaintEvent *)
 void PlotGrid::paintFigure(QPainter &painter, const FigureContent &content, const QSize &size, const QPalette &palette)
 {
     const std::vector<std::size_t> plots = content.plots.empty() ? plotsToShow({}) : content.plots;
-    const std::optional<Interval> timeOnScreen = m_zoom.time;
-    m_zoom.time = content.time ? content.time : timeOnScreen;
+    const QScopedValueRollback zoomOnScreen(m_zoom.time, content.time ? content.time : m_zoom.time);
     compose({.plots = plots,
              .font = painter.font(),
              .palette = palette,
@@ -249,7 +249,6 @@ void PlotGrid::paintFigure(QPainter &painter, const FigureContent &content, cons
              .cursorTime = content.cursorTime},
             size);
     paint(painter);
-    m_zoom.time = timeOnScreen;
     requestRefresh(); // restores the figure for the screen
 }
 

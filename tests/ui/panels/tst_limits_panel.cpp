@@ -220,18 +220,19 @@ private slots:
     /// A former defect: next to b = a + |c|, the curve of the stroke had visible corners.
     void curvesAreRoundWhereTheCrankBeginsToTurnFully()
     {
-        constexpr int kPixels = 145;   // of a chart at 1400×900
-        constexpr double kPart = 0.01; // of the largest stroke: about the width of the line
+        constexpr int kPixels = 145;       // of a chart at 1400×900
+        constexpr double kMaxError = 0.01; // fraction of the largest stroke: about the width of the line
         for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {
             const Response response = computeResponse({}, parameter, kPixels);
             const double largest =
-                std::ranges::max(response.limits, {}, [](const auto &limits) { return limits[0]; })[0];
+                std::ranges::max(response.limits, {}, [](const auto &limits) { return limits[kStroke]; })[kStroke];
             for (std::size_t i = 1; i < response.values.size(); ++i) {
                 Parameters middle;
                 valueOf(middle, parameter) = std::midpoint(response.values[i - 1], response.values[i]);
                 const double stroke = motionLimits(Mechanism(middle)).stroke.value_or(0.0); // mm, as in the charts
-                const double drawn = std::midpoint(response.limits[i - 1][0], response.limits[i][0]);
-                QVERIFY2(std::abs(drawn - stroke) < kPart * largest, qPrintable(QString::number(response.values[i])));
+                const double drawn = std::midpoint(response.limits[i - 1][kStroke], response.limits[i][kStroke]);
+                QVERIFY2(std::abs(drawn - stroke) < kMaxError * largest,
+                         qPrintable(QString::number(response.values[i])));
             }
         }
     }
