@@ -260,11 +260,15 @@ OutputState unambiguousStateAt(const Mechanism &mechanism, double t, double alph
 {
     OutputState output = outputStateAt(mechanism, t, alpha2);
     const bool isAtRest = mechanism.omega2() == 0.0 && alpha2 == 0.0;
+    if (isAtRest || output.state.status != Status::Solved) {
+        return output;
+    }
     const double theta2 = output.state.q[Theta2];
-    if (!isAtRest && output.state.status == Status::Solved &&
-        (velocitiesJumpAt(mechanism, theta2) || isCrankLimit(mechanism, theta2))) {
+    const bool isLimit = isCrankLimit(mechanism, theta2);
+    if (isLimit || velocitiesJumpAt(mechanism, theta2)) {
         output.state.setStatus(Status::Singular);
-        output.derived = derivedState(mechanism, output.state, ClosedForm(mechanism).motionAt(t).s);
+        const double adjacent = isLimit ? 0.0 : ClosedForm(mechanism).motionAt(t).s; // without its rounding error
+        output.derived = derivedState(mechanism, output.state, adjacent);
     }
     return output;
 }

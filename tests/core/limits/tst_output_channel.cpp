@@ -136,6 +136,7 @@ private slots:
         QCOMPARE(state.state.status, Status::Singular);
         QVERIFY(std::isnan(state.valueOf(Channel{R4x, Order::Velocity})));
         QVERIFY(std::isfinite(state.valueOf(Channel{R4x, Order::Position})));
+        QCOMPARE(state.derived.transmissionAngle.position, 0.0);
         const Mechanism before({.a = 60.0, .b = 50.0, .c = 20.0, .theta20 = end - 1e-6});
         QCOMPARE(unambiguousStateAt(before, 0.0).state.status, Status::Solved);
     }
