@@ -2062,6 +2062,80 @@ difiere: lo demás</translation>
     </message>
 </context>
 <context>
+    <name>slidercrank::FindLine</name>
+    <message>
+        <source>Quantity that has a value</source>
+        <translation>Magnitud que tiene un valor</translation>
+    </message>
+    <message>
+        <source>Value of the quantity</source>
+        <translation>Valor de la magnitud</translation>
+    </message>
+    <message>
+        <source>Use as ω₂</source>
+        <translation>Usar como ω₂</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Siguiente</translation>
+    </message>
+    <message>
+        <source>Turns the crank to the next position in which the quantity has this value</source>
+        <translation>Gira la manivela hasta la siguiente posición en la que la magnitud tiene este valor</translation>
+    </message>
+    <message>
+        <source>Sets the crank speed with which the velocity has this value at the present position</source>
+        <translation>Fija la velocidad de la manivela con la que la velocidad tiene este valor en la posición actual</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Buscar</translation>
+    </message>
+    <message>
+        <source>There is no such position: this θ₃ is measured at B. View &gt; Notation and units has the angle at A.</source>
+        <translation>No existe tal posición: este θ₃ se mide en B. Ver &gt; Notación y unidades tiene el ángulo en A.</translation>
+    </message>
+    <message>
+        <source>There is no such position: this θ³ is measured at A. View &gt; Notation and units has the angle at B.</source>
+        <translation>No existe tal posición: este θ³ se mide en A. Ver &gt; Notación y unidades tiene el ángulo en B.</translation>
+    </message>
+    <message>
+        <source>There is no such position.</source>
+        <translation>No existe tal posición.</translation>
+    </message>
+    <message>
+        <source>There is no such position: %1 lies between %2 and %3.</source>
+        <translation>No existe tal posición: %1 está entre %2 y %3.</translation>
+    </message>
+    <message>
+        <source>The crank does not reach these positions within the time range.</source>
+        <translation>La manivela no alcanza estas posiciones en el intervalo de tiempo.</translation>
+    </message>
+    <message>
+        <source>Positions of a revolution: θ₂ = %1</source>
+        <translation>Posiciones de una revolución: θ₂ = %1</translation>
+    </message>
+    <message>
+        <source>No crank speed gives this velocity here: it is 0 at every speed, as at a dead centre.</source>
+        <translation>Ninguna velocidad de la manivela da aquí esta velocidad: es 0 a cualquier velocidad, como en un punto muerto.</translation>
+    </message>
+</context>
+<context>
+    <name>slidercrank::MyValues</name>
+    <message>
+        <source>my values</source>
+        <translation>mis valores</translation>
+    </message>
+    <message>
+        <source>Type values of your calculation: they are compared with the exact ones, each to its last digit</source>
+        <translation>Escriba valores de su cálculo: se comparan con los exactos, cada uno hasta su última cifra</translation>
+    </message>
+    <message>
+        <source>Your values are shown again at %1.</source>
+        <translation>Sus valores volverán a mostrarse en %1.</translation>
+    </message>
+</context>
+<context>
     <name>slidercrank::ParameterText</name>
     <message>
         <source>open</source>
@@ -3220,34 +3294,6 @@ PA = %4, PB = %5</translation>
         <translation>Escribe las filas en un archivo CSV</translation>
     </message>
     <message>
-        <source>Find</source>
-        <translation>Buscar</translation>
-    </message>
-    <message>
-        <source>Quantity that has a value</source>
-        <translation>Magnitud que tiene un valor</translation>
-    </message>
-    <message>
-        <source>Value of the quantity</source>
-        <translation>Valor de la magnitud</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Siguiente</translation>
-    </message>
-    <message>
-        <source>Turns the crank to the next position in which the quantity has this value</source>
-        <translation>Gira la manivela hasta la siguiente posición en la que la magnitud tiene este valor</translation>
-    </message>
-    <message>
-        <source>Use as ω₂</source>
-        <translation>Usar como ω₂</translation>
-    </message>
-    <message>
-        <source>Sets the crank speed with which the velocity has this value at the present position</source>
-        <translation>Fija la velocidad de la manivela con la que la velocidad tiene este valor en la posición actual</translation>
-    </message>
-    <message>
         <source>Write to a file…</source>
         <translation>Escribir en un archivo…</translation>
     </message>
@@ -3276,30 +3322,6 @@ PA = %4, PB = %5</translation>
         <translation>Las filas están en el portapapeles, como CSV con encabezados.</translation>
     </message>
     <message>
-        <source>There is no such position: this θ₃ is measured at B. View &gt; Notation and units has the angle at A.</source>
-        <translation>No existe tal posición: este θ₃ se mide en B. Ver &gt; Notación y unidades tiene el ángulo en A.</translation>
-    </message>
-    <message>
-        <source>There is no such position: this θ³ is measured at A. View &gt; Notation and units has the angle at B.</source>
-        <translation>No existe tal posición: este θ³ se mide en A. Ver &gt; Notación y unidades tiene el ángulo en B.</translation>
-    </message>
-    <message>
-        <source>There is no such position.</source>
-        <translation>No existe tal posición.</translation>
-    </message>
-    <message>
-        <source>The crank does not reach these positions within the time range.</source>
-        <translation>La manivela no alcanza estas posiciones en el intervalo de tiempo.</translation>
-    </message>
-    <message>
-        <source>Positions of a revolution: θ₂ = %1</source>
-        <translation>Posiciones de una revolución: θ₂ = %1</translation>
-    </message>
-    <message>
-        <source>No crank speed gives this velocity here: it is 0 at every speed, as at a dead centre.</source>
-        <translation>Ninguna velocidad de la manivela da aquí esta velocidad: es 0 a cualquier velocidad, como en un punto muerto.</translation>
-    </message>
-    <message>
         <source>θ₃ measured at B, and x&lt;sub&gt;B&lt;/sub&gt;, v&lt;sub&gt;B&lt;/sub&gt;, a&lt;sub&gt;B&lt;/sub&gt;, as in textbooks?</source>
         <translation>¿θ₃ medido en B, y x&lt;sub&gt;B&lt;/sub&gt;, v&lt;sub&gt;B&lt;/sub&gt;, a&lt;sub&gt;B&lt;/sub&gt;, como en los libros de texto?</translation>
     </message>
@@ -3312,24 +3334,8 @@ PA = %4, PB = %5</translation>
         <translation>Conservar θ³, Rₓ⁴</translation>
     </message>
     <message>
-        <source>my values</source>
-        <translation>mis valores</translation>
-    </message>
-    <message>
-        <source>Type values of your calculation: they are compared with the exact ones, each to its last digit</source>
-        <translation>Escriba valores de su cálculo: se comparan con los exactos, cada uno hasta su última cifra</translation>
-    </message>
-    <message>
         <source>The curves are for a constant speed.</source>
         <translation>Las curvas son para velocidad constante.</translation>
-    </message>
-    <message>
-        <source>Your values are shown again at %1.</source>
-        <translation>Sus valores volverán a mostrarse en %1.</translation>
-    </message>
-    <message>
-        <source>There is no such position: %1 lies between %2 and %3.</source>
-        <translation>No existe tal posición: %1 está entre %2 y %3.</translation>
     </message>
 </context>
 <context>

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/panels/motion_table_panel.h"
 
-#include "core/check/check.h"
-#include "core/limits/crank_search.h"
-#include "core/mechanism/turn.h"
-#include "core/mechanism/two_part_angle.h"
 #include "ui/document/session.h"
 #include "ui/document/whole_file.h"
+#include "ui/panels/find_line.h"
 #include "ui/panels/table_panel.h"
-#include "ui/text/check_text.h"
-#include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
-#include "ui/text/quantity_text.h"
 #include "ui/text/record.h"
 #include "ui/text/subscripts.h"
-#include "ui/text/word_list.h"
-#include "ui/text/written_number.h"
-#include "ui/widgets/formula.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/paragraph.h"
@@ -36,17 +27,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 namespace slidercrank
 {
-
-/// Returns the angle (rad) that a crank at theta2 reaches first if it is turned counter-clockwise.
-static double nextAngle(const std::vector<double> &angles, double theta2)
-{
-    constexpr double kRounding = 1e-9; // rad: a crank that is nearer is there already
-    return std::ranges::min(angles, {}, [theta2](double angle) { return wrapToTwoPi(angle - theta2 - kRounding); });
-}
 
 MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     : QWidget(parent)
@@ -56,10 +39,7 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     , m_columns(makeMenuButton("tableColumns", tr("Columns"), tr("Chooses the columns of the table")))
     , m_alpha2(new NumberBox)
     , m_constantSpeed(named("constantSpeed", plainText(tr("The curves are for a constant speed."))))
-    , m_quantity(new FormulaBox)
-    , m_value(new NumberBox)
-    , m_next(new QToolButton)
-    , m_useAsSpeed(new QToolButton)
+    , m_findLine(new FindLine(session))
     , m_answer(named("findAnswer", plainText()))
     , m_judgement(named("judgement", plainText()))
     , m_layout(new QVBoxLayout(this))
@@ -133,33 +113,17 @@ QLayout *MotionTablePanel::makeControls()
 QLayout *MotionTablePanel::makeFindLine()
 {
     auto *row = new QHBoxLayout;
-    row->addWidget(new QLabel(tr("Find")));
-    named("findQuantity", m_quantity, tr("Quantity that has a value"));
-    row->addWidget(m_quantity);
-    row->addWidget(new QLabel("="));
-    named("findValue", m_value, tr("Value of the quantity"));
-    row->addWidget(m_value);
-    named("findNext", m_next, tr("Next"));
-    m_next->setText(tr("Next"));
-    m_next->setToolTip(tr("Turns the crank to the next position in which the quantity has this value"));
-    m_next->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(m_next);
-    named("findUseAsSpeed", m_useAsSpeed, tr("Use as ω₂"));
-    m_useAsSpeed->setText(tr("Use as ω₂"));
-    m_useAsSpeed->setToolTip(tr("Sets the crank speed with which the velocity has this value at the present position"));
-    m_useAsSpeed->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(m_useAsSpeed);
-    row->addStretch(1);
+    row->addWidget(m_findLine, 1);
     connect(addButton(row, "motionTableCopy", tr("Copy"), tr("Copies the rows as CSV")), &QToolButton::clicked, this,
             &MotionTablePanel::copy);
     QToolButton *button = makeMenuButton("motionTableExport", tr("Export"), tr("Writes the rows to a CSV file"));
     fillExportMenu(button);
     row->addWidget(button);
-    connect(m_quantity, &QComboBox::activated, this, &MotionTablePanel::showWantedUnit);
-    connect(m_value, &NumberBox::edited, this, [this] { m_answer->hide(); });
-    connect(m_value, &NumberBox::enterPressed, this, &MotionTablePanel::goToNext);
-    connect(m_next, &QToolButton::clicked, this, &MotionTablePanel::goToNext);
-    connect(m_useAsSpeed, &QToolButton::clicked, this, &MotionTablePanel::useAsCrankSpeed);
+    connect(m_findLine, &FindLine::timeRequested, this, &MotionTablePanel::timeRequested);
+    connect(m_findLine, &FindLine::answered, this, [this](const QString &text) {
+        m_answer->setText(text);
+        m_answer->setVisible(!text.isEmpty());
+    });
     return row;
 }
 
@@ -259,6 +223,7 @@ void MotionTablePanel::refreshNotation()
     if (auto *offer = findChild<QWidget *>("notationOffer"); offer && notation().symbols == Symbols::Textbook) {
         offer->deleteLater(); // it was chosen elsewhere
     }
+    m_findLine->refreshNotation();
     makeTables();
     showRows();
 }
@@ -276,7 +241,6 @@ void MotionTablePanel::makeTables()
     arrangeCurrentRow();
     connectTables();
     fillColumnsMenu();
-    fillQuantities();
 }
 
 void MotionTablePanel::arrangeTable()
@@ -308,7 +272,8 @@ void MotionTablePanel::arrangeCurrentRow()
 void MotionTablePanel::connectTables()
 {
     connect(m_currentRowTable, &NumberTable::typed, this, [this](int column, const QString &text) {
-        typeValue(m_settings.columns[static_cast<std::size_t>(column - kFirstChannelColumn)], text.trimmed());
+        const OutputChannel channel = m_settings.columns[static_cast<std::size_t>(column - kFirstChannelColumn)];
+        m_myValues.type(currentPlace().theta2, channel, text.trimmed());
         QMetaObject::invokeMethod(this, &MotionTablePanel::showCurrentPosition,
                                   Qt::QueuedConnection); // after the cell is closed
     });
@@ -323,19 +288,6 @@ void MotionTablePanel::connectTables()
         connect(table, &NumberTable::copied, this,
                 [this] { emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings.")); });
     }
-}
-
-/// Fills the list of the quantities that can be found. The chosen one stays.
-void MotionTablePanel::fillQuantities()
-{
-    const int chosen = std::max(0, m_quantity->currentIndex());
-    m_quantity->clear();
-    for (const OutputChannel &channel : tableChannels()) {
-        m_quantity->addItem(symbolOf(channel), columnName(channel));
-        m_quantity->setItemData(m_quantity->count() - 1, nameText(channel), Qt::ToolTipRole);
-    }
-    m_quantity->setCurrentIndex(chosen);
-    showWantedUnit();
 }
 
 void MotionTablePanel::refresh()
@@ -370,21 +322,18 @@ void MotionTablePanel::showAlpha2()
 void MotionTablePanel::showCurrentPosition()
 {
     if (isVisible()) {
-        TableRow row =
-            motionTableRow(m_settings, Mechanism(m_session->parameters()), m_session->alpha2(), currentPlace());
+        const Mechanism mechanism(m_session->parameters());
+        TableRow row = motionTableRow(m_settings, mechanism, m_session->alpha2(), currentPlace());
         row.cells.front().tone = Tone::Normal; // the time is no link here
         row.time.reset();                      // the row would link to its own time
-        m_currentRowTable->setRows({row, judgeMyValues()});
+        const CrankPosition position{withCrankAt(mechanism, currentPlace().theta2), m_session->alpha2()};
+        const MyValues::Judgement judgement = m_myValues.judge(position, m_settings.columns);
+        m_currentRowTable->setRows({row, judgement.row});
+        m_judgement->setVisible(!judgement.conclusion.isEmpty());
+        m_judgement->setText(subscriptHtml(judgement.conclusion));
         alignColumns();
         deselectOtherPosition();
     }
-}
-
-/// Returns whether two crank angles (rad) are the same position, except for rounding.
-static bool isSamePosition(double x, double y)
-{
-    constexpr double kRounding = 1e-9; // rad
-    return std::abs(wrapToPi(x - y)) < kRounding;
 }
 
 /// Deselects the row that was clicked once the crank is at a different position. Several rows, which a person selects
@@ -396,110 +345,6 @@ void MotionTablePanel::deselectOtherPosition()
         !isSamePosition(m_places[static_cast<std::size_t>(rows.front().row())].theta2, currentPlace().theta2)) {
         m_table->clearSelection();
     }
-}
-
-void MotionTablePanel::typeValue(const OutputChannel &channel, const QString &text)
-{
-    const double theta2 = wrapToPi(currentPlace().theta2);
-    auto here = std::ranges::find_if(
-        m_myValues, [theta2](const TypedTexts &typed) { return isSamePosition(typed.theta2, theta2); });
-    if (here == m_myValues.end()) {
-        here = m_myValues.insert(here, {.theta2 = theta2, .byColumn = {}});
-    }
-    if (text.isEmpty()) {
-        here->byColumn.erase(columnName(channel));
-    } else {
-        here->byColumn[columnName(channel)] = text;
-    }
-    if (here->byColumn.empty()) {
-        m_myValues.erase(here);
-    }
-}
-
-const MotionTablePanel::TypedTexts *MotionTablePanel::textsAtCurrentPosition() const
-{
-    const auto here = std::ranges::find_if(
-        m_myValues, [this](const TypedTexts &typed) { return isSamePosition(typed.theta2, currentPlace().theta2); });
-    return here == m_myValues.end() ? nullptr : &*here;
-}
-
-QString MotionTablePanel::otherPositions() const
-{
-    QStringList angles;
-    for (const TypedTexts &typed : m_myValues) {
-        angles << QStringLiteral("θ₂ = ") + crankAngleWithUnit(typed.theta2);
-    }
-    return angles.isEmpty() ? QString() : tr("Your values are shown again at %1.").arg(listed(angles));
-}
-
-/// Returns the row of the values that were typed at the current position, with their verdicts as colours. Also shows
-/// the conclusions from these values.
-TableRow MotionTablePanel::judgeMyValues()
-{
-    TableRow row{.cells = {{.text = tr("my values"), .tone = Tone::Muted}, {}},
-                 .explanation = tr(
-                     "Type values of your calculation: they are compared with the exact ones, each to its last digit")};
-    QStringList sentences;
-    std::vector<TypedValue> values = readMyValues(row, sentences);
-    const bool hasUnreadable = !sentences.isEmpty();
-    const CrankPosition position{withCrankAt(Mechanism(m_session->parameters()), currentPlace().theta2),
-                                 m_session->alpha2()};
-    values = inLikelyUnits(std::move(values), position, notation().units);
-    std::vector<GivenValue> given(values.size());
-    std::ranges::transform(values, given.begin(), &TypedValue::given);
-    const CheckResult result = check(position, given);
-    QStringList wrong;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const bool isRight = result.values[i].isRight;
-        const auto column = std::ranges::find(m_settings.columns, values[i].channel) - m_settings.columns.begin();
-        row.cells[static_cast<std::size_t>(column + kFirstChannelColumn)].tone = isRight ? Tone::Good : Tone::Bad;
-        sentences << QStringLiteral("%1: %2.").arg(symbolOf(values[i].channel),
-                                                   verdictText(values[i], result.values[i]));
-        if (!isRight) {
-            wrong << symbolOf(values[i].channel);
-        }
-    }
-    if (!textsAtCurrentPosition() && !m_myValues.empty()) {
-        sentences << otherPositions();
-    }
-    const bool isIncomplete = wrong.isEmpty() && hasUnreadable; // then not "all values are right"
-    if (!values.empty() && !isIncomplete) {
-        sentences << explanationText(result, wrong);
-    }
-    if (!values.empty() && result.status == Status::Singular &&
-        velocitiesJumpAt(position.mechanism, currentPlace().theta2)) {
-        sentences << jumpSentence();
-    }
-    m_judgement->setVisible(!sentences.isEmpty());
-    m_judgement->setText(subscriptHtml(sentences.join(u' ')));
-    return row;
-}
-
-/// Appends a cell for each column to a row, with the text that was typed at the current position, and returns the
-/// values. Appends a sentence for each text that is no value.
-std::vector<TypedValue> MotionTablePanel::readMyValues(TableRow &row, QStringList &sentences) const
-{
-    std::vector<TypedValue> values;
-    const TypedTexts *typedHere = textsAtCurrentPosition();
-    for (const OutputChannel &channel : m_settings.columns) {
-        TableCell &cell = row.cells.emplace_back();
-        if (!typedHere || !typedHere->byColumn.contains(columnName(channel))) {
-            continue;
-        }
-        cell.text = typedHere->byColumn.at(columnName(channel));
-        if (cell.text.startsWith(u'-')) {
-            cell.text.replace(0, 1, "−"); // as in the row above
-        }
-        const QString number = QString(cell.text).replace(QLocale().decimalPoint(), ".");
-        const TypedValue typed = readTypedValue(number, channel, notation().units);
-        if (typed.parsed.fault) {
-            cell.tone = Tone::Bad;
-            sentences << QStringLiteral("%1: %2").arg(symbolOf(channel), faultText(typed));
-            continue;
-        }
-        values.push_back(typed);
-    }
-    return values;
 }
 
 /// Gives the columns of both tables the same widths.
@@ -517,95 +362,6 @@ void MotionTablePanel::alignColumns()
 TablePlace MotionTablePanel::currentPlace() const
 {
     return {.theta2 = m_session->pose().motion.theta2, .time = m_session->time()};
-}
-
-std::optional<OutputChannel> MotionTablePanel::wantedChannel() const
-{
-    return outputChannelNamed(m_quantity->currentData().toString().toStdString());
-}
-
-double MotionTablePanel::wantedValue() const
-{
-    const OutputChannel channel = *wantedChannel();
-    const ShownScale scale = shownScale(channel, m_session->parameters().branch);
-    return scale.inFileUnit(m_value->value()) / toFileUnit(measureOf(channel), 1.0);
-}
-
-void MotionTablePanel::showWantedUnit()
-{
-    const OutputChannel channel = *wantedChannel();
-    const Measure measure = measureOf(channel);
-    const QString unit = shownUnit(channel);
-    m_value->setSuffix(unit == u"°" ? unit : u' ' + unit);
-    m_value->setUnit({isAngular(measure) ? Dimension::Angle : Dimension::Length, static_cast<int>(orderOf(channel)),
-                      1.0 / fromFileUnit(measure, 1.0, notation().units)});
-    m_useAsSpeed->setVisible(orderOf(channel) == Order::Velocity);
-    m_answer->hide();
-}
-
-QString MotionTablePanel::noPosition() const
-{
-    const OutputChannel channel = *wantedChannel();
-    const bool isCouplerAngle = channel == OutputChannel(Channel{Theta3, Order::Position});
-    const Mechanism mechanism(m_session->parameters());
-    if (isCouplerAngle && !crankAnglesAt(mechanism, channel, wantedValue() + 0.5 * kTurn)->empty()) {
-        return notation().symbols == Symbols::Textbook
-                   ? tr("There is no such position: this θ₃ is measured at B. View > Notation and units has the angle "
-                        "at A.")
-                   : tr("There is no such position: this θ³ is measured at A. View > Notation and units has the angle "
-                        "at B.");
-    }
-    const std::optional<ChannelRange> range = rangeOf(mechanism, channel, m_session->alpha2());
-    if (!range || !range->excludes(wantedValue())) {
-        return tr("There is no such position.");
-    }
-    constexpr int kDigits = 5; // as in the table
-    const Branch branch = mechanism.branch();
-    const QString unit = shownUnit(channel);
-    return tr("There is no such position: %1 lies between %2 and %3.")
-        .arg(symbolOf(channel), withUnit(lowerBoundText(shownChannel(channel, branch, range->least), kDigits), unit),
-             withUnit(upperBoundText(shownChannel(channel, branch, range->greatest), kDigits), unit));
-}
-
-void MotionTablePanel::goToNext()
-{
-    const OutputChannel channel = *wantedChannel();
-    const Mechanism mechanism(m_session->parameters());
-    std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, channel, wantedValue(), m_session->alpha2());
-    QString answer;
-    if (!angles || angles->empty()) {
-        answer = noPosition();
-    } else if (mechanism.omega2() == 0.0) {
-        m_session->setParameter(Parameter::Theta20, nextAngle(*angles, m_session->parameters().theta20));
-    } else if (const auto time = nextTime(*angles, mechanism, m_session->sampling(), m_session->time())) {
-        emit timeRequested(*time);
-    } else {
-        answer = tr("The crank does not reach these positions within the time range.");
-    }
-    if (answer.isEmpty()) {
-        std::ranges::sort(*angles, {}, shownCrankAngle);
-        QStringList texts;
-        for (const double theta2 : *angles) {
-            texts << crankAngleWithUnit(theta2);
-        }
-        answer = tr("Positions of a revolution: θ₂ = %1").arg(texts.join("; "));
-    }
-    m_answer->setText(subscriptHtml(answer));
-    m_answer->show();
-}
-
-void MotionTablePanel::useAsCrankSpeed()
-{
-    const std::optional<double> speed = crankSpeedFor(Mechanism(m_session->parameters()),
-                                                      m_session->pose().motion.theta2, *wantedChannel(), wantedValue());
-    if (speed && std::abs(*speed) <= kLargestParameter) {
-        m_answer->hide();
-        m_session->setCrankSpeedHere(*speed);
-        emit timeRequested(m_session->time()); // also shows it in plots that are zoomed
-        return;
-    }
-    m_answer->setText(tr("No crank speed gives this velocity here: it is 0 at every speed, as at a dead centre."));
-    m_answer->show();
 }
 
 QByteArray MotionTablePanel::csv() const

@@ -7,14 +7,12 @@
 // positions in which a quantity has a value.
 
 #include "ui/export/motion_table.h"
+#include "ui/panels/my_values.h"
 #include "ui/text/notation.h"
-#include "ui/text/typed_value.h"
 
-#include <QStringList>
 #include <QTimer>
 #include <QWidget>
 
-#include <map>
 #include <vector>
 
 class QComboBox;
@@ -27,6 +25,7 @@ class QVBoxLayout;
 namespace slidercrank
 {
 
+class FindLine;
 class NumberBox;
 class Session;
 
@@ -67,13 +66,6 @@ protected:
     void hideEvent(QHideEvent *event) override;
 
 private:
-    /// The values that a person typed at a position, as they were typed. They belong to its crank angle: a length or a
-    /// speed may still be corrected.
-    struct TypedTexts {
-        double theta2;                       ///< rad, within [-π, π)
-        std::map<QString, QString> byColumn; ///< by the name of the column; none of them is empty
-    };
-
     QLayout *makeControls();
     QLayout *makeFindLine();
     void fillColumnsMenu();
@@ -83,26 +75,14 @@ private:
     void arrangeTable();
     void arrangeCurrentRow();
     void connectTables();
-    void fillQuantities();
     void refresh();
     void showRows();
     void showCurrentPosition();
     void showAlpha2();
-    void typeValue(const OutputChannel &channel, const QString &text);
-    const TypedTexts *textsAtCurrentPosition() const; ///< null if no values were typed at this position
-    QString otherPositions() const;                   ///< says at which other crank angles values were typed
-    TableRow judgeMyValues();
-    std::vector<TypedValue> readMyValues(TableRow &row, QStringList &sentences) const;
     void alignColumns();
     void deselectOtherPosition();
     TablePlace currentPlace() const;
 
-    std::optional<OutputChannel> wantedChannel() const;
-    double wantedValue() const; ///< in the core's unit: mm, rad, s
-    void showWantedUnit();
-    void goToNext();
-    QString noPosition() const; ///< the answer if no position has the wanted value
-    void useAsCrankSpeed();
     QByteArray csv() const; ///< the rows as a file
     void copy();
 
@@ -119,12 +99,9 @@ private:
     QToolButton *m_columns;
     NumberBox *m_alpha2;
     QLabel *m_constantSpeed;
-    QComboBox *m_quantity;
-    NumberBox *m_value;
-    QToolButton *m_next;
-    QToolButton *m_useAsSpeed;
+    FindLine *m_findLine;
     QLabel *m_answer;
-    std::vector<TypedTexts> m_myValues{};
+    MyValues m_myValues;
     QLabel *m_judgement;
     QVBoxLayout *m_layout;
     QHBoxLayout *m_currentRowLayout; ///< of m_currentRowTable, with a margin as wide as the scroll bar of m_table
