@@ -20,18 +20,17 @@ struct ConstantsOfThread {
 
 ExactState exactState(const ExactInput &in)
 {
-    const auto &[a, b, c, omega2, theta20, t] = in.numbers;
     ExactState out;
     TextbookMotion<ManyDigits> motion;
-    const bool isSolved = motion.compute({a, b, c, omega2}, omega2 * t + theta20,
+    const bool isSolved = motion.compute({in.a, in.b, in.c, in.omega2}, in.omega2 * in.t + in.theta20,
                                          in.branch == Branch::Open ? 1.0 : -1.0, acos(ManyDigits(-1.0)));
-    out.clearance = (b - abs(c - motion.pinY[motion.kPosition])) / b;
+    out.clearance = (in.b - abs(in.c - motion.pinY[motion.kPosition])) / in.b;
     if (!isSolved && out.clearance < 0) {
         out.status = Status::NotAssemblable;
         return out;
     }
     out.status = isSolved ? Status::Solved : Status::Singular;
-    out.cosTheta3 = (motion.sliderX[motion.kPosition] - motion.pinX[motion.kPosition]) / b;
+    out.cosTheta3 = (motion.sliderX[motion.kPosition] - motion.pinX[motion.kPosition]) / in.b;
     const std::size_t existing = isSolved ? kChannelCount : kCoordinateCount; // the positions come first
     for (std::size_t index = 0; index < existing; ++index) {
         out.values[index] = motion.valueAt(channelAt(index));
@@ -44,11 +43,12 @@ std::array<double, kChannelCount> conditioning(const Parameters &parameters, dou
     const ManyDigits step = 1e-25;
     const ExactInput in(parameters, t);
     std::array<double, kChannelCount> kappa{};
-    for (std::size_t i = 0; i < in.numbers.size(); ++i) {
+    for (ManyDigits ExactInput::*number :
+         {&ExactInput::a, &ExactInput::b, &ExactInput::c, &ExactInput::omega2, &ExactInput::theta20, &ExactInput::t}) {
         ExactInput more = in;
         ExactInput less = in;
-        more.numbers[i] *= 1 + step;
-        less.numbers[i] *= 1 - step;
+        more.*number *= 1 + step;
+        less.*number *= 1 - step;
         const ExactState above = exactState(more);
         const ExactState below = exactState(less);
         const bool exists = above.status == Status::Solved && below.status == Status::Solved;

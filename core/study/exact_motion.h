@@ -32,11 +32,16 @@ struct ManyDigits : mpfr::mpreal {
 
 /// The input of the motion, converted without rounding.
 struct ExactInput {
-    std::array<ManyDigits, 6> numbers; ///< a, b, c, ω2, θ20 and t
+    ManyDigits a, b, c, omega2, theta20, t;
     Branch branch;
 
-    ExactInput(const Parameters &p, double t)
-        : numbers{p.a, p.b, p.c, p.omega2, p.theta20, t}
+    ExactInput(const Parameters &p, double time)
+        : a(p.a)
+        , b(p.b)
+        , c(p.c)
+        , omega2(p.omega2)
+        , theta20(p.theta20)
+        , t(time)
         , branch(p.branch)
     {
     }

@@ -19,7 +19,7 @@ using ExactOutputs = std::map<std::string_view, ManyDigits>; ///< by name, posit
 inline ExactOutputs exactPositions(const Parameters &p, const ManyDigits &theta2)
 {
     ExactInput in(p, 0.0);
-    in.numbers[4] = theta2;
+    in.theta20 = theta2;
     const ExactState exact = exactState(in);
     ExactOutputs outputs;
     const auto value = [&](Coordinate coordinate) { return exact.values[indexOf({coordinate, Order::Position})]; };

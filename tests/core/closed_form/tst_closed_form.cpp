@@ -132,8 +132,8 @@ private slots:
             p.branch = branch;
             ExactInput before(p, 0.3);
             ExactInput after(p, 0.3);
-            before.numbers[5] -= kStep;
-            after.numbers[5] += kStep;
+            before.t -= kStep;
+            after.t += kStep;
             const ExactState here = exactState(p, 0.3);
             for (std::size_t index = 0; index < 2 * kCoordinateCount; ++index) {
                 const ManyDigits slope =

@@ -29,7 +29,7 @@ double toggleWidth(const Parameters &p)
 ExactState exactAt(const Parameters &p, const ManyDigits &theta2)
 {
     ExactInput in(p, 0.0);
-    in.numbers[4] = theta2;
+    in.theta20 = theta2;
     return exactState(in);
 }
 

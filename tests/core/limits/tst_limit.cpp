@@ -152,7 +152,7 @@ ManyDigits exactPeakNear(const Parameters &p, Channel channel, double theta2)
     const ManyDigits step = 1e-30;
     const auto at = [&](const ManyDigits &angle) {
         ExactInput in(p, 0.0);
-        in.numbers[4] = angle;
+        in.theta20 = angle;
         return exactState(in).values[indexOf(channel)];
     };
     ManyDigits angle = theta2;
