@@ -25,9 +25,9 @@ namespace
 constexpr int kProgressSteps = 1000; // Qt reports progress as a whole number
 constexpr int kMaxThreads = 1000;    // a thread for each task, so that short tasks do not wait for long ones
 #else
-constexpr std::chrono::milliseconds kPause{20};  // between two pieces, in which the window is painted
-constexpr std::chrono::milliseconds kPieces{40}; // duration of the work until the window is painted again
+constexpr std::chrono::milliseconds kPause{20}; // before the work, in which the window is painted
 #endif
+constexpr std::chrono::milliseconds kPieces{40}; // duration of the pieces until the window is painted again
 
 } // namespace
 
@@ -116,8 +116,15 @@ void BackgroundTask::run(const Work &work, const std::function<void()> &done, co
     });
 }
 
-/// Between two pieces the event loop runs: the window is painted and handles input.
 void BackgroundTask::runPieces(const Pieces &pieces, const std::function<void()> &done, const Failed &failed)
+{
+    runPiecesInGuiThread(pieces, done, failed);
+}
+
+#endif
+
+/// Between two pieces the event loop runs: the window is painted and handles input.
+void BackgroundTask::runPiecesInGuiThread(const Pieces &pieces, const std::function<void()> &done, const Failed &failed)
 {
     auto *const watcher = begin<QObject>();
     auto *const timer = new QTimer(watcher);
@@ -133,15 +140,13 @@ void BackgroundTask::runPieces(const Pieces &pieces, const std::function<void()>
             }
         });
         emit progressed(pieces.progress());
-        if (isDone || !problem.isEmpty()) {
+        if (m_watcher == watcher && (isDone || !problem.isEmpty())) {
             timer->stop();
             finish(watcher, problem, done, failed);
         }
     });
     timer->start(0);
 }
-
-#endif
 
 /// Stops the work, and disconnects from it.
 void BackgroundTask::release()

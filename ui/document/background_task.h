@@ -50,8 +50,15 @@ public:
     void startPieces(const std::shared_ptr<Work> &pieces, Done done, Failed failed)
     {
         runPieces(
-            {[pieces] { return pieces->advance(); }, [pieces] { return pieces->progress(); }},
-            [pieces, done] { done(std::as_const(*pieces)); }, failed);
+            piecesOf(pieces), [pieces, done] { done(std::as_const(*pieces)); }, failed);
+    }
+
+    /// The same in the GUI thread between the events, also in a program with threads: for work that uses widgets.
+    template <typename Work, typename Done>
+    void startPiecesInGuiThread(const std::shared_ptr<Work> &pieces, Done done, Failed failed)
+    {
+        runPiecesInGuiThread(
+            piecesOf(pieces), [pieces, done] { done(std::as_const(*pieces)); }, failed);
     }
 
     bool isRunning() const { return m_watcher; }
@@ -73,7 +80,13 @@ private:
         std::function<bool()> advance;
         std::function<double()> progress;
     };
+    template <typename Work>
+    static Pieces piecesOf(const std::shared_ptr<Work> &work)
+    {
+        return {[work] { return work->advance(); }, [work] { return work->progress(); }};
+    }
     void runPieces(const Pieces &pieces, const std::function<void()> &done, const Failed &failed);
+    void runPiecesInGuiThread(const Pieces &pieces, const std::function<void()> &done, const Failed &failed);
 
     template <typename Watcher>
     Watcher *begin();

@@ -64,6 +64,35 @@ private slots:
         AWAIT(!task.isRunning());
     }
 
+    void handlesEventsBetweenPiecesInTheGuiThread()
+    {
+        struct Pieces {
+            int count = 0;
+            bool isElsewhere = false;
+            bool advance()
+            {
+                isElsewhere = isElsewhere || QThread::currentThread() != qApp->thread();
+                QThread::msleep(50); // longer than pieces are done in a row
+                return ++count < 3;
+            }
+            double progress() const { return count / 3.0; }
+        };
+        BackgroundTask task;
+        QSignalSpy running(&task, &BackgroundTask::runningChanged);
+        std::vector<double> parts;
+        connect(&task, &BackgroundTask::progressed, this, [&](double part) { parts.push_back(part); });
+        bool isElsewhere = true;
+        task.startPiecesInGuiThread(
+            std::make_shared<Pieces>(), [&](const Pieces &done) { isElsewhere = done.isElsewhere; }, kFail);
+        QVERIFY(task.isRunning() && parts.empty());
+        QCoreApplication::processEvents();
+        QVERIFY(task.isRunning());
+        AWAIT(!task.isRunning());
+        QVERIFY(!isElsewhere);
+        QCOMPARE(parts, std::vector<double>({1.0 / 3.0, 2.0 / 3.0, 1.0}));
+        QCOMPARE(QList<QVariantList>(running), kStartedAndEnded);
+    }
+
     void leavesPiecesThatAreDiscarded()
     {
         struct Endless {
