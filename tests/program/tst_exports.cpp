@@ -212,6 +212,8 @@ private slots:
             AWAIT(session.identification()->parameters.b == 64.0);
             m_window->exports().writeReport(path);
         }
+        session.setParameters(withCoupler(50.0)); // does not change a report that is being written
+        AWAIT(!m_window->exports().isWriting());
         QVERIFY(contentOf(path).startsWith("%PDF"));
         if (!missingProgram({"pdftotext"}).isEmpty()) {
             QSKIP("pdftotext (poppler-utils) is missing: tests/run installs it.");
@@ -248,6 +250,7 @@ private slots:
         wide.unit = FigureOptions::Unit::Pixel;
         const auto writeTo = [&](const QString &path, const FigureSubject &figure) {
             exports.write(figure, wide, path);
+            finishBackgroundTasks();
             return figureSize(wide, figure.height(wide));
         };
         const auto exportTo = [&](const QString &path, PictureSubject subject) {

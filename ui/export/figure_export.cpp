@@ -36,6 +36,8 @@ constexpr EnumText<FigureFormat> kSuffixes[] = {
     {FigureFormat::Png, "png"}, {FigureFormat::Svg, "svg"}, {FigureFormat::Pdf, "pdf"}};
 static_assert(isCompleteTable(kSuffixes, FigureFormat::Pdf));
 
+using Problem = std::optional<QString>;
+
 constexpr double kPointsPerPixel = kPointsPerInch / kDotsPerInch;
 
 struct FigureExportText {
@@ -118,19 +120,39 @@ QByteArray makeSvg(const FigureSize &figure, const QString &title, const FigureD
     return polished(buffer.data(), figure);
 }
 
-} // namespace
-
-QByteArray makePdf(const QPageSize &page, const QString &title, const std::function<void(QPdfWriter &)> &fill)
+QByteArray makePdf(const FigureSize &figure, const QString &title, const FigureDrawing &draw)
 {
+    const QPageSize page(QSizeF(figure.size) * figure.paperPixel * kPointsPerPixel, QPageSize::Point, {},
+                         QPageSize::ExactMatch);
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
+    preparePdf(writer, page, title);
+    QPainter painter(&writer);
+    painter.scale(figure.paperPixel, figure.paperPixel);
+    painter.setFont(figureFont(figure.fontPixels));
+    draw(painter, figure.size);
+    painter.end();
+    return buffer.data();
+}
+
+QByteArray pngOf(const QImage &image)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    image.save(&buffer, "PNG");
+    return bytes;
+}
+
+} // namespace
+
+void preparePdf(QPdfWriter &writer, const QPageSize &page, const QString &title)
+{
     writer.setResolution(kDotsPerInch);
     writer.setPageSize(page);
+    writer.setPageMargins(QMarginsF());
     writer.setTitle(title);
     writer.setCreator(QCoreApplication::applicationName());
-    fill(writer);
-    return buffer.data();
 }
 
 QString suffixOf(FigureFormat format)
@@ -210,38 +232,35 @@ QImage figureImage(const FigureSize &size, const FigureDrawing &draw)
     return image;
 }
 
-std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
-                                    const FigureDrawing &draw)
+FigureWriter drawFigure(const QString &path, const FigureSize &size, const QString &title, const FigureDrawing &draw)
 {
+    const auto write = [path, size](const QByteArray &bytes, const std::stop_token &stop) {
+        const Problem problem = bytes.isEmpty() ? impossibleText(size) : Problem();
+        return problem || stop.stop_requested() ? problem : writeWhole(path, bytes);
+    };
     const std::optional<FigureFormat> format = figureFormat(path);
     if (!format) {
-        return FigureExportText::tr("%1: a figure's name must end in .png, .svg or .pdf.")
-            .arg(QDir::toNativeSeparators(path));
+        const QString problem = FigureExportText::tr("%1: a figure's name must end in .png, .svg or .pdf.")
+                                    .arg(QDir::toNativeSeparators(path));
+        return [problem](const std::stop_token &) { return problem; };
     }
     QByteArray bytes;
     switch (*format) {
     case FigureFormat::Png: {
         QImage image = figureImage(size, draw);
         image.setText("Title", title);
-        QBuffer buffer(&bytes);
-        image.save(&buffer, "PNG");
-        break;
+        return [write, image](const std::stop_token &stop) { return write(pngOf(image), stop); };
     }
     case FigureFormat::Svg: bytes = makeSvg(size, title, draw); break;
-    case FigureFormat::Pdf: {
-        const QPageSize page(QSizeF(size.size) * size.paperPixel * kPointsPerPixel, QPageSize::Point, {},
-                             QPageSize::ExactMatch);
-        bytes = makePdf(page, title, [&](QPdfWriter &writer) {
-            writer.setPageMargins(QMarginsF());
-            QPainter painter(&writer);
-            painter.scale(size.paperPixel, size.paperPixel);
-            painter.setFont(figureFont(size.fontPixels));
-            draw(painter, size.size);
-        });
-        break;
+    case FigureFormat::Pdf: bytes = makePdf(size, title, draw); break;
     }
-    }
-    return bytes.isEmpty() ? impossibleText(size) : writeWhole(path, bytes);
+    return [write, bytes](const std::stop_token &stop) { return write(bytes, stop); };
+}
+
+std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
+                                    const FigureDrawing &draw)
+{
+    return drawFigure(path, size, title, draw)({});
 }
 
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw)

@@ -15,6 +15,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 
 class QPainter;
 class QPageSize;
@@ -92,8 +93,14 @@ QImage figureImage(const FigureSize &size, const FigureDrawing &draw);
 std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
                                     const FigureDrawing &draw);
 
-/// Returns a PDF with pages of that size, at kDotsPerInch. `fill` draws all pages; it starts on the first one.
-QByteArray makePdf(const QPageSize &page, const QString &title, const std::function<void(QPdfWriter &)> &fill);
+/// Writes a figure that has been drawn, as exportFigure(). Can run in any thread. Writes nothing if stopped.
+using FigureWriter = std::function<std::optional<QString>(const std::stop_token &stop)>;
+
+/// Draws the figure in memory. The returned function compresses it, which takes longer, and writes it.
+FigureWriter drawFigure(const QString &path, const FigureSize &size, const QString &title, const FigureDrawing &draw);
+
+/// Prepares a PDF with pages of that size, at kDotsPerInch, without margins.
+void preparePdf(QPdfWriter &writer, const QPageSize &page, const QString &title);
 
 /// Copies the figure to the clipboard as an image. Returns nullopt on success, else a message that says why not.
 std::optional<QString> copyFigureToClipboard(const FigureSize &size, const FigureDrawing &draw);

@@ -71,8 +71,13 @@ void storeFigureOptions(const FigureOptions &options)
 
 std::optional<QString> exportFigure(const QString &path, const FigureSubject &subject, const FigureOptions &options)
 {
+    return drawFigure(path, subject, options)({});
+}
+
+FigureWriter drawFigure(const QString &path, const FigureSubject &subject, const FigureOptions &options)
+{
     const FigureSize size = figureSize(options, subject.height(options));
-    return exportFigure(path, size, FigureForm::tr("Motion of an offset slider-crank"), subject.draw(options));
+    return drawFigure(path, size, FigureForm::tr("Motion of an offset slider-crank"), subject.draw(options));
 }
 
 void chooseFigure(QWidget *parent, const FigureSubject &subject,

@@ -35,8 +35,9 @@ struct FigureSubject {
 FigureOptions storedFigureOptions();
 void storeFigureOptions(const FigureOptions &options);
 
-/// Writes the figure to a file with the suffix of its format. Returns as exportFigure().
+/// Write or draw the figure for a file with the suffix of its format, as the functions of the same names for a drawing.
 std::optional<QString> exportFigure(const QString &path, const FigureSubject &subject, const FigureOptions &options);
+FigureWriter drawFigure(const QString &path, const FigureSubject &subject, const FigureOptions &options);
 
 /// Opens the dialog, and then the one for the name of the file. `write` is called when both have been answered.
 void chooseFigure(QWidget *parent, const FigureSubject &subject,

@@ -6,15 +6,18 @@
 
 #include "ui/document/whole_file.h"
 #include "ui/export/polygon_figure.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QLocale>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QScopeGuard>
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
@@ -24,6 +27,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -98,25 +102,35 @@ struct FlexibleDrawing {
 class Pages
 {
 public:
-    explicit Pages(QTextDocument &document)
+    Pages(QTextDocument &document, const std::vector<FlexibleDrawing> &drawings)
         : m_document(document)
         , m_page(document.pageSize())
+        , m_drawings(drawings)
+        , m_heading(headingAfter(document.begin()))
     {
     }
 
-    /// Arranges all sections, in their order.
-    void arrange(const std::vector<FlexibleDrawing> &drawings)
+    /// Arranges the next section. Returns false if none is left.
+    bool arrangeNext()
     {
-        QTextBlock heading = headingAfter(m_document.begin());
-        for (; heading.isValid(); heading = headingAfter(heading)) {
-            const auto isHere = [&](const FlexibleDrawing &flexible) { return hasObject(heading, flexible.type); };
-            const auto flexible = std::ranges::find_if(drawings, isHere);
-            if (flexible == drawings.end()) {
-                keepTogether(heading);
-            } else {
-                fillPage(heading, *flexible);
-            }
+        if (!m_heading.isValid()) {
+            return false;
         }
+        const auto isHere = [&](const FlexibleDrawing &flexible) { return hasObject(m_heading, flexible.type); };
+        const auto flexible = std::ranges::find_if(m_drawings, isHere);
+        if (flexible == m_drawings.end()) {
+            keepTogether(m_heading);
+        } else {
+            fillPage(m_heading, *flexible);
+        }
+        m_heading = headingAfter(m_heading);
+        return true;
+    }
+
+    /// Returns the part of the document that is arranged, 0 … 1.
+    double arrangedPart() const
+    {
+        return m_heading.isValid() ? static_cast<double>(m_heading.position()) / m_document.characterCount() : 1.0;
     }
 
 private:
@@ -205,6 +219,8 @@ private:
 
     QTextDocument &m_document;
     QSizeF m_page;
+    std::vector<FlexibleDrawing> m_drawings;
+    QTextBlock m_heading; ///< of the section to be arranged next; invalid at the end
 };
 
 QFont letterFont(int pixels)
@@ -251,10 +267,11 @@ FigureDrawing polygonDrawing(const ReportContent &content)
     };
 }
 
-/// A report laid out on pages of a size (px).
+/// A report that is laid out on pages of a size (px).
 class LaidOutReport
 {
 public:
+    /// The sections have to be arranged before the pages are printed.
     LaidOutReport(const ReportContent &content, const QFont &font, const QSizeF &page, const FigureDrawing &mechanism,
                   const FigureDrawing &figure)
         : m_font(font)
@@ -274,18 +291,21 @@ public:
         insertDrawing(m_document, kFigurePlace, kFigureType, m_figure);
         m_document.setPageSize(page);
         const double minPolygons = minimumPolygonHeight(font);
-        Pages(m_document)
-            .arrange({{.drawing = m_polygons,
-                       .type = kPolygonType,
-                       .smallest = minPolygons,
-                       .largest = kMaxPolygonRatio * page.width(),
-                       .followers = Followers::None},
-                      {.drawing = m_figure,
-                       .type = kFigureType,
-                       .smallest = kMinFigure * page.height(),
-                       .largest = kMaxFigureRatio * page.width(),
-                       .followers = Followers::NextOrAll}});
+        m_sections.emplace(m_document, std::vector<FlexibleDrawing>{{.drawing = m_polygons,
+                                                                     .type = kPolygonType,
+                                                                     .smallest = minPolygons,
+                                                                     .largest = kMaxPolygonRatio * page.width(),
+                                                                     .followers = Followers::None},
+                                                                    {.drawing = m_figure,
+                                                                     .type = kFigureType,
+                                                                     .smallest = kMinFigure * page.height(),
+                                                                     .largest = kMaxFigureRatio * page.width(),
+                                                                     .followers = Followers::NextOrAll}});
     }
+
+    Pages &sections() { return *m_sections; }
+
+    int pageCount() const { return m_document.pageCount(); }
 
     /// Returns whether no line is wider than the page.
     bool fitsWidth() const
@@ -303,32 +323,25 @@ public:
         return m_document.pageCount() > 1 && end - (m_document.pageCount() - 1) * page < kMinLastPage * page;
     }
 
-    /// Prints the pages with their numbers.
-    void print(QPdfWriter &writer, const QMarginsF &margins)
+    /// Prints a page, counted from 0, with its number.
+    void print(QPainter &painter, int number, const QMarginsF &margins)
     {
-        QPainter painter(&writer);
         const QSizeF page = m_document.pageSize();
-        const int count = m_document.pageCount();
-        for (int i = 0; i < count; ++i) {
-            if (i > 0) {
-                writer.newPage();
-            }
-            // A line that begins exactly where the page ends belongs to the next page alone.
-            const QRectF shown(0.0, i * page.height(), page.width(), page.height() - 1.0);
-            painter.save();
-            painter.translate(margins.left(), margins.top() - shown.top());
-            painter.setClipRect(shown);
-            QAbstractTextDocumentLayout::PaintContext context;
-            context.clip = shown;
-            context.palette.setColor(QPalette::Text, Qt::black);
-            m_document.documentLayout()->draw(&painter, context);
-            painter.restore();
-            const QRectF footer(margins.left(), margins.top() + page.height(), page.width(), margins.bottom());
-            painter.setFont(m_font);
-            painter.setPen(QColor(0x50, 0x50, 0x50));
-            painter.drawText(footer, Qt::AlignRight | Qt::AlignTop,
-                             ReportLayout::tr("page %1 of %2").arg(i + 1).arg(count));
-        }
+        // A line that begins exactly where the page ends belongs to the next page alone.
+        const QRectF shown(0.0, number * page.height(), page.width(), page.height() - 1.0);
+        painter.save();
+        painter.translate(margins.left(), margins.top() - shown.top());
+        painter.setClipRect(shown);
+        QAbstractTextDocumentLayout::PaintContext context;
+        context.clip = shown;
+        context.palette.setColor(QPalette::Text, Qt::black);
+        m_document.documentLayout()->draw(&painter, context);
+        painter.restore();
+        const QRectF footer(margins.left(), margins.top() + page.height(), page.width(), margins.bottom());
+        painter.setFont(m_font);
+        painter.setPen(QColor(0x50, 0x50, 0x50));
+        painter.drawText(footer, Qt::AlignRight | Qt::AlignTop,
+                         ReportLayout::tr("page %1 of %2").arg(number + 1).arg(pageCount()));
     }
 
 private:
@@ -337,27 +350,120 @@ private:
     DrawingObject m_polygons;
     DrawingObject m_figure;
     QTextDocument m_document;
+    std::optional<Pages> m_sections;
 };
 
-using LayOut = std::function<std::unique_ptr<LaidOutReport>(int letters)>;
-
-/// Returns the report with the largest letters with which no line is wider than the page, or with the smallest ones.
-/// Slightly smaller letters than these are chosen if they save a last page with only a few lines.
-std::unique_ptr<LaidOutReport> largestFittingReport(const LayOut &layOut)
+/// Chooses the largest letters with which no line is wider than the page, or the smallest ones. Slightly smaller
+/// letters than these are chosen if they save a last page with only a few lines.
+class ReportPieces : public ReportExport
 {
-    constexpr int kLargestLetters = 12; // px, 9 pt
-    constexpr int kSmallestLetters = 9;
-    int letters = kLargestLetters;
-    std::unique_ptr<LaidOutReport> report = layOut(letters);
-    while (letters > kSmallestLetters && !report->fitsWidth()) {
-        report = layOut(--letters);
+public:
+    ReportPieces(const QString &path, const ReportContent &content, const FigureDrawing &mechanism,
+                 const FigureDrawing &figure)
+        : m_path(path)
+        , m_content(content)
+        , m_mechanism(mechanism)
+        , m_figure(figure)
+    {
+        m_buffer.open(QIODevice::WriteOnly);
+        preparePdf(m_writer, m_paper, ReportLayout::tr("Motion of an offset slider-crank"));
     }
-    if (letters > kSmallestLetters && report->endsWithFewLines()) {
-        std::unique_ptr<LaidOutReport> smaller = layOut(letters - 1);
-        return smaller->endsWithFewLines() ? std::move(report) : std::move(smaller);
+
+    bool advance() override
+    {
+        const auto restore = qScopeGuard([shown = notation()] { setNotation(shown); });
+        setNotation(m_notation);
+        switch (m_next) {
+        case Piece::Text: m_next = layOut(); break;
+        case Piece::Section: m_next = arrangeSection(); break;
+        case Piece::Page: m_next = printPage(); break;
+        case Piece::File: m_next = writeFile(); break;
+        case Piece::None: break;
+        }
+        return m_next != Piece::None;
     }
-    return report;
-}
+
+private:
+    enum class Piece { Text, Section, Page, File, None };
+
+    static constexpr int kLargestLetters = 12; // px, 9 pt
+    static constexpr int kSmallestLetters = 9;
+    static constexpr double kMargin = 18.0 / kMmPerInch * kDotsPerInch; // px
+    static constexpr double kLayoutPart = 0.6;                          // of the whole time
+
+    // Each of these functions does a piece, and returns the next one.
+
+    Piece layOut()
+    {
+        constexpr double kFooter = 18.0; // px, above the lower margin
+        const QSizeF page = m_paper.size(QPageSize::Point) * (kDotsPerInch / kPointsPerInch);
+        const QSizeF text(page.width() - 2.0 * kMargin, page.height() - 2.0 * kMargin - kFooter);
+        m_report = std::make_unique<LaidOutReport>(m_content, letterFont(m_letters), text, m_mechanism, m_figure);
+        return Piece::Section;
+    }
+
+    Piece arrangeSection()
+    {
+        const bool isLeft = m_report->sections().arrangeNext();
+        m_progress = std::max(m_progress, kLayoutPart * m_report->sections().arrangedPart());
+        return isLeft ? Piece::Section : chooseLetters();
+    }
+
+    /// Accepts the letters, or tries smaller ones.
+    Piece chooseLetters()
+    {
+        if (m_larger) { // the smaller letters were tried to save a page
+            if (m_report->endsWithFewLines()) {
+                m_report = std::move(m_larger);
+            }
+            return Piece::Page;
+        }
+        if (m_letters == kSmallestLetters || (m_report->fitsWidth() && !m_report->endsWithFewLines())) {
+            return Piece::Page;
+        }
+        if (m_report->fitsWidth()) {
+            m_larger = std::move(m_report);
+        }
+        --m_letters;
+        return Piece::Text;
+    }
+
+    Piece printPage()
+    {
+        if (m_page == 0) {
+            m_painter.begin(&m_writer);
+        } else {
+            m_writer.newPage();
+        }
+        m_report->print(m_painter, m_page, {kMargin, kMargin, kMargin, kMargin});
+        ++m_page;
+        m_progress = kLayoutPart + (1.0 - kLayoutPart) * m_page / (m_report->pageCount() + 1);
+        return m_page < m_report->pageCount() ? Piece::Page : Piece::File;
+    }
+
+    Piece writeFile()
+    {
+        m_painter.end();
+        m_problem = writeWhole(m_path, m_buffer.data());
+        m_progress = 1.0;
+        return Piece::None;
+    }
+
+    QString m_path;
+    ReportContent m_content;
+    FigureDrawing m_mechanism;
+    FigureDrawing m_figure;
+    Notation m_notation = notation();
+    QPageSize m_paper{m_content.paper == PaperSize::A4 ? QPageSize::A4 : QPageSize::Letter};
+    Piece m_next = Piece::Text;
+    int m_letters = kLargestLetters;
+    std::unique_ptr<LaidOutReport> m_report;
+    std::unique_ptr<LaidOutReport> m_larger; ///< with larger letters, but with a last page that has only a few lines
+    int m_page = 0;                          ///< to be printed next
+    QBuffer m_buffer;
+    QPdfWriter m_writer{&m_buffer};
+    QPainter m_painter; ///< draws until it is destroyed
+};
 
 } // namespace
 
@@ -366,23 +472,19 @@ PaperSize usualPaper()
     return QLocale().measurementSystem() == QLocale::ImperialUSSystem ? PaperSize::Letter : PaperSize::A4;
 }
 
+std::shared_ptr<ReportExport> beginReport(const QString &path, const ReportContent &content,
+                                          const FigureDrawing &mechanism, const FigureDrawing &figure)
+{
+    return std::make_shared<ReportPieces>(path, content, mechanism, figure);
+}
+
 std::optional<QString> exportReport(const QString &path, const ReportContent &content, const FigureDrawing &mechanism,
                                     const FigureDrawing &figure)
 {
-    constexpr double kMargin = 18.0 / kMmPerInch * kDotsPerInch; // px
-    constexpr double kFooter = 18.0;                             // px, above the lower margin
-    const QPageSize paper(content.paper == PaperSize::A4 ? QPageSize::A4 : QPageSize::Letter);
-    const QSizeF page = paper.size(QPageSize::Point) * (kDotsPerInch / kPointsPerInch);
-    const QMarginsF margins(kMargin, kMargin, kMargin, kMargin);
-    const QSizeF text(page.width() - 2.0 * kMargin, page.height() - 2.0 * kMargin - kFooter);
-    const auto layOut = [&](int letters) {
-        return std::make_unique<LaidOutReport>(content, letterFont(letters), text, mechanism, figure);
-    };
-    const auto fill = [&](QPdfWriter &writer) {
-        writer.setPageMargins(QMarginsF());
-        largestFittingReport(layOut)->print(writer, margins);
-    };
-    return writeWhole(path, makePdf(paper, ReportLayout::tr("Motion of an offset slider-crank"), fill));
+    const std::shared_ptr<ReportExport> report = beginReport(path, content, mechanism, figure);
+    while (report->advance()) {
+    }
+    return report->problem();
 }
 
 } // namespace slidercrank

@@ -54,8 +54,29 @@ QString parameterTable(const ReportContent &content);
 /// Returns the report as HTML. Each section begins with a heading.
 QString reportHtml(const ReportContent &content);
 
-/// Writes the report with the drawings `mechanism` and `figure`, on white. Returns nullopt on success, else a message;
-/// an older file of that name is then unchanged.
+/// A report that is written in small pieces, so that a window can handle events between them.
+class ReportExport
+{
+public:
+    virtual ~ReportExport() = default;
+
+    virtual bool advance() = 0; ///< does the next piece; the last one writes the file. Returns false if none is left
+    double progress() const { return m_progress; } ///< the part that is done, 0 … 1, in ascending order
+
+    /// Returns why the file was not written, or nullopt on success; an older file of that name is then unchanged.
+    const std::optional<QString> &problem() const { return m_problem; }
+
+protected:
+    double m_progress = 0.0;
+    std::optional<QString> m_problem;
+};
+
+/// Returns a report to be written, with the drawings `mechanism` and `figure`, on white. It keeps the notation of now;
+/// neither the drawings nor the language may change before it is written.
+std::shared_ptr<ReportExport> beginReport(const QString &path, const ReportContent &content,
+                                          const FigureDrawing &mechanism, const FigureDrawing &figure);
+
+/// Writes the whole report. Returns nullopt on success, else a message; an older file of that name is then unchanged.
 std::optional<QString> exportReport(const QString &path, const ReportContent &content, const FigureDrawing &mechanism,
                                     const FigureDrawing &figure);
 

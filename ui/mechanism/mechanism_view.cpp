@@ -129,6 +129,42 @@ MechanismProjection pictureProjection(const MechanismScene &scene, const Mechani
     return projection;
 }
 
+/// Paints a drawing that shows the scales of its arrows below it.
+void paintPicture(QPainter &painter, const QSize &size, const MechanismScene &scene, const MechanismFrame &frame,
+                  const QPalette &palette)
+{
+    const QFont font = painter.font();
+    const auto newPicture = [&](const QSizeF &part) {
+        return MechanismSketch(scene, pictureProjection(scene, frame, part, font), palette, font,
+                               MechanismSketch::Legend::Separate);
+    };
+    MechanismSketch legend = newPicture(size);
+    legend.addLegend();
+    const QSizeF drawing(size.width(), size.height() - legend.legendHeight());
+    MechanismSketch scenery = newPicture(drawing);
+    scenery.addScenery();
+    // The linkage is a sketch of its own, whose labels may cover labels of the scenery, as in the window.
+    MechanismSketch linkage = newPicture(drawing);
+    linkage.addLinkage();
+    painter.save();
+    painter.setClipRect(QRect(QPoint(), size), Qt::IntersectClip);
+    painter.fillRect(QRect(QPoint(), size), scenery.colours().background);
+    painter.translate(0.0, drawing.height());
+    legend.paint(painter);
+    painter.translate(0.0, -drawing.height());
+    painter.setClipRect(QRectF(QPointF(), drawing), Qt::IntersectClip);
+    scenery.paint(painter);
+    linkage.paint(painter);
+    if (!scene.settings.angles) {       // the drawing does not state its position
+        constexpr double kMargin = 6.0; // px
+        painter.setFont(font);
+        painter.setPen(palette.color(QPalette::Text));
+        painter.drawText(QPointF(kMargin, kMargin + QFontMetricsF(font).ascent()),
+                         QStringLiteral("θ₂ = %1").arg(timelineAngle(scene)));
+    }
+    painter.restore();
+}
+
 } // namespace
 
 MechanismView::MechanismView(QWidget *parent)
@@ -415,38 +451,16 @@ void MechanismView::paintEvent(QPaintEvent *)
 
 void MechanismView::paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const
 {
-    const QFont font = painter.font();
+    picture(palette)(painter, size);
+}
+
+std::function<void(QPainter &, const QSize &)> MechanismView::picture(const QPalette &palette) const
+{
     MechanismScene scene = m_scene;
     scene.button = QRectF();
-    const auto newPicture = [&](const QSizeF &part) {
-        return MechanismSketch(scene, pictureProjection(scene, m_frame, part, font), palette, font,
-                               MechanismSketch::Legend::Separate);
+    return [scene, frame = m_frame, palette](QPainter &painter, const QSize &size) {
+        paintPicture(painter, size, scene, frame, palette);
     };
-    MechanismSketch legend = newPicture(size);
-    legend.addLegend();
-    const QSizeF drawing(size.width(), size.height() - legend.legendHeight());
-    MechanismSketch scenery = newPicture(drawing);
-    scenery.addScenery();
-    // The linkage is a sketch of its own, whose labels may cover labels of the scenery, as in the window.
-    MechanismSketch linkage = newPicture(drawing);
-    linkage.addLinkage();
-    painter.save();
-    painter.setClipRect(QRect(QPoint(), size), Qt::IntersectClip);
-    painter.fillRect(QRect(QPoint(), size), scenery.colours().background);
-    painter.translate(0.0, drawing.height());
-    legend.paint(painter);
-    painter.translate(0.0, -drawing.height());
-    painter.setClipRect(QRectF(QPointF(), drawing), Qt::IntersectClip);
-    scenery.paint(painter);
-    linkage.paint(painter);
-    if (!m_scene.settings.angles) {     // the drawing does not state its position
-        constexpr double kMargin = 6.0; // px
-        painter.setFont(font);
-        painter.setPen(palette.color(QPalette::Text));
-        painter.drawText(QPointF(kMargin, kMargin + QFontMetricsF(font).ascent()),
-                         QStringLiteral("θ₂ = %1").arg(timelineAngle(m_scene)));
-    }
-    painter.restore();
 }
 
 int MechanismView::pictureHeight(int width) const

@@ -13,6 +13,7 @@
 #include <QPixmap>
 #include <QWidget>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -34,6 +35,9 @@ public:
     /// Paints the drawing as vectors, with its background, on any paint device, in the font of the painter. The scales
     /// of the arrows are below it. The lengths are not written, since every picture names the parameters once.
     void paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const;
+
+    /// Returns a function that paints the drawing as it is now, also when the view has changed.
+    std::function<void(QPainter &, const QSize &)> picture(const QPalette &palette) const;
 
     /// Returns the height of a picture of that width in landscape format, with the aspect ratio of the part in view.
     int pictureHeight(int width) const;

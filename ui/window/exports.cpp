@@ -41,9 +41,7 @@ Exports::Exports(Session *session, const Views &views, QWidget *window)
 
 FigureDrawing Exports::mechanismDrawing() const
 {
-    return [this](QPainter &painter, const QSize &size) {
-        m_views.mechanism->paintMechanism(painter, size, paletteFor(Theme::Light));
-    };
+    return m_views.mechanism->picture(paletteFor(Theme::Light));
 }
 
 FigureDrawing Exports::plotsDrawing(const FigureContent &content) const
@@ -115,9 +113,23 @@ void Exports::choose(const FigureSubject &subject)
                  [this, subject](const FigureOptions &options, const QString &path) { write(subject, options, path); });
 }
 
+bool Exports::mayWrite()
+{
+    if (isWriting()) {
+        emit m_session->failed(tr("Another file is still being written: wait for it, or cancel it below."));
+    }
+    return !isWriting();
+}
+
 void Exports::write(const FigureSubject &subject, const FigureOptions &options, const QString &path)
 {
-    m_session->reportWritten(path, exportFigure(path, subject, options));
+    if (!mayWrite()) {
+        return;
+    }
+    const auto write = [writer = drawFigure(path, subject, options)](
+                           const std::stop_token &stop, const BackgroundTask::Progress &) { return writer(stop); };
+    const auto done = [this, path](const Problem &problem) { m_session->reportWritten(path, problem); };
+    m_task->start(write, done, [this](const QString &problem) { emit m_session->failed(problem); });
 }
 
 void Exports::copy(const FigureSubject &subject)
@@ -143,8 +155,7 @@ void Exports::chooseData()
 
 void Exports::writeData(const QString &path, const ChannelSet &channels)
 {
-    if (isWriting()) {
-        emit m_session->failed(tr("Another file is still being written: wait for it, or cancel it below."));
+    if (!mayWrite()) {
         return;
     }
     const MotionCsvOptions options{channels, notation()};
@@ -169,6 +180,9 @@ void Exports::chooseReport()
 
 void Exports::writeReport(const QString &path, PaperSize paper)
 {
+    if (!mayWrite()) {
+        return;
+    }
     ReportContent content{.result = m_session->result(),
                           .found = {},
                           .time = m_session->time(),
@@ -186,8 +200,18 @@ void Exports::writeReport(const QString &path, PaperSize paper)
         }
         content.found = identification->found;
     }
-    m_session->reportWritten(
-        path, exportReport(path, content, mechanismDrawing(), plotsDrawing({.time = content.plottedTime})));
+    const auto plots = std::make_shared<PlotGrid>(); // shows the motion of now while the window goes on
+    plots->setPresentation(m_views.plots->isPresentation());
+    plots->setSettings(m_views.plots->settings());
+    plots->setResult(content.result);
+    plots->setZoom(m_views.plots->zoom());
+    const auto drawPlots = [plots, time = content.plottedTime](QPainter &painter, const QSize &size) {
+        plots->paintFigure(painter, {.time = time}, size, paletteFor(Theme::Light));
+    };
+    m_task->startPiecesInGuiThread(
+        beginReport(path, content, mechanismDrawing(), drawPlots),
+        [this, path](const ReportExport &report) { m_session->reportWritten(path, report.problem()); },
+        [this](const QString &problem) { emit m_session->failed(problem); });
 }
 
 Animation Exports::animationShown() const

@@ -42,14 +42,15 @@ public:
     /// Copies a picture with the options that were chosen last.
     void copy(const FigureSubject &subject);
 
-    /// Writes a PNG, SVG or PDF file, according to the suffix.
+    /// Draws the figure, and writes a PNG, SVG or PDF file in the background, according to the suffix.
     void write(const FigureSubject &subject, const FigureOptions &options, const QString &path);
 
     /// Write the motion at the time steps as CSV in the background.
     void chooseData();
     void writeData(const QString &path, const ChannelSet &channels);
 
-    /// Write the report as PDF. It is not written while the mechanism of the reference is being identified.
+    /// Write the report as PDF in the background, as the window shows the motion now. It is not written while the
+    /// mechanism of the reference is being identified.
     void chooseReport();
     void writeReport(const QString &path, PaperSize paper = PaperSize::A4);
 
@@ -61,6 +62,7 @@ public:
     Animation animationShown() const;
 
 private:
+    bool mayWrite(); ///< returns false, and says why, while another file is being written
     FigureDrawing mechanismDrawing() const;
     FigureDrawing plotsDrawing(const FigureContent &content) const;
     FigureContent contentOf(const FigureOptions &options) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/files.h"
 #include "tests/support/suite.h"
+#include "tests/support/waiting.h"
+#include "ui/document/background_task.h"
 #include "ui/document/session.h"
 #include "ui/export/animation_export.h"
 #include "ui/export/figure_export.h"
@@ -8,6 +10,7 @@
 #include "ui/export/motion_table.h"
 #include "ui/export/report.h"
 #include "ui/text/language.h"
+#include "ui/text/notation.h"
 #include "ui/text/theme.h"
 
 #include <QApplication>
@@ -21,10 +24,15 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextDocument>
+#include <QThread>
 #include <QXmlStreamReader>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <stop_token>
+#include <vector>
 
 using namespace slidercrank;
 
@@ -537,6 +545,68 @@ private slots:
         QVERIFY2(pdf.count("/Type /Page\n") == 2, QByteArray::number(pdf.count("/Type /Page\n")));
         QVERIFY(exportReport(path("gone/report.pdf"), content, draw, draw)->contains("cannot be written"));
         QCOMPARE(entriesOf(m_folder->path()), QStringList(QStringLiteral("report.pdf")));
+    }
+
+    void aReportIsWrittenInPiecesWithProgress()
+    {
+        const auto report = beginReport(path("report.pdf"), contentWith(65.0, nullptr), drawSquare, drawSquare);
+        std::vector<double> parts{report->progress()};
+        while (report->advance()) {
+            parts.push_back(report->progress());
+            QVERIFY(!QFile::exists(path("report.pdf")));
+        }
+        QCOMPARE(report->problem(), std::nullopt);
+        QCOMPARE(report->progress(), 1.0);
+        QVERIFY2(parts.size() > 10, qPrintable(QString::number(parts.size()))); // the sections and the pages
+        QVERIFY(parts.front() == 0.0 && parts.back() < 1.0 && std::ranges::is_sorted(parts));
+        QVERIFY(contentOf(path("report.pdf")).startsWith("%PDF"));
+    }
+
+    void aReportThatIsCancelledLeavesNoFile()
+    {
+        const auto drawSlowly = [](QPainter &painter, const QSize &size) {
+            QThread::msleep(50); // longer than pieces are done in a row
+            drawSquare(painter, size);
+        };
+        BackgroundTask task;
+        connect(&task, &BackgroundTask::progressed, this, [&task](double part) {
+            if (part > 0.6) { // a page has been printed
+                task.discard();
+            }
+        });
+        const auto fail = [](const auto &) { QFAIL("must not be called"); };
+        const auto report = beginReport(path("report.pdf"), contentWith(65.0, nullptr), drawSlowly, drawSlowly);
+        task.startPiecesInGuiThread(report, fail, fail);
+        AWAIT(!task.isRunning());
+        settle();
+        QVERIFY(report->progress() > 0.6 && report->progress() < 1.0);
+        QVERIFY(entriesOf(m_folder->path()).isEmpty());
+    }
+
+    /// The window may change its notation while a report is written.
+    void aReportKeepsTheNotationWithWhichItWasBegun()
+    {
+        const Notation before = notation();
+        const auto restore = qScopeGuard([&before] { setNotation(before); });
+        QStringList units;
+        const auto draw = [&units](QPainter &, const QSize &) { units << shownUnit(Measure::Length); };
+        const auto report = beginReport(path("report.pdf"), contentWith(65.0, nullptr), draw, draw);
+        setNotation({.units = {.length = LengthUnit::Inch}});
+        while (report->advance()) {
+            QCOMPARE(shownUnit(Measure::Length), QStringLiteral("in"));
+        }
+        QCOMPARE(units, QStringList({"mm", "mm"}));
+    }
+
+    void aFigureThatIsCancelledIsNotWritten()
+    {
+        const FigureWriter write = drawFigure(path("a.png"), {QSize(64, 48)}, {}, drawSquare);
+        std::stop_source stop;
+        stop.request_stop();
+        QCOMPARE(write(stop.get_token()), std::nullopt);
+        QVERIFY(entriesOf(m_folder->path()).isEmpty());
+        QCOMPARE(write({}), std::nullopt);
+        QCOMPARE(entriesOf(m_folder->path()), QStringList("a.png"));
     }
 
     /// A former defect: with the longer Spanish names of a comparison, the mechanism was drawn 71 mm wide.

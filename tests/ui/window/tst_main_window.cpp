@@ -65,7 +65,7 @@ private slots:
     {
         const QSize columns = part("columns")->size();
         m_window->exports().write(m_window->exports().plot(), {}, "/no/such/folder/figure.png");
-        QVERIFY(messages()->isVisible() && said().contains("figure.png cannot be written"));
+        AWAIT(messages()->isVisible() && said().contains("figure.png cannot be written"));
         openSample();
         setB(-1.0); // a different kind of problem
         m_window->exports().copy(m_window->exports().plot());
@@ -89,6 +89,7 @@ private slots:
         const QTemporaryDir folder;
         const auto write = [this](const QString &path) {
             m_window->exports().write(m_window->exports().plot(), {}, path);
+            AWAIT(!m_window->exports().isWriting());
         };
         write("/no/such/folder/figure.png");
         write(folder.filePath("figure.png"));
