@@ -167,11 +167,10 @@ struct Candidate {
 double misfitOfRegressions(const Observations &observations, const Indices &columns,
                            const std::vector<Regression> &regressions)
 {
-    constexpr double kFloor = 1e-8; // fraction of the squared range: smaller residuals on a coarse grid are accidents
     double misfit = 0.0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const ObservedColumn &column = observations.columns[columns[i]];
-        misfit += std::log(regressions[i].meanSquare + column.variance + kFloor * column.range * column.range);
+        misfit += std::log(regressions[i].meanSquare + column.variance);
     }
     return misfit;
 }

@@ -46,7 +46,6 @@ int countMiddleCrossings(const ObservedColumn &column)
 /// The misfit of a constant and two harmonics of one speed (rad/s) in the columns: the value of the periodogram there.
 double misfitOfHarmonics(const Observations &observations, const Indices &columns, double speed)
 {
-    constexpr double kFloor = 1e-9; // of the squared range: rounding errors of the equations
     const Values cosine = (speed * observations.time).cos();
     const Values sine = (speed * observations.time).sin();
     Eigen::MatrixXd harmonics(cosine.size(), 5);
@@ -57,7 +56,7 @@ double misfitOfHarmonics(const Observations &observations, const Indices &column
         const Eigen::MatrixXd basis = column.values.isFinite().cast<double>().matrix().asDiagonal() * harmonics;
         const double squares = fitLinearly(basis, gapsAsZeros(column.values)).residuals.square().sum();
         const double count = static_cast<double>(column.values.isFinite().count());
-        misfit += count * std::log(squares / count + column.variance + kFloor * column.range * column.range);
+        misfit += count * std::log(squares / count + column.variance);
     }
     return misfit;
 }
