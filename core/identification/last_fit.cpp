@@ -154,18 +154,12 @@ Parameters parametersAtTimeZero(const Model &model, const Observations &observat
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &possibleErrors,
                    const Drive &drive)
 {
-    constexpr int kMaxFits = 2; // large outliers bend the first fit, so that smaller ones show only after it
     Fit fit = evaluateModel(observations, start.model, start.columns);
     Indices excludedRows;
-    for (int fitCount = 0; fitCount < kMaxFits && fit.isFinite(); ++fitCount) {
-        const Indices outliers = excludeOutliers(observations, fit);
-        if (fitCount > 0 && outliers.empty()) {
-            break; // `fit` is already the fit of these rows
-        }
-        excludedRows.insert(excludedRows.end(), outliers.begin(), outliers.end());
+    if (fit.isFinite()) {
+        excludedRows = excludeOutliers(observations, fit);
         fit = fitModel(observations, fit.model, start.columns, start.unknowns);
     }
-    std::ranges::sort(excludedRows);
     LastFit result{
         .observations = std::move(observations), .fit = std::move(fit), .excludedRows = std::move(excludedRows)};
     if (!result.fit.isFinite()) {

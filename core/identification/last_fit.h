@@ -35,8 +35,8 @@ void scaleErrors(LastFit &lastFit, Parameter parameter, double factor);
 
 /// Fits all rows, starting from a fit of some rows. A value is an outlier if its residual is beyond eight robust
 /// standard deviations, beyond rounding, and larger than a slight delay of the row explains, and if the residuals of
-/// its column jump by as much somewhere. Rows with outliers are excluded before each of two fits, but not if these are
-/// more than 5 % of all rows at once. `drive`: supplies the standard errors of its angle and speed. `possibleErrors`:
+/// its column jump by as much somewhere. Rows with outliers are excluded before the fit, but not if these are more
+/// than 5 % of all rows. `drive`: supplies the standard errors of its angle and speed. `possibleErrors`:
 /// further errors of the parameters (see freedoms.h).
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &possibleErrors,
                    const Drive &drive);
