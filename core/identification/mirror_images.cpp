@@ -167,7 +167,8 @@ struct ImageRank {
     bool isOtherThanGiven;          ///< the assembly or c is not that of the given mechanism
     bool isDisplacementNegated;     ///< a displacement may have any direction, but that of x is likelier
     int unusualReadings; ///< countUnusualReadings(): the given assembly with one is preferred to the other without any
-    double distance; ///< from the given mechanism: 0 … 1 for c, and kReversedCrank if it turns in the other direction
+    bool isReversed;     ///< the crank turns in the direction opposite to the given one
+    double distanceOfC;  ///< of c from the given one: 0 … 1
 
     friend auto operator<=>(const ImageRank &, const ImageRank &) = default;
 };
@@ -175,20 +176,18 @@ struct ImageRank {
 ImageRank rankImage(const Observations &observations, const Fit &fit, const Model &model, const Parameters &given)
 {
     constexpr double kLengthTolerance = 1e-3; // fraction of a: the c of a fit is never exactly the given one
-    constexpr double kReversedCrank = 1.5;    // more than the distance of the opposite c, which is 1
     const Parameters &m = model.mechanism;
     const SignCounts signs = countSigns(observations, fit, model);
     const int unusualReadings = countUnusualReadings(observations, fit, model, signs);
     const bool isGivenAssembly = m.branch == given.branch;
     const bool isGivenC = std::abs(m.c - given.c) <= kLengthTolerance * m.a;
-    const bool isReversed = m.omega2 * given.omega2 < 0.0;
     const double sumOfOffsets = std::abs(m.c) + std::abs(given.c) + kEpsilon * m.a; // not 0, even if both offsets are
-    const double distanceOfC = std::abs(m.c - given.c) / sumOfOffsets;
     return {.unusualReadingsAndAssembly = unusualReadings + (isGivenAssembly ? 0 : 1),
             .isOtherThanGiven = !(isGivenAssembly && isGivenC),
             .isDisplacementNegated = signs.lengths.isDisplacementNegated,
             .unusualReadings = unusualReadings,
-            .distance = distanceOfC + (isReversed ? kReversedCrank : 0.0)};
+            .isReversed = m.omega2 * given.omega2 < 0.0,
+            .distanceOfC = std::abs(m.c - given.c) / sumOfOffsets};
 }
 
 /// θ2 becomes half a turn minus θ2, at which θ3 is the same.
