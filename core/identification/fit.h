@@ -52,6 +52,10 @@ using ParameterErrors = std::array<double, kParameterCount>;
 /// Relative difference that a parameter may have from the same one as a person has typed it, with few digits.
 inline constexpr double kTypedDifference = 2e-3;
 
+/// Difference (mm, rad or °) of two origins that are equal: far above rounding errors, far below an origin that
+/// matters.
+inline constexpr double kOriginTolerance = 1e-6;
+
 inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
 
 // The parameters are the first kinds of unknowns, in the same order.

@@ -208,8 +208,7 @@ Model withReflectedCrank(const Model &model, const Observations &observations)
 /// follow it.
 bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
 {
-    constexpr double kOriginTolerance = 1e-6; // rad or mm: rounding errors
-    if (first.followsAngle) {                 // then θ20 is the origin of the angle in the file
+    if (first.followsAngle) { // then θ20 is the origin of the angle in the file
         const double originDifference = wrapToPi(first.mechanism.theta20 - second.mechanism.theta20);
         const bool isSameOrigin = std::abs(originDifference) < kOriginTolerance;
         if (first.angleFactor != second.angleFactor || !isSameOrigin) {

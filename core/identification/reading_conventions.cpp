@@ -40,12 +40,10 @@ void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, d
                  bool hadJumps)
 {
     constexpr double kHalfTurnInDegrees = 180.0;
-    // ° or mm: far above the rounding errors of an amount that is usual, far below an origin that matters.
-    constexpr double kAmountTolerance = 2e-7;
     const double usual =
         isAngle(channel.coordinate) ? kHalfTurnInDegrees * std::rint(amount / kHalfTurnInDegrees) : 0.0;
     const bool areWholeTurns = std::fmod(usual, 2.0 * kHalfTurnInDegrees) == 0.0;
-    if (std::abs(amount - usual) > kAmountTolerance) {
+    if (std::abs(amount - usual) > kOriginTolerance) {
         if (hadJumps) {
             appendForColumn(conventions, Kind::WholeTurns, channel, 0.0);
         }
