@@ -40,6 +40,12 @@ bool isGivenSpeed(double speed, double givenSpeed)
     return std::abs(std::abs(speed / givenSpeed) - 1.0) < kTypedDifference;
 }
 
+/// Whether one of two speeds is ten times the other one, as the same number of mm and of cm would show them.
+bool haveRatioOfTen(double speed, double other)
+{
+    return haveSameMagnitude(speed, 10.0 * other) || haveSameMagnitude(10.0 * speed, other);
+}
+
 /// Whether a derivative is probably not in a unit: it is a length, the file states a different unit, or it states none
 /// although θ2 is in radians; then rates of angles are in radians, too. `unit`: one of unitFactors(), 1 for that of the
 /// heading or the usual one.
@@ -174,10 +180,15 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
     std::ranges::transform(votes, std::back_inserter(supports),
                            [&](const Vote &vote) { return countSupport(vote, votes); });
     const auto bestRank = std::ranges::max(supports, {}, &Support::rank).rank();
-    // A wrong unit is likelier than another speed. With the opposite sense of the crank, the velocities are counted in
-    // the opposite direction, which is reported then.
+    // A wrong unit is likelier than another speed, unless that is ten times as high or low: 60 rpm and 600 rpm are both
+    // usual. With the opposite sense of the crank, the velocities are counted in the opposite direction, which is
+    // reported then.
+    const bool isTenTimesGiven = std::ranges::any_of(supports, [&](const Support &support) {
+        return support.rank() == bestRank && haveRatioOfTen(support.speed, givenSpeed);
+    });
     for (const Support &support : supports) {
-        if (support.rank().first == bestRank.first && isGivenSpeed(support.speed, givenSpeed)) {
+        const bool mayBeGiven = isTenTimesGiven ? support.rank() == bestRank : support.columns == bestRank.first;
+        if (mayBeGiven && isGivenSpeed(support.speed, givenSpeed)) {
             return {std::copysign(support.speed, givenSpeed)};
         }
     }

@@ -17,7 +17,8 @@ namespace slidercrank
 /// if the file states another one; if it states none and the column contains lengths that are not in mm; and if it
 /// states none, θ2 is in radians, and the rate of an angle is not.) These are several if the units do not determine the
 /// speed, and none if no derivative votes. If one of the speeds with the most votes has the magnitude of the given
-/// speed, returns only this one, with the sign of the given speed.
+/// speed, returns only this one, with the sign of the given speed; but not if it contradicts more units than a speed
+/// ten times as high or low.
 std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed);
 
 /// In a file over the time with few rows per turn, different speeds give the same positions. Returns the fit with the

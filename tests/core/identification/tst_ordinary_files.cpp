@@ -127,6 +127,27 @@ private slots:
         }
     }
 
+    /// A former defect: at 600 rpm, ten times the initial speed, the velocity was said to be in cm/s.
+    void believesAStatedUnitMoreThanTheGivenSpeed()
+    {
+        const double speed = 10.0 * Parameters().omega2;
+        std::string text = "theta2 [deg],R4_x [mm],v [mm/s]\n";
+        for (int degrees = 0; degrees <= 180; degrees += 5) {
+            const double angle = degrees * kDegree;
+            const double x = sliderPosition(40.0, 120.0, 0.0, angle);
+            const double v = -40.0 * speed * std::sin(angle) * x / (x - 40.0 * std::cos(angle));
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%d,%.3f,%.2f\n", degrees, x, v);
+            text += line.data();
+        }
+        const Identification found =
+            identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(Parameters()));
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(determines(found, Parameter::Omega2));
+        QVERIFY(std::abs(found.parameters.omega2 / speed - 1.0) < 1e-4);
+        QVERIFY(found.conventions.empty());
+    }
+
     void leavesOutFiniteDifferences()
     {
         const Identification velocity = identifyFile("difference_velocity");
