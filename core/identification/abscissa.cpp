@@ -7,6 +7,8 @@
 #include "core/import/crank_angles.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace slidercrank
@@ -91,6 +93,63 @@ Observations withPrintedAbscissa(Observations observations, const Model &model)
     return observations;
 }
 
+/// Fits the start and the spacing of evenly spaced angles together with the unknowns of a fit of positions: the angle
+/// in the file takes the place of the time, so that θ2 = ω2 · angle + θ20.
+Fit fitOverFreeAngles(Observations observations, const Fit &fit)
+{
+    observations.time = std::exchange(observations.angle, {});
+    Model start = fit.model;
+    start.followsAngle = false;
+    start.mechanism.omega2 = fit.model.angleFactor;
+    Unknowns unknowns = fit.unknowns;
+    for (const Unknown unknown : {Unknown{Unknown::Kind::CrankAngle}, {Unknown::Kind::Omega2}}) {
+        if (!fit.isFree(unknown)) {
+            unknowns.push_back(unknown);
+        }
+    }
+    return fitModel(observations, std::move(start), fit.columns, std::move(unknowns));
+}
+
+/// A table over the crank angle with exact angles, which are those in the file times `stretch` plus `shift` (rad).
+Observations withMovedAngles(Observations observations, double stretch, double shift)
+{
+    observations.angle = stretch * observations.angle + shift;
+    observations.angleHalfStep = 0.0;
+    return observations;
+}
+
+/// The fit over other evenly spaced angles; nullopt unless the file needs them (see withBestAbscissa()).
+std::optional<ObservedFit> withFittedAngles(const ObservedFit &current)
+{
+    const Fit &fit = current.fit;
+    const bool arePositions = !current.searched.containDerivatives(fit.columns);
+    if (!fit.model.followsAngle || !arePositions || isExact(withMovedAngles(current.searched, 1.0, 0.0), fit)) {
+        return std::nullopt;
+    }
+    const Fit freeFit = fitOverFreeAngles(current.searched, fit);
+    const Parameters &found = freeFit.model.mechanism;
+    const double stretch = found.omega2 / fit.model.angleFactor;
+    const double shift = (found.theta20 - fit.model.mechanism.theta20) / fit.model.angleFactor;
+    ObservedFit moved{.wholeFile = withMovedAngles(current.wholeFile, stretch, shift),
+                      .searched = withMovedAngles(current.searched, stretch, shift),
+                      .fit = fit,
+                      .errorsOfAngles = ParameterErrors{}};
+    const Values moves = (moved.wholeFile.angle - moved.wholeFile.printedAngle).abs();
+    const double percentWithin = 100.0 * (moves <= current.wholeFile.angleHalfStep).cast<double>().mean();
+    if (!freeFit.isFinite() || percentWithin < static_cast<double>(kPercentWithinBound)) {
+        return std::nullopt;
+    }
+    for (const Parameter length : kLengths) {
+        valueOf(moved.fit.model.mechanism, length) = valueOf(found, length);
+        if (const Unknown unknown = toUnknown(length); freeFit.isFree(unknown)) {
+            const Index k = freeFit.indexOf(unknown);
+            (*moved.errorsOfAngles)[indexOf(length)] = std::sqrt(computeCovariance(freeFit)(k, k));
+        }
+    }
+    moved.fit = fitModel(moved.searched, moved.fit.model, fit.columns, fit.unknowns);
+    return isExact(moved.searched, moved.fit) ? std::optional(std::move(moved)) : std::nullopt;
+}
+
 } // namespace
 
 ObservedFit withBestAbscissa(ObservedFit current)
@@ -98,6 +157,9 @@ ObservedFit withBestAbscissa(ObservedFit current)
     const Fit &fit = current.fit;
     if (!wasAbscissaMadeEven(current.searched, fit.model)) {
         return current;
+    }
+    if (std::optional<ObservedFit> fitted = withFittedAngles(current)) {
+        return *std::move(fitted);
     }
     Observations printed = withPrintedAbscissa(current.searched, fit.model);
     Fit fitOfPrinted = fitModel(printed, fit.model, fit.columns, fit.unknowns);

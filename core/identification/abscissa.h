@@ -6,6 +6,8 @@
 #include "core/identification/drive.h"
 #include "core/identification/fit.h"
 
+#include <optional>
+
 namespace slidercrank
 {
 
@@ -14,10 +16,13 @@ struct ObservedFit {
     Observations wholeFile; ///< all rows of the file
     Observations searched;  ///< the rows to which the model was fitted
     Fit fit;
+    std::optional<ParameterErrors> errorsOfAngles{}; ///< possible errors of the lengths, if rounded angles were moved
 };
 
-/// Uses the time stamps, or the angles of a table, as they were printed if these explain the columns better than evenly
-/// spaced ones: a program may have computed its values at rounded times.
+/// Chooses the evenly spaced time stamps or angles that observe() has put in the place of rounded ones, the printed
+/// ones if these explain the columns better (a program may have computed its values at rounded times), or, in a table
+/// of positions over the crank angle, other evenly spaced ones: if these agree with the printed angles within rounding,
+/// and explain the columns within the rounding of the columns alone, the values were computed at these angles.
 ObservedFit withBestAbscissa(ObservedFit current);
 
 /// A fit, and the drive that it uses.

@@ -93,7 +93,8 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGe
     findings.leftOut = std::move(further.leftOut);
     leaveOutUnusedAngle(findings.leftOut, data, current.wholeFile);
     findings.speeds = std::move(further.speeds);
-    const ConstrainedFit ofAllColumns = withoutFreedoms(current.searched, std::move(further.fit), geometry);
+    ConstrainedFit ofAllColumns = withoutFreedoms(current.searched, std::move(further.fit), geometry);
+    ofAllColumns.possibleErrors = current.errorsOfAngles.value_or(ofAllColumns.possibleErrors);
     findings.lastFit =
         fitAllRows(std::move(current.wholeFile), ofAllColumns.fit, ofAllColumns.possibleErrors, findings.drive);
     if (findings.lastFit.fit.isFinite()) {
