@@ -110,6 +110,13 @@ Fit fitOverFreeAngles(Observations observations, const Fit &fit)
     return fitModel(observations, std::move(start), fit.columns, std::move(unknowns));
 }
 
+/// The standard error of an unknown of a fit whose residuals are independent; 0 if it is not free.
+double standardErrorOf(const Fit &fit, Unknown unknown)
+{
+    const Index k = fit.indexOf(unknown);
+    return fit.isFree(unknown) ? std::sqrt(computeCovariance(fit)(k, k)) : 0.0;
+}
+
 /// A table over the crank angle with exact angles, which are those in the file times `stretch` plus `shift` (rad).
 Observations withMovedAngles(Observations observations, double stretch, double shift)
 {
@@ -127,6 +134,9 @@ std::optional<ObservedFit> withFittedAngles(const ObservedFit &current)
         return std::nullopt;
     }
     const Fit freeFit = fitOverFreeAngles(current.searched, fit);
+    if (!freeFit.isFinite()) {
+        return std::nullopt;
+    }
     const Parameters &found = freeFit.model.mechanism;
     const double stretch = found.omega2 / fit.model.angleFactor;
     const double shift = (found.theta20 - fit.model.mechanism.theta20) / fit.model.angleFactor;
@@ -135,16 +145,14 @@ std::optional<ObservedFit> withFittedAngles(const ObservedFit &current)
                       .fit = fit,
                       .errorsOfAngles = ParameterErrors{}};
     const Values moves = (moved.wholeFile.angle - moved.wholeFile.printedAngle).abs();
-    const double percentWithin = 100.0 * (moves <= current.wholeFile.angleHalfStep).cast<double>().mean();
-    if (!freeFit.isFinite() || percentWithin < static_cast<double>(kPercentWithinBound)) {
+    const double errorOfStart = standardErrorOf(freeFit, {Unknown::Kind::CrankAngle}) / std::abs(fit.model.angleFactor);
+    const double halfStep = current.wholeFile.angleHalfStep;
+    if (!(moves <= halfStep + std::min(kStandardErrors * errorOfStart, halfStep)).all()) {
         return std::nullopt;
     }
     for (const Parameter length : kLengths) {
         valueOf(moved.fit.model.mechanism, length) = valueOf(found, length);
-        if (const Unknown unknown = toUnknown(length); freeFit.isFree(unknown)) {
-            const Index k = freeFit.indexOf(unknown);
-            (*moved.errorsOfAngles)[indexOf(length)] = std::sqrt(computeCovariance(freeFit)(k, k));
-        }
+        (*moved.errorsOfAngles)[indexOf(length)] = standardErrorOf(freeFit, toUnknown(length));
     }
     moved.fit = fitModel(moved.searched, moved.fit.model, fit.columns, fit.unknowns);
     return isExact(moved.searched, moved.fit) ? std::optional(std::move(moved)) : std::nullopt;

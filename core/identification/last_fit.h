@@ -9,9 +9,6 @@
 namespace slidercrank
 {
 
-/// How many standard errors a value may differ from the true one: it is farther away in one of 400 cases.
-inline constexpr double kStandardErrors = 3.0;
-
 struct LastFit {
     Observations observations; ///< all rows; those that are excluded are gaps
     Fit fit{};

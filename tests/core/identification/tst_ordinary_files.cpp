@@ -138,6 +138,7 @@ private slots:
         QTest::addColumn<int>("decimalsOfPosition");
         QTest::newRow("23 parts of a turn in whole degrees") << "deg" << 0.0 << 360.0 / 23.0 << 0 << 3;
         QTest::newRow("24 parts of a turn in radians") << "rad" << 0.0 << std::numbers::pi / 12.0 << 2 << 4;
+        QTest::newRow("28 parts of a turn in radians") << "rad" << 0.3 << std::numbers::pi / 14.0 << 2 << 4;
         QTest::newRow("an odd start") << "rad" << 0.0123 << std::numbers::pi / 5.0 << 3 << 3;
     }
     void findsTheAnglesBeforeTheirRounding()
