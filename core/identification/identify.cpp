@@ -148,11 +148,11 @@ std::optional<Identification> identifyWithoutRow(const ReferenceData &data, std:
 }
 
 /// Whether a result is preferred to another one: by the outcome, then by the number of columns that are left out, then
-/// by the number of conventions.
+/// by the number of conventions, then by a constant speed.
 bool isBetter(const Identification &result, const Identification &other)
 {
     const auto rank = [](const Identification &found) {
-        return std::tuple(found.outcome, found.leftOut.size(), found.conventions.size());
+        return std::tuple(found.outcome, found.leftOut.size(), found.conventions.size(), found.drive.has_value());
     };
     return rank(result) < rank(other);
 }
@@ -196,7 +196,7 @@ Identification tryUnlikelyReadings(Identification asInFile, const ReferenceData 
     for (const Convention &convention : conventions) {
         tryResult(identifyTable(data, convention, findBestGeometry, given, stop).result);
     }
-    if (!explainsAll(best) || !best.conventions.empty()) {
+    if (!explainsAll(best) || !best.conventions.empty() || best.drive) { // a wrong θ2 looks like an uneven speed
         const std::optional<std::size_t> row = findSuspiciousRow(data);
         if (std::optional<Identification> result = row ? identifyWithoutRow(data, *row, given, stop) : std::nullopt) {
             tryResult(*std::move(result));

@@ -182,6 +182,27 @@ private slots:
         QVERIFY(found.conventions.empty());
     }
 
+    /// A former defect: one wrong angle of the crank was said to be a speed between 6 and 14 rad/s.
+    void namesTheLineOfAWrongCrankAngle()
+    {
+        std::string text = "t [s],theta2 [deg],R4_x [mm]\n";
+        for (int i = 0; i <= 60; ++i) {
+            const double angle = 0.1 * i;
+            const double wrong = i == 20 ? 9.0 : 0.0; // °
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%.2f,%.1f,%.2f\n", 0.01 * i, angle / kDegree + wrong,
+                          sliderPosition(40.0, 120.0, 10.0, angle));
+            text += line.data();
+        }
+        const Identification found =
+            identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(Parameters()));
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(hasLengths(found, 40.0, 120.0, 10.0));
+        QVERIFY(!found.drive);
+        QVERIFY(std::abs(found.parameters.omega2 - 10.0) < 0.01);
+        QCOMPARE(found.excludedRows, std::vector<std::size_t>{22}); // line 1: the headings
+    }
+
     void leavesOutFiniteDifferences()
     {
         const Identification velocity = identifyFile("difference_velocity");
