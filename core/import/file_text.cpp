@@ -3,9 +3,9 @@
 
 #include "core/import/cells.h"
 #include "core/import/double_byte_text.h"
+#include "core/import/spellings.h"
 #include "core/import/unit_text.h"
 
-#include <boost/algorithm/string/replace.hpp>
 #include <boost/locale/encoding_utf.hpp>
 
 #include <algorithm>
@@ -22,10 +22,6 @@ namespace
 constexpr unsigned kFirstLetter = 0xC0; // outside ASCII, in the code pages of Windows
 constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
-/// Characters that draw the lines of a table.
-constexpr char16_t kFirstBox = u'\u2500';
-constexpr char16_t kLastBox = u'\u257F';
-
 /// Windows-1252 from 0x80 to 0x9F, where it differs from Latin-1.
 constexpr std::u16string_view kWesternCharacters =
     u"\u20AC?\u201A\u0192\u201E\u2026\u2020\u2021\u02C6\u2030\u0160\u2039\u0152?\u017D??\u2018\u2019\u201C\u201D\u2022"
@@ -35,9 +31,6 @@ constexpr std::u16string_view kWesternCharacters =
 constexpr std::u16string_view kCentralCharacters =
     u"€?‚?„…†‡?‰Š‹ŚŤŽŹ?‘’“”•–—?™š›śťžź\u00A0ˇ˘Ł¤Ą¦§¨©Ş«¬\u00AD®Ż°±˛ł´µ¶·¸ąş»Ľ˝ľż"
     u"ŔÁÂĂÄĹĆÇČÉĘËĚÍÎĎĐŃŇÓÔŐÖ×ŘŮÚŰÜÝŢßŕáâăäĺćçčéęëěíîďđńňóôőö÷řůúűüýţ˙";
-
-/// KOI8-R from 0xC0: small letters, followed by the capital ones in the same order.
-constexpr std::u16string_view kKoi8Letters = u"юабцдефгхийклмнопярстужвьызшэщчъ";
 
 /// Returns whether at least half of the characters outside ASCII are valid UTF-8.
 bool isUtf8(std::string_view bytes)
@@ -110,48 +103,16 @@ std::string_view withoutPadding(std::string_view text)
 /// "├───┤".
 std::string withAsciiBoxes(std::string_view text)
 {
-    constexpr std::u16string_view kHorizontal = u"\u2500\u2501\u2504\u2505\u2508\u2509\u254C\u254D\u2550";
-    constexpr std::u16string_view kVertical = u"\u2502\u2503\u2506\u2507\u250A\u250B\u254E\u254F\u2551";
-    std::u16string characters = boost::locale::conv::utf_to_utf<char16_t>(text.data(), text.data() + text.size());
-    for (char16_t &c : characters) {
-        if (c >= kFirstBox && c <= kLastBox) {
-            const bool isHorizontal = kHorizontal.find(c) != kHorizontal.npos;
-            const char16_t other = isHorizontal ? u'-' : u'+';
-            c = kVertical.find(c) != kVertical.npos ? u'|' : other;
-        }
-    }
-    return boost::locale::conv::utf_to_utf<char>(characters);
-}
-
-/// Returns whether one of the lines near the beginning of a text begins and ends with these characters.
-bool hasLine(std::string_view text, std::string_view beginning, std::string_view end)
-{
-    bool isFound = false;
-    for (std::string_view rest = text.substr(0, kFileBeginning); !rest.empty();) {
-        const std::string_view line = trimmed(takeUntil('\n', rest));
-        const bool hasContent = line.find_first_not_of('|') != line.npos;
-        isFound = isFound || (line.starts_with(beginning) && line.ends_with(end) && hasContent);
-    }
-    return isFound;
-}
-
-/// Returns the text of a table in MediaWiki or Jira with one bar between two cells: "|0.1|85" for "|0.1||85", "|t|x"
-/// for "!t!!x". Changes only the lines that begin and end with `border`.
-std::string withSingleBars(std::string_view text, std::string_view border)
-{
-    std::string plain;
-    while (!text.empty()) {
-        std::string line(takeUntil('\n', text));
-        if (trimmed(line).starts_with(border) && trimmed(line).ends_with(border)) {
-            boost::replace_all(line, "||", "|");
-            boost::replace_all(line, "!!", "|");
-            if (line.starts_with('!')) {
-                line.front() = '|';
-            }
-        }
-        plain += line + '\n';
-    }
-    return plain;
+    static const Spellings kBoxes = [] {
+        Spellings boxes{};
+        boxes.addCharacters("─━┄┅┈┉╌╍═", "-");
+        boxes.addCharacters("│┃┆┇┊┋╎╏║", "|");
+        boxes.addCharacters("┌┍┎┏┐┑┒┓└┕┖┗┘┙┚┛├┝┞┟┠┡┢┣┤┥┦┧┨┩┪┫┬┭┮┯┰┱┲┳┴┵┶┷┸┹┺┻┼┽┾┿╀╁╂╃╄╅╆╇╈╉╊╋"
+                            "╒╓╔╕╖╗╘╙╚╛╜╝╞╟╠╡╢╣╤╥╦╧╨╩╪╫╬╭╮╯╰",
+                            "+");
+        return boxes;
+    }();
+    return kBoxes.replacedIn(text);
 }
 
 /// Returns whether lines are drawn with box characters near the beginning of a text.
@@ -178,34 +139,15 @@ std::optional<std::size_t> findLowerByte(std::string_view bytes)
     return isUtf16 ? std::optional(lower) : std::nullopt;
 }
 
-/// The encodings with one byte per character that are told apart: code pages of Windows, and KOI8-R.
-enum class CodePage { Western, Central, Cyrillic, Koi8 };
+/// The encodings with one byte per character that are told apart: code pages of Windows.
+enum class CodePage { Western, Central, Cyrillic };
 
 bool isAsciiLetter(char c)
 {
     return lowerCase(c) >= 'a' && lowerCase(c) <= 'z';
 }
 
-/// Returns the encoding of a text in Russian. KOI8-R has the small letters where Windows-1251 has the capital ones,
-/// which are rare; in a text of capital letters, the frequent ones decide.
-CodePage cyrillicPageOf(std::string_view bytes)
-{
-    constexpr char kFirstOfUpperHalf = '\xE0';
-    constexpr std::string_view kSmallInKoi8 = "\xC1\xC9";       // а, и
-    constexpr std::string_view kCapitalsInWindows = "\xC0\xC8"; // А, И
-    std::ptrdiff_t lowerHalf = 0; // number of letters there, minus those in the upper half
-    std::ptrdiff_t ofKoi8 = 0;    // number of letters that are frequent in KOI8-R, minus those in Windows-1251
-    for (const char c : bytes) {
-        if (byteOf(c) >= kFirstLetter) {
-            lowerHalf += byteOf(c) < byteOf(kFirstOfUpperHalf) ? 1 : -1;
-            ofKoi8 += kSmallInKoi8.find(c) != kSmallInKoi8.npos ? 1 : 0;
-            ofKoi8 -= kCapitalsInWindows.find(c) != kCapitalsInWindows.npos ? 1 : 0;
-        }
-    }
-    return lowerHalf > 0 && ofKoi8 >= 0 ? CodePage::Koi8 : CodePage::Cyrillic;
-}
-
-/// Returns the encoding of a text: a Cyrillic one if most letters outside ASCII have no letter of ASCII beside them;
+/// Returns the encoding of a text: the Cyrillic one if most letters outside ASCII have no letter of ASCII beside them;
 /// that of Central Europe if one of the bytes of the Polish ł, ą and ż, which are ³, ¹ and ¿ in the Western one, is
 /// between letters.
 CodePage codePageOf(std::string_view bytes)
@@ -221,12 +163,12 @@ CodePage codePageOf(std::string_view bytes)
                                 isAsciiLetter(bytes[i - 1]) && isAsciiLetter(bytes[i + 1]));
     }
     if (apart > 0) {
-        return cyrillicPageOf(bytes);
+        return CodePage::Cyrillic;
     }
     return isPolish ? CodePage::Central : CodePage::Western;
 }
 
-/// Returns the character of a byte outside ASCII. Of the Cyrillic encodings, only the letters are known.
+/// Returns the character of a byte outside ASCII. Of the Cyrillic encoding, only the letters are known.
 char16_t characterOf(unsigned char byte, CodePage page)
 {
     if (page == CodePage::Central) {
@@ -234,12 +176,6 @@ char16_t characterOf(unsigned char byte, CodePage page)
     }
     if (page == CodePage::Cyrillic && byte >= kFirstLetter) {
         return static_cast<char16_t>(u'\u0410' + byte - kFirstLetter);
-    }
-    if (page == CodePage::Koi8 && byte >= kFirstLetter) {
-        constexpr int kFromSmallToCapital = 0x20; // in Unicode
-        const std::size_t letter = byte - kFirstLetter;
-        const int shift = letter < kKoi8Letters.size() ? 0 : kFromSmallToCapital;
-        return static_cast<char16_t>(kKoi8Letters[letter % kKoi8Letters.size()] - shift);
     }
     return byte < 0xA0 ? kWesternCharacters[byte - 0x80U] : static_cast<char16_t>(byte);
 }
@@ -279,11 +215,6 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
     text.remove_prefix(text.starts_with(kUtf8Mark) ? kUtf8Mark.size() : 0);
     if (hasBoxes(text)) {
         text = converted = withAsciiBoxes(text);
-    }
-    if (hasLine(text, "{|", "")) {
-        text = converted = withSingleBars(text, "");
-    } else if (hasLine(text, "||", "||")) {
-        text = converted = withSingleBars(text, "||"); // headings: in a row of numbers, "||" is an empty cell
     }
     text = withoutPadding(text);
     if (const std::size_t binary = findBinary(text); binary != text.npos) {

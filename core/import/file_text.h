@@ -13,9 +13,9 @@ namespace slidercrank
 
 /// Decodes the bytes of a file. Returns the text without byte order mark, which refers to the bytes or to `converted`.
 /// A byte order mark determines the encoding. Otherwise it is UTF-8, or if most bytes outside ASCII are not valid
-/// UTF-8, a code page of Windows: 1252 (which includes Latin-1), 1250 for Polish, or 1251 for Russian, or KOI8-R. The
-/// lines of a table drawn with box characters become "|", "-" and "+". Throws ReadError if the bytes are not text, or
-/// text of another format than a table.
+/// UTF-8, a code page of Windows: 1252 (which includes Latin-1), 1250 for Polish, or 1251 for Russian. The lines of a
+/// table drawn with box characters become "|", "-" and "+". Throws ReadError if the bytes are not text, or text of
+/// another format than a table.
 std::string_view decodeText(std::string_view bytes, std::string &converted);
 
 } // namespace slidercrank

@@ -60,21 +60,13 @@ bool isRule(std::string_view line)
            (has("--") || has("==") || has("__") || line.starts_with('|'));
 }
 
-/// Returns the text without the number that Stata prints before the first bar of a row: "1. | 0.1   85 |".
-std::string_view withoutRowNumber(std::string_view text)
-{
-    const std::size_t bar = text.find_first_not_of("0123456789");
-    const bool isNumbered = bar > 0 && bar != text.npos && text.substr(bar).starts_with(". |") && text.ends_with('|');
-    return isNumbered ? text.substr(bar + 2) : text;
-}
-
 /// Returns whether the lines with bars near the beginning of a text begin and end with one, as in Markdown. Otherwise a
 /// line that does has empty cells there.
 bool isBordered(std::string_view text)
 {
     const std::string_view beginning = text.substr(0, kFileBeginning);
     for (std::string_view rest = beginning.substr(0, beginning.rfind('\n')); !rest.empty();) {
-        const std::string_view line = withoutRowNumber(trimmed(takeUntil('\n', rest)));
+        const std::string_view line = trimmed(takeUntil('\n', rest));
         const bool hasBorders = line.starts_with('|') && line.ends_with('|');
         if (line.find('|') != line.npos && !hasBorders && !isRule(line)) {
             return false;
@@ -83,12 +75,12 @@ bool isBordered(std::string_view text)
     return true;
 }
 
-/// Returns a line of a table in LaTeX, MediaWiki or Stata without its borders; empty for a line between rows.
+/// Returns a line of a table in LaTeX without its borders; empty for a line between rows.
 std::string_view withoutBorders(std::string_view line)
 {
-    std::string_view text = withoutRowNumber(trimmed(line));
+    std::string_view text = trimmed(line);
     const auto begins = [text](std::string_view border) { return text.starts_with(border); };
-    if (isRule(text) || begins("\\begin{") || begins("\\end{") || begins("{|") || begins("|}")) {
+    if (isRule(text) || begins("\\begin{") || begins("\\end{")) {
         return {};
     }
     for (const std::string_view rule : {"\\toprule", "\\midrule", "\\bottomrule", "\\hline"}) {

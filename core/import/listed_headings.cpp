@@ -65,28 +65,8 @@ std::optional<HeadingCandidate> readBulletedList(Lines lines)
     return list.known() == lines.size() ? std::optional(std::move(list)) : std::nullopt;
 }
 
-/// Returns the headings in the declarations of an ARFF file, "@attribute 'crank angle (deg)' numeric". Returns nullopt
-/// if a line is none, or if no name is known.
-std::optional<HeadingCandidate> readAttributes(Lines lines)
-{
-    constexpr std::string_view kAttribute = "@attribute";
-    Cells names;
-    for (const Line &line : lines) {
-        const std::string_view text = trimmed(line.text);
-        const std::string_view declared = text.substr(std::min(kAttribute.size(), text.size()));
-        if (lowered(text.substr(0, kAttribute.size())) != kAttribute) {
-            return std::nullopt;
-        }
-        names.push_back(trimmed(declared.substr(0, declared.find_last_of(" \t"))));
-    }
-    return listOf(names);
-}
-
 std::optional<HeadingCandidate> readList(Lines lines)
 {
-    if (std::optional<HeadingCandidate> list = readAttributes(lines)) {
-        return list;
-    }
     for (const std::size_t firstNumber : {0U, 1U}) {
         if (std::optional<HeadingCandidate> list = readNumberedList(lines, firstNumber)) {
             return list;

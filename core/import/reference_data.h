@@ -8,12 +8,12 @@
 // Reading has three stages: text (file_text.h), table of numbers (raw_table.h), meaning of the columns
 // (column_assignment.h).
 //
-// The text is UTF-8, UTF-16, in a code page of Windows (1250, 1251, 1252) or in KOI8-R. A line names the columns: the
-// time and the channels (nameOf(), or words), in any order and case, each with or without its unit. There may be other
-// lines above it, and a line of units below. A comment mark (#, %, //) before the names is ignored. Cells are separated
-// by commas, semicolons, tabs or vertical bars, or else by spaces, and may be quoted; a cell never contains a line
-// break. Numbers have a decimal point or a decimal comma, the same throughout a file, and thousands separators where
-// they are unambiguous. An empty or missing cell is a gap. Of rows with the same time, the last one is used.
+// The text is UTF-8, UTF-16 or in a code page of Windows (1250, 1251, 1252). A line names the columns: the time and the
+// channels (nameOf(), or words), in any order and case, each with or without its unit. There may be other lines above
+// it, and a line of units below. A comment mark (#, %, //) before the names is ignored. Cells are separated by commas,
+// semicolons, tabs or vertical bars, or else by spaces, and may be quoted; a cell never contains a line break. Numbers
+// have a decimal point or a decimal comma, the same throughout a file, and thousands separators where they are
+// unambiguous. An empty or missing cell is a gap. Of rows with the same time, the last one is used.
 //
 // A table over the crank angle instead of the time is read as the motion of a crank that turns once a second, until
 // timedBy() is called with another one.
