@@ -35,27 +35,33 @@ bool suits(const NameMeaning &meaning, const std::string &unit)
     return meaning.kind != Kind::Nothing && parseColumnUnit(unit, role, meaning.channel);
 }
 
+/// Returns whether a text is a unit of the quantity or time that a name without unknown words denotes.
+bool isUnitOf(std::string_view name, const std::string &unit)
+{
+    const NameMeaning meaning = parseUnit(unit) ? meaningOf(name, unit) : NameMeaning();
+    return !meaning.hasUnknownWords && suits(meaning, unit);
+}
+
 /// Returns the unit of a name without the "in" of "t in s" or "t (en s)", unless it is that of inches: "a [in s^-2]".
 std::string_view withoutPreposition(std::string_view unit, std::string_view name)
 {
-    const std::string whole(unit);
     const std::size_t end = std::min(unit.find_first_of(" _"), unit.size());
     const bool hasPreposition = end + 1 < unit.size() && isAmong(unit.substr(0, end), "in en em w v в");
-    const NameMeaning meaning = hasPreposition && parseUnit(unit) ? meaningOf(name, whole) : NameMeaning();
-    const bool isInches = !meaning.hasUnknownWords && suits(meaning, whole);
-    return trimmed(unit.substr(hasPreposition && !isInches ? end + 1 : 0));
+    return hasPreposition && !isUnitOf(name, std::string(unit)) ? trimmed(unit.substr(end + 1)) : unit;
 }
 
-/// Returns the unit before a remark: "deg" of "deg CCW from +x". Returns the text if it is a unit or has none.
-std::string_view unitBeforeRemark(std::string_view text)
+/// Returns the unit with which a text begins, before a remark or name: "deg" of "deg CCW from +x" and "Degrees of crank
+/// rotation". Returns an empty text if there is none.
+std::string_view unitAtBeginning(std::string_view text)
 {
-    for (std::size_t end = text.size(); end != text.npos && end > 0; end = text.find_last_of(" ,;", end - 1)) {
+    for (std::size_t end = text.find_last_of(" ,;"); end != text.npos && end > 0;
+         end = text.find_last_of(" ,;", end - 1)) {
         const std::string_view unit = text.substr(0, end);
         if (parseUnit(unit) && !isAmong(lowered(unit), kAlsoWords)) {
             return unit;
         }
     }
-    return text;
+    return {};
 }
 
 /// Returns whether the content of brackets is a unit that suits no quantity: "(%)", "(×π rad)", "(px)".
@@ -92,8 +98,7 @@ std::string_view unitBehindSymbol(std::string_view text, std::string_view name)
     Heading heading;
     splitAtEnd(text, heading);
     const std::string &unit = heading.use.unit;
-    const NameMeaning meaning = unit.empty() || !beginsWithSymbol(heading) ? NameMeaning() : meaningOf(name, unit);
-    const bool isUnit = !meaning.hasUnknownWords && suits(meaning, unit) && text.ends_with(unit);
+    const bool isUnit = beginsWithSymbol(heading) && isUnitOf(name, unit) && text.ends_with(unit);
     return isUnit ? text.substr(text.size() - unit.size()) : std::string_view();
 }
 
@@ -108,10 +113,8 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     if (parseUnit(content) || isUnitOfNoQuantity(content)) {
         return content;
     }
-    const std::string unit(unitBeforeRemark(content));
-    const NameMeaning meaning = meaningOf(name, unit);
-    if (unit.size() < content.size() && !meaning.hasUnknownWords && suits(meaning, unit)) {
-        return content.substr(0, unit.size());
+    if (const std::string_view first = unitAtBeginning(content); isUnitOf(name, std::string(first))) {
+        return first;
     }
     if (const std::string_view ofSymbol = unitBehindSymbol(content, name); !ofSymbol.empty()) {
         return ofSymbol;
@@ -153,14 +156,11 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
 }
 
 /// Returns a unit with a slash before the seconds at its end, which names often lack: "m/s2" for "ms2".
-std::string withSlash(std::string_view unit)
+std::string withSlash(std::string unit)
 {
-    const std::size_t second = std::min(unit.find_last_of("sS"), unit.size());
-    const std::string_view length = unit.substr(0, second);
-    const std::string_view rate = unit.substr(second);
-    const bool isRate =
-        !length.empty() && !isAmong(lowered(length), kAlsoWords) && (rate.size() == 1 || rate.ends_with('2'));
-    return std::string(length) + (isRate ? "/" : "") + std::string(rate);
+    const std::size_t second = unit.find_last_of("sS");
+    const bool isWord = isAmong(lowered(unit.substr(0, second)), kAlsoWords);
+    return second == unit.npos || second == 0 || isWord ? unit : unit.insert(second, "/");
 }
 
 /// Returns whether a capital letter begins a word or a unit, as in "timeMs" and "sliderXMm".
@@ -171,32 +171,21 @@ bool beginsWord(std::string_view text, std::size_t at)
     return isCapital(at) && (!isCapital(at - 1) || isBeforeSmall);
 }
 
-/// Returns whether a text behind a name without a meaning, as in "ticks_ms", is a unit of time. It may only be a letter
-/// if the separator before it `isClear`, as in "Messzeit / s".
-bool isTimeUnitOfUnknown(std::string_view name, const std::string &text, bool isClear)
-{
-    const bool isLongEnough = text.size() > 1 || isClear;
-    const bool isTime = parseColumnUnit(text, ColumnRole::Time, {}).has_value();
-    const bool endsInBrackets = text.ends_with(')'); // "f (t/s)": the brackets began before the separator
-    return isLongEnough && isTime && !endsInBrackets && meaningOf(name, text).kind == Kind::Nothing;
-}
-
-/// Returns the unit that the text behind a name denotes, "m/s2" also if it lacks the slash. It has to suit the name,
-/// unless this has no meaning. Pixels are no unit of a channel. Returns nullopt if the text is no such unit.
+/// Returns the unit that the text behind a name denotes, "m/s2" also if it lacks the slash. It has to suit the name;
+/// one of time may also follow a name without a meaning, as in "ticks_ms", and be only a letter if the separator before
+/// it `isClear`, as in "Messzeit / s". Pixels are no unit of a channel. Returns nullopt if the text is no such unit.
 std::optional<std::string> unitBehind(std::string_view name, const std::string &text, bool isClear)
 {
-    if (isAmong(text, kPixels)) {
+    const NameMeaning meaning = parseUnit(text) ? meaningOf(name, text) : NameMeaning();
+    if (isAmong(text, kPixels) || suits(meaning, text)) {
         return text;
     }
-    if (parseUnit(text) && suits(meaningOf(name, text), text)) {
-        return text;
-    }
-    const std::string slashed = withSlash(text);
-    const NameMeaning meaning = parseUnit(slashed) ? meaningOf(name, slashed) : NameMeaning();
-    if (!meaning.hasUnknownWords && suits(meaning, slashed)) {
+    if (const std::string slashed = withSlash(text); isUnitOf(name, slashed)) {
         return slashed;
     }
-    return isTimeUnitOfUnknown(name, text, isClear) ? std::optional(text) : std::nullopt;
+    const bool isTime = meaning.kind == Kind::Nothing && parseColumnUnit(text, ColumnRole::Time, {});
+    const bool endsInBrackets = text.ends_with(')'); // "f (t/s)": the brackets began before the separator
+    return isTime && !endsInBrackets && (text.size() > 1 || isClear) ? std::optional(text) : std::nullopt;
 }
 
 /// Sets name and unit of "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" if the unit suits the name. The
@@ -227,12 +216,9 @@ void splitAtEnd(std::string_view text, Heading &heading)
 /// Sets name and unit of "Degrees of crank rotation" if the unit suits the name.
 void splitAtBeginning(std::string_view text, Heading &heading)
 {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string unit(text.substr(0, end));
-    const std::string_view name = trimmed(text.substr(end));
-    const bool isUnit = unit.size() > 1 && !isAmong(lowered(unit), kAlsoWords) && parseUnit(unit);
-    const NameMeaning meaning = isUnit ? meaningOf(name, unit) : NameMeaning();
-    if (!meaning.hasUnknownWords && suits(meaning, unit)) {
+    const std::string unit(unitAtBeginning(text));
+    const std::string_view name = trimmed(text.substr(unit.size()));
+    if (isUnitOf(name, unit)) {
         heading.name = name;
         heading.use.unit = unit;
     }
