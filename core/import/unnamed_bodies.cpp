@@ -205,20 +205,29 @@ bool moveBackAndForth(const Values &values)
     return std::min(rise, fall) > kMinFraction * before.width();
 }
 
-/// Removes velocities of the slider that are never negative while it moves back and forth: they are magnitudes. Those
-/// with the exact name of the channel stay.
+/// Returns whether the slider's velocity or acceleration, in the order of `rate`, is known to be negative at times: it
+/// is in another column, or the slider moves back and forth.
+bool isNegativeAtTimes(const std::vector<RawColumn *> &candidates, const RawColumn &rate)
+{
+    return std::ranges::any_of(candidates, [&rate](const RawColumn *other) {
+        const bool isSameRate = other != &rate && other->use.channel == rate.use.channel;
+        const bool returns = rate.use.channel.order == Order::Velocity &&
+                             other->use.channel == Channel{R4x, Order::Position} &&
+                             other->values.size() >= kMinConclusiveRows && moveBackAndForth(other->finiteValues());
+        return returns || (isSameRate && rangeOf(other->values).low < 0.0);
+    });
+}
+
+/// Removes velocities and accelerations of the slider that are never negative although it has negative ones: they are
+/// magnitudes, such as "v" beside "v_x". Those with the exact name of the channel stay.
 void removeMagnitudes(std::vector<RawColumn *> &candidates)
 {
-    const auto returns = [](const RawColumn *column) {
-        return column->use.channel == Channel{R4x, Order::Position} && column->values.size() >= kMinConclusiveRows &&
-               moveBackAndForth(column->finiteValues());
-    };
-    if (std::ranges::any_of(candidates, returns)) {
-        removeColumns(candidates, ColumnReason::Magnitude, [](const RawColumn &column) {
-            return column.meaning.kind < Kind::ChannelName && column.use.channel == Channel{R4x, Order::Velocity} &&
-                   rangeOf(column.values).low >= 0.0;
-        });
-    }
+    const std::vector<RawColumn *> all = candidates;
+    removeColumns(candidates, ColumnReason::Magnitude, [&all](const RawColumn &column) {
+        const Channel channel = column.use.channel;
+        return column.meaning.kind < Kind::ChannelName && channel.coordinate == R4x &&
+               channel.order != Order::Position && rangeOf(column.values).low >= 0.0 && isNegativeAtTimes(all, column);
+    });
 }
 
 /// Returns the only owner of columns of numbered parts, if no other column is the slider's; else an empty text.
