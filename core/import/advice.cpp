@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 
 namespace slidercrank
 {
@@ -140,54 +141,47 @@ std::string withoutDigits(std::string heading)
     return heading;
 }
 
-/// Columns that may be chosen as a channel, the likeliest ones first.
-enum class Candidate {
-    OpenAndReturning, ///< its heading leaves the meaning open, and it does not only rise, as the crank angle does
-    Open,             ///< its heading leaves the meaning open
-    Returning,        ///< it has a suitable unit or none, and does not only rise
-    NotTurning,       ///< it has a suitable unit or none, and does not turn like the crank
-    Turning           ///< it has a suitable unit or none
+/// How likely a person chooses a column as a channel: the greater, the likelier. Compared in this order.
+struct Likelihood {
+    bool isOpen = false;      ///< its heading leaves the meaning open
+    bool returns = false;     ///< it does not only rise, as the crank angle does
+    bool isNotTurning = true; ///< it does not turn like the crank
+
+    auto operator<=>(const Likelihood &) const = default;
 };
 
-/// Returns nullopt if the column is used or does not change, or if its meaning is known not to be a channel.
-std::optional<Candidate> candidateFor(const RawColumn &column)
+/// Returns nullopt for a column that is used, does not change, is known not to be a channel, or has an unsuitable unit.
+std::optional<Likelihood> likelihoodOf(const RawColumn &column)
 {
     const ColumnReason reason = column.use.reason;
     const bool isFree = !column.isUsed() && rangeOf(column.values).width() > 0.0 && reason != ColumnReason::RowNumber &&
                         reason != ColumnReason::SameTimeStamps && reason != ColumnReason::CrankPin;
-    const bool returns = findReversal(column.values).has_value();
-    if (isFree && leavesOpen(reason)) {
-        return returns ? Candidate::OpenAndReturning : Candidate::Open;
-    }
     const bool hasUnit =
         column.use.unit.empty() || parseUnit(column.use.unit) || column.meaning.kind >= NameMeaning::Kind::Quantity;
-    if (!isFree || !hasUnit) {
+    if (!isFree || !(leavesOpen(reason) || hasUnit)) {
         return std::nullopt;
     }
-    if (returns) {
-        return Candidate::Returning;
-    }
-    return makesTurn(column) ? Candidate::Turning : Candidate::NotTurning;
+    return Likelihood{leavesOpen(reason), findReversal(column.values).has_value(), !makesTurn(column)};
 }
 
-/// Returns the first of the likeliest candidates apart from the column with the index `notColumn`, or null. Of several
+/// Returns the first of the likeliest columns apart from the one with the index `notColumn`, or null. Of several
 /// points, it is the last one, as programs number them from the crank to the slider.
 const RawColumn *likeliestChannel(std::span<const RawColumn> columns, std::size_t notColumn)
 {
-    const RawColumn *best = nullptr;
-    for (const RawColumn &column : columns) {
-        const std::optional<Candidate> candidate = column.index == notColumn ? std::nullopt : candidateFor(column);
-        if (candidate && (!best || *candidate < *candidateFor(*best))) {
-            best = &column;
-        }
+    const auto likelihood = [notColumn](const RawColumn &column) {
+        return column.index == notColumn ? std::nullopt : likelihoodOf(column);
+    };
+    const auto best = std::ranges::max_element(columns, {}, likelihood);
+    if (best == columns.end() || !likelihood(*best)) {
+        return nullptr;
     }
+    const RawColumn *last = &*best;
     for (const RawColumn &other : columns) {
-        const bool isPoint = best && other.index != notColumn && candidateFor(other) &&
-                             other.use.reason == ColumnReason::UnknownBody &&
+        const bool isPoint = likelihood(other) && other.use.reason == ColumnReason::UnknownBody &&
                              withoutDigits(other.use.heading) == withoutDigits(best->use.heading);
-        best = isPoint ? &other : best;
+        last = isPoint ? &other : last;
     }
-    return best;
+    return last;
 }
 
 /// Returns the choice of the likeliest channel, and those of the other quantities of the same point. Returns nothing if
@@ -205,7 +199,7 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
     std::vector<ColumnChoice> choices{choice(*likeliest)};
     for (const RawColumn &other : columns) {
         const bool isOfSamePoint = !likeliest->meaning.owner.empty() && other.meaning.owner == likeliest->meaning.owner;
-        const bool isOpen = other.index != notColumn && candidateFor(other) && leavesOpen(other.use.reason);
+        const bool isOpen = other.index != notColumn && likelihoodOf(other) && leavesOpen(other.use.reason);
         const auto isSameChannel = [&](const ColumnChoice &earlier) { return earlier.channel == likelyChannel(other); };
         if (isOfSamePoint && isOpen && std::ranges::none_of(choices, isSameChannel)) {
             choices.push_back(choice(other));
