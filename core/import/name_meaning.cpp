@@ -59,8 +59,8 @@ bool isAngleAlpha(const NameReading &name, const std::optional<Unit> &unit)
     return isAlpha && name.derivatives == 0 && unit && unit->dimension == Dimension::Angle && unit->order == 0;
 }
 
-/// Returns how many times the quantity is differentiated with respect to the time, as far as the name or its unit tells
-/// it: the words of the name and its marks of derivatives count before the unit.
+/// Returns how many times the quantity is differentiated with respect to the time; nullopt if neither the name nor its
+/// unit tells it. The words of the name and its marks of derivatives count before the unit.
 std::optional<int> derivativesOf(const NameReading &name, const std::optional<Unit> &unit)
 {
     if (isAngleAlpha(name, unit)) {
@@ -76,14 +76,6 @@ std::optional<int> derivativesOf(const NameReading &name, const std::optional<Un
     }
     const bool isPositionOrDerivative = name.hasSymbol || name.derivatives > 0 || name.body;
     return isPositionOrDerivative ? std::optional(name.derivatives) : std::nullopt;
-}
-
-/// Returns the order of the quantity; nullopt if it is unknown or higher than that of an acceleration.
-std::optional<Order> orderOf(const NameReading &name, const std::optional<Unit> &unit)
-{
-    const std::optional<int> derivatives = derivativesOf(name, unit);
-    const bool isOrder = derivatives && *derivatives <= static_cast<int>(Order::Acceleration);
-    return isOrder ? std::optional(static_cast<Order>(*derivatives)) : std::nullopt;
 }
 
 /// Returns the coordinate of the body that the name names. Without a body, an angle is that of the coupler and a length
@@ -106,7 +98,7 @@ Coordinate coordinateOf(const NameReading &name, bool isAngle)
 /// Returns whether the name or its unit denotes an angle.
 bool isOfAngle(const NameReading &name, const std::optional<Unit> &unit, const NamePath &path)
 {
-    const bool isAlone = !name.order && !name.hasSymbol && name.axis == ' ' && !name.derivatives; // "coupler"
+    const bool isAlone = !name.namesQuantity() && !name.derivatives;        // "coupler"
     const bool isCoordinate = isAlone || path.isInSi || name.symbol == "q"; // "/joint_states/rod/position", "q_rod"
     const bool isOfCoupler = name.body == Body::Coupler && isCoordinate;
     const Dimension withoutUnit = isOfCoupler ? Dimension::Angle : Dimension::Length;
@@ -117,15 +109,14 @@ bool isOfAngle(const NameReading &name, const std::optional<Unit> &unit, const N
 /// and the position of an unknown joint in a path, as in "MyModel.jnt.Pos", may be an angle or a length.
 bool saysQuantity(const NameReading &name, const std::optional<Unit> &unit, bool isPath)
 {
-    const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ';
     if (unit) {
         return unit->dimension != Dimension::Time &&
-               (namesQuantity || name.body || name.dimension || name.unknown.isAny());
+               (name.namesQuantity() || name.body || name.dimension || name.unknown.isAny());
     }
     if (name.unknown.isAny()) {
-        return namesQuantity && (!isPath || name.dimension || name.body);
+        return name.namesQuantity() && (!isPath || name.dimension || name.body);
     }
-    return namesQuantity || name.body;
+    return name.namesQuantity() || name.body;
 }
 
 /// Returns what only the other columns can tell about a name. `isOfUnknown`: it is of an unknown point or body, such as
@@ -162,8 +153,7 @@ bool isForeignSymbol(const NameReading &name, const std::optional<Unit> &unit)
 /// But "λ (mm)" has no index, and "angle of bar BC" names the joints of its body.
 bool isOfUnknownPoint(const NameReading &name, bool isAngle)
 {
-    const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ' || isAngle;
-    const bool isIndexOfSymbol = namesQuantity && name.unknown.areIndices() && !name.body;
+    const bool isIndexOfSymbol = (name.namesQuantity() || isAngle) && name.unknown.areIndices() && !name.body;
     const bool isUnknownAngle = isAngle && name.dimension && name.unknown.hasWord && !name.body && name.joints.empty();
     return name.isUnknownBody || isIndexOfSymbol || isUnknownAngle;
 }
@@ -171,7 +161,7 @@ bool isOfUnknownPoint(const NameReading &name, bool isAngle)
 /// Returns whether a name consists of words for a body and its quantity, so that it needs no guess.
 bool namesBodyAndQuantity(const NameReading &name, const std::optional<Unit> &unit, bool isAngle)
 {
-    const bool namesQuantity = name.order || name.hasSymbol || name.axis != ' ' || unit || (isAngle && name.dimension);
+    const bool namesQuantity = name.namesQuantity() || unit || (isAngle && name.dimension);
     return namesQuantity && name.isBodyNamed && (name.body || name.isFrame);
 }
 
@@ -204,17 +194,18 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     if (isAngle && isAmong(name.unknown.text, kOtherAngles)) {
         return {};
     }
-    const std::optional<Order> order =
-        saysQuantity(name, unit, path.parts.size() > 2) ? orderOf(name, unit) : std::nullopt;
-    if (!order || !mayBeChannel(name, isAngle)) {
+    const std::optional<int> derivatives =
+        saysQuantity(name, unit, path.parts.size() > 2) ? derivativesOf(name, unit) : std::nullopt;
+    if (!derivatives || *derivatives > static_cast<int>(Order::Acceleration) || !mayBeChannel(name, isAngle)) {
         const bool isOfUnknownBody = name.unknown.isAny() && name.order && !unit;
         return {.reason = isOfUnknownBody ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
     }
+    const auto order = static_cast<Order>(*derivatives);
     const bool isOfUnknown = isOfUnknownPoint(name, isAngle);
     const bool isKnownBody = namesBodyAndQuantity(name, unit, isAngle);
     const bool isCoordinateOfAnyKind = name.symbol == "q" && !unit && !name.isBodyNamed; // an angle or a length
     NameMeaning meaning{.kind = isKnownBody && !isOfUnknown ? Kind::Words : Kind::Quantity,
-                        .channel = {coordinateOf(name, isAngle), *order},
+                        .channel = {coordinateOf(name, isAngle), order},
                         .reason = isKnownBody ? ColumnReason::KnownName : ColumnReason::QuantityInName,
                         .owner = ownerOf(name, path),
                         .symbol = name.symbol,

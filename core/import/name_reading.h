@@ -48,6 +48,9 @@ struct NameReading {
     bool isBodyNumbered = false; ///< this number names the body, and no word
 
     UnknownWords unknown{};
+
+    /// Whether it says which quantity of a body it is, at least by an axis.
+    bool namesQuantity() const { return order || hasSymbol || axis != ' '; }
 };
 
 /// Returns what the parts of a path say together, from the last one; nullopt if it has words that contradict each
