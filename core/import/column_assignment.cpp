@@ -4,12 +4,11 @@
 #include "core/import/abscissa_assignment.h"
 #include "core/import/cells.h"
 #include "core/import/channel_assignment.h"
-#include "core/import/crank_angles.h"
+#include "core/import/heading_context.h"
 #include "core/import/heading_corrections.h"
 #include "core/mechanism/find_element.h"
 
 #include <algorithm>
-#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
@@ -69,46 +68,6 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
     }
 }
 
-/// Returns whether paths imply the unit of the column: m or rad.
-bool isUnitImplied(const RawColumn &column)
-{
-    return column.meaning.reason == ColumnReason::PathInSi;
-}
-
-/// Returns whether the values of a column contradict the implied unit m or rad: a length that travels more than 10 m;
-/// an angle that spans more than a turn and reverses (a coupler does not), or advances by more than half a turn per
-/// row.
-bool contradictsSi(const RawColumn &column)
-{
-    constexpr double kMaxTravel = 10.0;                  // m
-    constexpr double kMaxSwing = 2.0 * std::numbers::pi; // rad
-    constexpr double kMaxStep = std::numbers::pi;        // rad from row to row, on average
-    if (!isUnitImplied(column) || column.meaning.channel.order != Order::Position) {
-        return false;
-    }
-    const double width = rangeOf(column.values).width();
-    if (!isAngle(column.meaning.channel.coordinate)) {
-        return width > kMaxTravel;
-    }
-    const std::vector<double> angles = column.finiteValues();
-    return width > kMaxSwing && (findReversal(angles) || width > kMaxStep * static_cast<double>(angles.size()));
-}
-
-/// Revokes the units m and rad that paths imply, in all columns, if the values of one column contradict them.
-void revokeImpliedSiUnits(RawTable &table)
-{
-    if (std::ranges::none_of(table.columns, contradictsSi)) {
-        return;
-    }
-    for (RawColumn &column : table.columns) {
-        if (isUnitImplied(column)) {
-            column.use.unit.clear();
-            column.meaning.reason =
-                column.meaning.kind >= Kind::Words ? ColumnReason::KnownName : ColumnReason::QuantityInName;
-        }
-    }
-}
-
 /// Returns the error of a file that lacks the time or a channel. If a person could choose a column that is probably a
 /// channel, the error names it.
 ReadError missingDataError(RawTable &table, std::size_t file)
@@ -154,9 +113,11 @@ void requireData(RawTable &table)
 
 void assignColumns(RawTable &table, std::span<const ColumnChoice> choices)
 {
+    for (const TableFile &file : table.files) {
+        interpretHeadings(table.columnsOf(file));
+    }
     applyChoices(table, choices);
     correctMeanings(table);
-    revokeImpliedSiUnits(table);
     assignAbscissas(table);
     assignChannels(table);
     requireData(table);

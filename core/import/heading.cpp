@@ -3,14 +3,10 @@
 
 #include "core/import/cells.h"
 #include "core/import/name_derivatives.h"
-#include "core/import/name_path.h"
 #include "core/import/spellings.h"
 #include "core/import/vocabulary.h"
-#include "core/mechanism/find_element.h"
 
 #include <algorithm>
-#include <array>
-#include <span>
 #include <utility>
 
 namespace slidercrank
@@ -19,9 +15,7 @@ namespace slidercrank
 namespace
 {
 
-using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
-using Doubt = NameMeaning::Doubt;
 
 /// Units that are also words, symbols or primes: "min" is a minimum, r1 a length.
 constexpr std::string_view kAlsoWords = "min h r r1 u g gr ' '' ?";
@@ -98,7 +92,7 @@ std::string_view unitBehindSymbol(std::string_view text, std::string_view name)
     Heading heading;
     splitAtEnd(text, heading);
     const std::string &unit = heading.use.unit;
-    const bool isUnit = beginsWithSymbol(heading) && isUnitOf(name, unit) && text.ends_with(unit);
+    const bool isUnit = beginsWithSymbol(heading.name) && isUnitOf(name, unit) && text.ends_with(unit);
     return isUnit ? text.substr(text.size() - unit.size()) : std::string_view();
 }
 
@@ -224,316 +218,6 @@ void splitAtBeginning(std::string_view text, Heading &heading)
     }
 }
 
-/// Returns where the brace at the beginning of a text is closed; npos if it is not.
-std::size_t closingBrace(std::string_view text)
-{
-    int depth = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        depth += (text[i] == '{' ? 1 : 0) - (text[i] == '}' ? 1 : 0);
-        if (depth == 0) {
-            return i;
-        }
-    }
-    return text.npos;
-}
-
-/// Returns the last part of the name's path: "DX" of "Body_4/DX".
-std::string lastPartOf(const Heading &heading)
-{
-    const NamePath path = splitPath(heading.name);
-    return path.parts.empty() ? std::string() : std::string(path.parts.back());
-}
-
-/// Returns whether the name is a symbol with the mark of a second derivative, such as "xpp" or "d2x". "a" and
-/// "acceleration" have none: beside them, "xp" may still be anything.
-bool isSecondDerivative(const Heading &heading)
-{
-    const NameMeaning &meaning = heading.meaning;
-    const Words words = wordsOf(lastPartOf(heading));
-    const bool isAcceleration = meaning.channel.order == Order::Acceleration && meaning.kind >= Kind::Quantity;
-    const bool isMarked = !words.empty() && !findWord(words[0], WordUse::Word) && words[0] != "a";
-    return isAcceleration && isMarked && meaning.doubt == Doubt::None;
-}
-
-/// Returns whether the name is "v_p", "a_p" or "xp_dot", of the piston. "vp" and "ap" are such names in a row without
-/// "v" and "a", whose derivatives they would be.
-bool isOfPiston(const Heading &heading, std::span<const Heading> row)
-{
-    const Words words = wordsOf(heading.name);
-    if (words.size() == 1 && isAmong(words[0], "vp ap")) {
-        const std::string symbol = words[0].substr(0, 1);
-        return std::ranges::none_of(row, [&](const Heading &other) { return lowered(other.name) == symbol; });
-    }
-    const bool isMarked = words.size() == 2 && isAmong(words[0], "xp sp") && isAmong(words[1], "dot ddot d dd");
-    return isMarked || (words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p");
-}
-
-/// Returns whether the name is that of a displacement and no differential: "DX" of Adams, or "dx" beside "vx".
-bool isDisplacement(const Heading &heading, std::span<const Heading> row)
-{
-    const auto lastWordOf = [](const Heading &named) {
-        const std::string part = lastPartOf(named);
-        return part.substr(part.rfind(' ') + 1); // "DX" of "Slider DX"
-    };
-    const std::string symbol = lastWordOf(heading);
-    const auto isVelocity = [&](const Heading &other) {
-        return lowered(lastWordOf(other)) == 'v' + lowered(symbol).substr(1);
-    };
-    return isAmong(symbol, "DX DY") || (symbol.starts_with('d') && std::ranges::any_of(row, isVelocity));
-}
-
-/// Returns whether the name is that of point A, beside the same of point B: columns a, b and c, or "Ax", "Ay" and "Bx".
-bool isOfPointA(const Heading &heading, std::span<const Heading> row)
-{
-    const auto withoutAxis = [](const Heading &ofPoint) {
-        const std::string name = lowered(ofPoint.name);
-        return name.substr(0, name.find_last_not_of("xy") + 1);
-    };
-    const std::string point = withoutAxis(heading);
-    return point.starts_with('a') && std::ranges::any_of(row, [&](const Heading &other) {
-               return withoutAxis(other) == 'b' + point.substr(1) && other.use.unit == heading.use.unit;
-           });
-}
-
-/// Returns whether the heading is that of the crank pin, A_x or A_y, in a table that the command `solve` has written.
-/// Such a table states no unit of lengths in mm. Only a column with a name that other programs do not use tells it.
-bool isCrankPinOfSolve(const Heading &heading, std::span<const Heading> row)
-{
-    static constexpr std::string_view kOwnNames =
-        "transmission_angle displacement_diff displacement_diff2 A_x_diff A_y_diff A_x_diff2 A_y_diff2";
-    const auto isOfSolve = [](const Heading &other) {
-        return other.meaning.kind == Kind::ChannelName || isAmong(other.name, kOwnNames);
-    };
-    return isAmong(heading.name, "A_x A_y") && heading.use.unit.empty() && std::ranges::any_of(row, isOfSolve);
-}
-
-/// Returns whether the name is the symbol of a vector whose x component is another column: "v" beside "v_x".
-bool isMagnitude(const Heading &heading, std::span<const Heading> row)
-{
-    const Words words = wordsOf(lastPartOf(heading));
-    if (words.size() != 1 || !isAmong(words[0], "v a")) {
-        return false;
-    }
-    return std::ranges::any_of(row, [&](const Heading &other) {
-        const Words component = wordsOf(lastPartOf(other));
-        return component == Words{words[0], "x"} || component == Words{words[0] + 'x'};
-    });
-}
-
-/// Decides between the meanings of "xp", "dx" and the like by the other columns: beside "xpp" or "d2x" they are
-/// derivatives; beside "v_p", or without an "x", "x_p" is the x of the piston; and "DX", or "dx" beside "vx", is a
-/// displacement. Otherwise only a person can tell.
-void resolveDerivatives(std::vector<Heading> &row)
-{
-    const auto isNamed = [&](std::string_view name) {
-        return std::ranges::any_of(row, [&](const Heading &heading) { return lowered(heading.name) == name; });
-    };
-    const bool hasSecond = std::ranges::any_of(row, isSecondDerivative);
-    const bool hasPiston =
-        std::ranges::any_of(row, [&row](const Heading &heading) { return isOfPiston(heading, row); });
-    for (Heading &heading : row) {
-        NameMeaning &meaning = heading.meaning;
-        if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
-            continue;
-        }
-        const std::string name = lowered(heading.name);
-        const bool isIndex =
-            hasPiston || ((name.ends_with("_p") || name.ends_with("(p)")) && !isNamed(name.substr(0, 1)));
-        if (isDisplacement(heading, row)) {
-            meaning.doubt = Doubt::None;
-        } else if (hasSecond && meaning.channel.order < Order::Acceleration) {
-            const bool isOfPosition = meaning.channel.order == Order::Position;
-            meaning.channel.order = isOfPosition ? Order::Velocity : Order::Acceleration;
-        } else if (meaning.doubt == Doubt::IsDerivative || !isIndex) {
-            meaning = {.reason = ColumnReason::UnknownBody};
-        }
-    }
-}
-
-/// Decides that α is the angular acceleration where ω is before it. Otherwise its values have to tell it from an angle.
-void resolveAlphas(std::span<Heading> row)
-{
-    bool isBehindOmega = false;
-    for (Heading &heading : row) {
-        NameMeaning &meaning = heading.meaning;
-        const WordMeaning *const symbol = findWord(meaning.symbol, WordUse::Symbol);
-        isBehindOmega =
-            isBehindOmega || (symbol && symbol->dimension == Dimension::Angle && symbol->order == Order::Velocity);
-        meaning.doubt = isBehindOmega && meaning.doubt == Doubt::IsAngle ? Doubt::None : meaning.doubt;
-    }
-}
-
-/// Gives different owners to the columns of several points whose headings are the same, as Tracker writes "x", "y",
-/// "x", "y": the first x and y are those of one point.
-void separatePoints(std::span<Heading> row)
-{
-    const auto isOfPoint = [](const Heading &heading) {
-        const NameMeaning &meaning = heading.meaning;
-        return meaning.kind == Kind::Quantity && meaning.namesAxis && meaning.owner.empty() &&
-               !isAngle(meaning.channel.coordinate);
-    };
-    const auto countIn = [&](std::span<const Heading> part, const Heading &heading) {
-        return std::ranges::count_if(part, [&](const Heading &other) {
-            return other.meaning.channel == heading.meaning.channel && other.use.heading == heading.use.heading;
-        });
-    };
-    const auto isRepeatedY = [&](const Heading &heading) {
-        return isOfPoint(heading) && heading.meaning.channel.coordinate == R4y && countIn(row, heading) > 1;
-    };
-    if (std::ranges::none_of(row, isRepeatedY)) {
-        return;
-    }
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        if (isOfPoint(row[i]) && countIn(row, row[i]) > 1) {
-            row[i].meaning.owner = std::to_string(countIn(row.first(i), row[i]));
-            row[i].meaning.doubt = Doubt::IsOfPart;
-        }
-    }
-}
-
-/// Takes the meaning from headings that are no channels, as the other columns show: those of the crank pin and of
-/// magnitudes.
-void excludeOtherQuantities(std::vector<Heading> &row)
-{
-    for (Heading &heading : row) {
-        if (isOfPointA(heading, row) || isCrankPinOfSolve(heading, row)) {
-            heading.meaning = {.reason = ColumnReason::CrankPin};
-        } else if (isMagnitude(heading, row)) {
-            heading.meaning = {.reason = ColumnReason::Magnitude};
-        }
-    }
-}
-
-/// Returns whether a word is the symbol of an angle or angular velocity, or begins like "angular" in some language.
-bool isAngular(const std::string &word)
-{
-    constexpr std::array<std::string_view, 8> kBeginnings{"ang", "winkel", "hoek",   "kat",
-                                                          "uhl", "unghi",  "vinkel", "угл"};
-    const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
-    const auto isBeginning = [&word](std::string_view beginning) { return word.starts_with(beginning); };
-    return (symbol && symbol->dimension == Dimension::Angle) || std::ranges::any_of(kBeginnings, isBeginning);
-}
-
-/// Decides whether a speed of rotation in 1/s or Hz is in rad/s or in turns per second, by its name:
-///
-///     n, Drehzahl               1/s, Hz   turns per second
-///     ω, angular velocity       1/s       rad/s
-///     crank speed               Hz        turns per second
-///     ω, angular velocity       Hz        only a person can tell
-///     crank speed               1/s       only a person can tell
-///     fs, another unknown name  Hz        not used: the frequency of anything
-void resolveReciprocalSeconds(Heading &heading)
-{
-    NameMeaning &meaning = heading.meaning;
-    const std::string unit = lowered(heading.use.unit);
-    const std::optional<Unit> parsed = parseUnit(unit);
-    const bool isHertz = unit == "hz" || unit == "hertz";
-    const bool isReciprocal = isHertz || (parsed == parseUnit("1/s") && unit.find("rad") == unit.npos);
-    if (!isReciprocal || meaning.kind < Kind::Quantity || meaning.kind >= Kind::ChannelName) {
-        return;
-    }
-    const Words words = wordsOf(heading.name);
-    const bool isInTurns = !unitOfRotation(words).empty() || std::ranges::count(words, "n") > 0;
-    const bool isInRadians = !isInTurns && std::ranges::any_of(words, isAngular);
-    if (isInTurns) {
-        heading.use.unit = "rev/s";
-    } else if (isHertz && meaning.hasUnknownWords) {
-        meaning = {.channel = meaning.channel, .reason = ColumnReason::UnknownBody};
-    } else if (isHertz == isInRadians) { // "ω [Hz]" contradicts itself, and "crank speed [1/s]" leaves it open
-        meaning = {.channel = meaning.channel, .reason = ColumnReason::TurnsOrRadians};
-    } else if (isHertz) {
-        heading.use.unit = "rev/s";
-    }
-}
-
-/// Completes the names and units of components, which PMKS+ writes behind the magnitude of their vector: "Velocity
-/// (cm/s)", "X-comp", "Y-comp". Marks the magnitude.
-void completeComponents(std::span<Heading> row)
-{
-    Heading *vector = nullptr;
-    for (Heading &heading : row) {
-        const bool isComponent = isAmong(heading.name, "X-comp Y-comp");
-        if (isComponent && vector) {
-            vector->use.reason = ColumnReason::Magnitude;
-            heading.name = vector->name + (heading.name[0] == 'X' ? " x" : " y");
-            heading.use.unit = heading.use.unit.empty() ? vector->use.unit : heading.use.unit;
-        } else if (!isComponent) {
-            const bool isQuantity = meaningOf(heading.name, heading.use.unit).kind == Kind::Quantity;
-            vector = isQuantity ? &heading : nullptr;
-        }
-    }
-}
-
-/// If the path of any name implies m, rad and s, those of the other names without a unit do, too: "slider.frame_a.x"
-/// beside "slider.v".
-void implySiUnits(std::span<Heading> row)
-{
-    const auto impliesSi = [](const Heading &heading) { return heading.meaning.reason == ColumnReason::PathInSi; };
-    if (std::ranges::none_of(row, impliesSi)) {
-        return;
-    }
-    for (Heading &heading : row) {
-        NameMeaning &meaning = heading.meaning;
-        if (heading.use.unit.empty() && meaning.kind >= Kind::Quantity && !meaning.owner.empty()) {
-            meaning.reason = ColumnReason::PathInSi;
-        }
-    }
-}
-
-/// Symbols such as "x_B" or "d" beside θ₂ or θ₃ are those of a textbook, which denote the slider: its columns need no
-/// confirmation by a person.
-void recognizeTextbook(std::span<Heading> row)
-{
-    const auto isAngleOfLink = [](const Heading &heading) {
-        const Coordinate coordinate = heading.meaning.channel.coordinate;
-        return heading.meaning.kind >= Kind::Words && (coordinate == Theta2 || coordinate == Theta3) &&
-               beginsWithSymbol(heading);
-    };
-    if (std::ranges::none_of(row, isAngleOfLink)) {
-        return;
-    }
-    for (Heading &heading : row) {
-        NameMeaning &meaning = heading.meaning;
-        const bool isGuess = meaning.kind == Kind::Quantity && meaning.reason == ColumnReason::QuantityInName;
-        if (isGuess && meaning.channel.coordinate == R4x && beginsWithSymbol(heading)) {
-            meaning.reason = ColumnReason::KnownName;
-        }
-    }
-}
-
-/// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Paths of some programs imply
-/// m, rad and s; "rpm" and the like are units themselves; ω and α are in rad/s and rad/s²; and another derivative is in
-/// the unit of its position.
-std::string impliedUnit(const Heading &heading, std::span<const Heading> row)
-{
-    const NameMeaning &meaning = heading.meaning;
-    const std::string perTime(derivativeSuffix(meaning.channel.order));
-    if (meaning.reason == ColumnReason::PathInSi) {
-        return (isAngle(meaning.channel.coordinate) ? "rad" : "m") + perTime;
-    }
-    if (const std::string_view unit = unitOfRotation(wordsOf(heading.name)); !unit.empty()) {
-        return std::string(unit);
-    }
-    const auto isAngularRate = [](const std::string &word) { // ω or α
-        const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
-        return symbol && symbol->dimension == Dimension::Angle && symbol->order > Order::Position;
-    };
-    if (meaning.channel.order != Order::Position && isAngle(meaning.channel.coordinate) &&
-        meaning.doubt != Doubt::IsAngle &&
-        (isAngularRate(meaning.symbol) || std::ranges::any_of(wordsOf(heading.name), isAngularRate))) {
-        return "rad" + perTime;
-    }
-    const auto isPosition = [&](const Heading &other) {
-        return other.meaning.kind >= Kind::Quantity &&
-               other.meaning.channel == Channel{meaning.channel.coordinate, Order::Position} &&
-               (meaning.hasUnknownWords || !other.meaning.hasUnknownWords);
-    };
-    const Heading *const position = findElement(row, isPosition);
-    const std::optional<Unit> unit = position ? parseUnit(position->use.unit) : std::nullopt;
-    const bool differs = unit && unit->factor != 1.0;
-    return differs && meaning.channel.order != Order::Position ? position->use.unit + perTime : std::string();
-}
-
 /// Removes the marks around a heading: "{$x$ (mm)}" of LaTeX, the label "<x>" of a signal in Simulink, 'x', and the
 /// brackets of "[Slider Position (mm)]". Brackets without a "(" inside stay: they are a unit, "[mm]". "('slider', 'x')"
 /// of pandas becomes the path "slider/x".
@@ -544,7 +228,7 @@ std::string withoutEnclosure(std::string text)
         return text.size() > 2 && text.front() == first && text.back() == last;
     };
     const bool isInBrackets = isBetween('[', ']') && text.find('(') != text.npos;
-    const bool isInBraces = isBetween('{', '}') && closingBrace(text) == text.size() - 1;
+    const bool isInBraces = isBetween('{', '}');
     if (isInBrackets || isInBraces || isBetween('\'', '\'') || isBetween('<', '>')) {
         return text.substr(1, text.size() - 2);
     }
@@ -615,37 +299,14 @@ std::string_view derivativeSuffix(Order order)
     return "";
 }
 
-bool beginsWithSymbol(const Heading &heading)
+bool beginsWithSymbol(std::string_view name)
 {
-    Words words = wordsOf(heading.name);
+    std::vector<std::string> words = wordsOf(name);
     takeDerivatives(words);
     if (!words.empty() && words[0].ends_with("dot")) { // "xdot", "xddot"
         words[0].resize(words[0].find_last_not_of("dot") + 1);
     }
     return !words.empty() && (findWord(words[0], WordUse::Symbol) || words[0] == "t");
-}
-
-void interpretHeadings(std::vector<Heading> &row)
-{
-    completeComponents(row);
-    for (Heading &heading : row) {
-        heading.meaning = meaningOf(heading.name, heading.use.unit);
-    }
-    resolveDerivatives(row);
-    resolveAlphas(row);
-    separatePoints(row);
-    excludeOtherQuantities(row);
-    std::ranges::for_each(row, resolveReciprocalSeconds);
-    implySiUnits(row);
-    for (Heading &heading : row) {
-        if (heading.meaning.kind == Kind::Nothing) {
-            heading.use.reason = heading.use.heading.empty() ? ColumnReason::NoName : heading.meaning.reason;
-        }
-        if (heading.meaning.kind >= Kind::Quantity && heading.use.unit.empty()) {
-            heading.use.unit = impliedUnit(heading, row);
-        }
-    }
-    recognizeTextbook(row);
 }
 
 } // namespace slidercrank

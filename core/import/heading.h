@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Interprets the headings of a table: splits each into name and unit, and decides what it means. Where a name is
-// ambiguous ("xp"), the other headings decide.
+// Splits the headings of a table into name and unit. Where a name is ambiguous ("xp"), heading_context.h decides.
 
 #include "core/import/name_meaning.h"
 
@@ -25,10 +24,10 @@ struct CellForm {
 
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".
 struct Heading {
-    FileColumn use{}; ///< heading and unit; assignColumns() sets the role
+    FileColumn use{}; ///< heading and unit; assignColumns() sets the rest
     std::string name{};
     CellForm cells{};
-    NameMeaning meaning{}; ///< set by interpretHeadings()
+    NameMeaning meaning{}; ///< that name and unit have alone
 };
 
 /// Splits a cell, given without surrounding quotation marks, into name and unit, and sets the meaning that it has
@@ -39,15 +38,7 @@ Heading parseHeading(std::string_view cell);
 /// Returns what turns the unit of a position into that of its derivative: "/s" makes "mm/s" of "mm".
 std::string_view derivativeSuffix(Order order);
 
-/// Returns whether the name begins with a symbol, as "x_B", "θ₂" and "t" do.
-bool beginsWithSymbol(const Heading &heading);
-
-/// Sets the meanings of a row of headings, including those that depend on others, and why columns are ignored:
-///
-///     Velocity (cm/s)   X-comp   Y-comp     PMKS+ writes the magnitude of a vector before its components
-///     slider.s   slider.a   crank.phi       Modelica: m, rad and s are implied
-///     x   xp   xpp                          xp is a derivative, because xpp can be nothing else
-///     x   y   x   y                         Tracker: two points, of which one may be the slider
-void interpretHeadings(std::vector<Heading> &row);
+/// Returns whether a name begins with a symbol, as "x_B", "θ₂" and "t" do.
+bool beginsWithSymbol(std::string_view name);
 
 } // namespace slidercrank

@@ -49,17 +49,6 @@ void moveToY(std::span<RawColumn> columns)
     }
 }
 
-/// Takes "α", which may also be an angular acceleration, as an angle if it makes half a turn.
-void decideAlpha(std::span<RawColumn> columns)
-{
-    for (RawColumn &column : columns) {
-        NameMeaning &meaning = column.meaning;
-        if (meaning.doubt == Doubt::IsAngle && isTurningAngle(column) && makesHalfTurn(column)) {
-            meaning.channel.order = Order::Position;
-        }
-    }
-}
-
 /// Returns whether the name is θ1, θ2 or θ3, or a derivative, without a word for the body.
 bool isOfNumberedLink(const RawColumn &column)
 {
@@ -190,7 +179,6 @@ void correctMeanings(RawTable &table)
 {
     recognizeRadians(table.columns);
     moveToY(table.columns);
-    decideAlpha(table.columns);
     renumberLinks(table.columns);
 }
 

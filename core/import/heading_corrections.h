@@ -12,7 +12,6 @@ namespace slidercrank
 ///
 ///     θ, without a unit   in radians, if its values are those of radians: 0, 0.2618, … 6.2832
 ///     y, v            beside a y that changes without an x, the velocity is that of y: the slider is upright
-///     α               an angle, if it makes half a turn, and no angular acceleration
 ///     θ1, θ2, θ3      those of crank, coupler and slider, if θ1 makes half a turn
 void correctMeanings(RawTable &table);
 

@@ -36,7 +36,7 @@ bool continuesHeading(std::string_view before, std::string_view cell)
     }
     const Heading name = parseHeading(before);
     const Heading symbol = parseHeading(cell);
-    return name.use.unit.empty() && !symbol.use.unit.empty() && beginsWithSymbol(symbol) &&
+    return name.use.unit.empty() && !symbol.use.unit.empty() && beginsWithSymbol(symbol.name) &&
            denoteSameQuantity(name.meaning, symbol.meaning);
 }
 

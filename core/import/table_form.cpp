@@ -162,7 +162,9 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     layout.delimiter = top.delimiter;
     std::vector<Heading> &headings = top.headings;
     readUnitsInCells(row, lines[row.line].number, headings);
-    interpretHeadings(headings);
+    for (Heading &heading : headings) { // whose unit may be below or behind the numbers
+        heading.meaning = meaningOf(heading.name, heading.use.unit);
+    }
     lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(top.firstRow));
     if (!labelled && !lines.empty()) {
         findClocks(lines.front(), layout.delimiter, headings);

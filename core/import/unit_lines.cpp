@@ -105,7 +105,7 @@ bool areSymbols(const Cells &cells)
 {
     const auto isSymbol = [](std::string_view cell) {
         const Heading heading = parseHeading(cell);
-        return cell.empty() || (beginsWithSymbol(heading) && heading.use.unit.empty());
+        return cell.empty() || (beginsWithSymbol(heading.name) && heading.use.unit.empty());
     };
     const auto mayBeUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
     return std::ranges::all_of(cells, isSymbol) && !std::ranges::all_of(cells, mayBeUnit);

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/import/heading_context.h"
+
+#include "core/import/cells.h"
+#include "core/import/column_values.h"
+#include "core/import/crank_angles.h"
+#include "core/import/name_path.h"
+#include "core/import/vocabulary.h"
+#include "core/mechanism/find_element.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace slidercrank
+{
+
+namespace
+{
+
+using Words = std::vector<std::string>;
+using Kind = NameMeaning::Kind;
+using Doubt = NameMeaning::Doubt;
+
+/// Returns the last part of the name's path: "DX" of "Body_4/DX".
+std::string lastPartOf(const RawColumn &column)
+{
+    const NamePath path = splitPath(column.name);
+    return path.parts.empty() ? std::string() : std::string(path.parts.back());
+}
+
+/// Returns whether the name is a symbol with the mark of a second derivative, such as "xpp" or "d2x". "a" and
+/// "acceleration" have none: beside them, "xp" may still be anything.
+bool isSecondDerivative(const RawColumn &column)
+{
+    const NameMeaning &meaning = column.meaning;
+    const Words words = wordsOf(lastPartOf(column));
+    const bool isAcceleration = meaning.channel.order == Order::Acceleration && meaning.kind >= Kind::Quantity;
+    const bool isMarked = !words.empty() && !findWord(words[0], WordUse::Word) && words[0] != "a";
+    return isAcceleration && isMarked && meaning.doubt == Doubt::None;
+}
+
+/// Returns whether the name is "v_p", "a_p" or "xp_dot", of the piston. "vp" and "ap" are such names in a row without
+/// "v" and "a", whose derivatives they would be.
+bool isOfPiston(const RawColumn &column, std::span<const RawColumn> row)
+{
+    const Words words = wordsOf(column.name);
+    if (words.size() == 1 && isAmong(words[0], "vp ap")) {
+        const std::string symbol = words[0].substr(0, 1);
+        return std::ranges::none_of(row, [&](const RawColumn &other) { return lowered(other.name) == symbol; });
+    }
+    const bool isMarked = words.size() == 2 && isAmong(words[0], "xp sp") && isAmong(words[1], "dot ddot d dd");
+    return isMarked || (words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p");
+}
+
+/// Returns whether the name is that of a displacement and no differential: "DX" of Adams, or "dx" beside "vx".
+bool isDisplacement(const RawColumn &column, std::span<const RawColumn> row)
+{
+    const auto lastWordOf = [](const RawColumn &named) {
+        const std::string part = lastPartOf(named);
+        return part.substr(part.rfind(' ') + 1); // "DX" of "Slider DX"
+    };
+    const std::string symbol = lastWordOf(column);
+    const auto isVelocity = [&](const RawColumn &other) {
+        return lowered(lastWordOf(other)) == 'v' + lowered(symbol).substr(1);
+    };
+    return isAmong(symbol, "DX DY") || (symbol.starts_with('d') && std::ranges::any_of(row, isVelocity));
+}
+
+/// Returns whether the name is that of point A, beside the same of point B: columns a, b and c, or "Ax", "Ay" and "Bx".
+bool isOfPointA(const RawColumn &column, std::span<const RawColumn> row)
+{
+    const auto withoutAxis = [](const RawColumn &ofPoint) {
+        const std::string name = lowered(ofPoint.name);
+        return name.substr(0, name.find_last_not_of("xy") + 1);
+    };
+    const std::string point = withoutAxis(column);
+    return point.starts_with('a') && std::ranges::any_of(row, [&](const RawColumn &other) {
+               return withoutAxis(other) == 'b' + point.substr(1) && other.use.unit == column.use.unit;
+           });
+}
+
+/// Returns whether the heading is that of the crank pin, A_x or A_y, in a table that the command `solve` has written.
+/// Such a table states no unit of lengths in mm. Only a column with a name that other programs do not use tells it.
+bool isCrankPinOfSolve(const RawColumn &column, std::span<const RawColumn> row)
+{
+    static constexpr std::string_view kOwnNames =
+        "transmission_angle displacement_diff displacement_diff2 A_x_diff A_y_diff A_x_diff2 A_y_diff2";
+    const auto isOfSolve = [](const RawColumn &other) {
+        return other.meaning.kind == Kind::ChannelName || isAmong(other.name, kOwnNames);
+    };
+    return isAmong(column.name, "A_x A_y") && column.use.unit.empty() && std::ranges::any_of(row, isOfSolve);
+}
+
+/// Decides between the meanings of "xp", "dx" and the like by the other columns: beside "xpp" or "d2x" they are
+/// derivatives; beside "v_p", or without an "x", "x_p" is the x of the piston; and "DX", or "dx" beside "vx", is a
+/// displacement. Otherwise only a person can tell.
+void resolveDerivatives(std::span<RawColumn> row)
+{
+    const auto isNamed = [&](std::string_view name) {
+        return std::ranges::any_of(row, [&](const RawColumn &column) { return lowered(column.name) == name; });
+    };
+    const bool hasSecond = std::ranges::any_of(row, isSecondDerivative);
+    const bool hasPiston =
+        std::ranges::any_of(row, [&row](const RawColumn &column) { return isOfPiston(column, row); });
+    for (RawColumn &column : row) {
+        NameMeaning &meaning = column.meaning;
+        if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
+            continue;
+        }
+        const std::string name = lowered(column.name);
+        const bool isIndex =
+            hasPiston || ((name.ends_with("_p") || name.ends_with("(p)")) && !isNamed(name.substr(0, 1)));
+        if (isDisplacement(column, row)) {
+            meaning.doubt = Doubt::None;
+        } else if (hasSecond && meaning.channel.order < Order::Acceleration) {
+            const bool isOfPosition = meaning.channel.order == Order::Position;
+            meaning.channel.order = isOfPosition ? Order::Velocity : Order::Acceleration;
+        } else if (meaning.doubt == Doubt::IsDerivative || !isIndex) {
+            meaning = {.reason = ColumnReason::UnknownBody};
+        }
+    }
+}
+
+/// Decides whether α is an angle or the angular acceleration: an angle if it makes half a turn, and the acceleration
+/// where ω is before it. Otherwise the other columns have to tell.
+void resolveAlphas(std::span<RawColumn> row)
+{
+    bool isBehindOmega = false;
+    for (RawColumn &column : row) {
+        NameMeaning &meaning = column.meaning;
+        const WordMeaning *const symbol = findWord(meaning.symbol, WordUse::Symbol);
+        isBehindOmega =
+            isBehindOmega || (symbol && symbol->dimension == Dimension::Angle && symbol->order == Order::Velocity);
+        if (meaning.doubt == Doubt::IsAngle && isBehindOmega) {
+            meaning.doubt = Doubt::None;
+        } else if (meaning.doubt == Doubt::IsAngle && isTurningAngle(column) && makesHalfTurn(column)) {
+            meaning.channel.order = Order::Position;
+        }
+    }
+}
+
+/// Gives different owners to the columns of several points whose headings are the same, as Tracker writes "x", "y",
+/// "x", "y": the first x and y are those of one point.
+void separatePoints(std::span<RawColumn> row)
+{
+    const auto isOfPoint = [](const RawColumn &column) {
+        const NameMeaning &meaning = column.meaning;
+        return meaning.kind == Kind::Quantity && meaning.namesAxis && meaning.owner.empty() &&
+               !isAngle(meaning.channel.coordinate);
+    };
+    const auto countIn = [&](std::span<const RawColumn> part, const RawColumn &column) {
+        return std::ranges::count_if(part, [&](const RawColumn &other) {
+            return other.meaning.channel == column.meaning.channel && other.use.heading == column.use.heading;
+        });
+    };
+    const auto isRepeatedY = [&](const RawColumn &column) {
+        return isOfPoint(column) && column.meaning.channel.coordinate == R4y && countIn(row, column) > 1;
+    };
+    if (std::ranges::none_of(row, isRepeatedY)) {
+        return;
+    }
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        if (isOfPoint(row[i]) && countIn(row, row[i]) > 1) {
+            row[i].meaning.owner = std::to_string(countIn(row.first(i), row[i]));
+            row[i].meaning.doubt = Doubt::IsOfPart;
+        }
+    }
+}
+
+/// Takes the meaning from headings of the crank pin.
+void excludeCrankPin(std::span<RawColumn> row)
+{
+    for (RawColumn &column : row) {
+        if (isOfPointA(column, row) || isCrankPinOfSolve(column, row)) {
+            column.meaning = {.reason = ColumnReason::CrankPin};
+        }
+    }
+}
+
+/// Returns whether a word is the symbol of an angle or angular velocity, or begins like "angular" in some language.
+bool isAngular(const std::string &word)
+{
+    constexpr std::array<std::string_view, 8> kBeginnings{"ang", "winkel", "hoek",   "kat",
+                                                          "uhl", "unghi",  "vinkel", "угл"};
+    const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
+    const auto isBeginning = [&word](std::string_view beginning) { return word.starts_with(beginning); };
+    return (symbol && symbol->dimension == Dimension::Angle) || std::ranges::any_of(kBeginnings, isBeginning);
+}
+
+/// Decides whether a speed of rotation in 1/s or Hz is in rad/s or in turns per second, by its name:
+///
+///     n, Drehzahl               1/s, Hz   turns per second
+///     ω, angular velocity       1/s       rad/s
+///     crank speed               Hz        turns per second
+///     ω, angular velocity       Hz        only a person can tell
+///     crank speed               1/s       only a person can tell
+///     fs, another unknown name  Hz        not used: the frequency of anything
+void resolveReciprocalSeconds(RawColumn &column)
+{
+    NameMeaning &meaning = column.meaning;
+    const std::string unit = lowered(column.use.unit);
+    const std::optional<Unit> parsed = parseUnit(unit);
+    const bool isHertz = unit == "hz" || unit == "hertz";
+    const bool isReciprocal = isHertz || (parsed == parseUnit("1/s") && unit.find("rad") == unit.npos);
+    if (!isReciprocal || meaning.kind < Kind::Quantity || meaning.kind >= Kind::ChannelName) {
+        return;
+    }
+    const Words words = wordsOf(column.name);
+    const bool isInTurns = !unitOfRotation(words).empty() || std::ranges::count(words, "n") > 0;
+    const bool isInRadians = !isInTurns && std::ranges::any_of(words, isAngular);
+    if (isInTurns) {
+        column.use.unit = "rev/s";
+    } else if (isHertz && meaning.hasUnknownWords) {
+        meaning = {.channel = meaning.channel, .reason = ColumnReason::UnknownBody};
+    } else if (isHertz == isInRadians) { // "ω [Hz]" contradicts itself, and "crank speed [1/s]" leaves it open
+        meaning = {.channel = meaning.channel, .reason = ColumnReason::TurnsOrRadians};
+    } else if (isHertz) {
+        column.use.unit = "rev/s";
+    }
+}
+
+/// Completes the names and units of components, which PMKS+ writes behind the magnitude of their vector: "Velocity
+/// (cm/s)", "X-comp", "Y-comp". Marks the magnitude.
+void completeComponents(std::span<RawColumn> row)
+{
+    RawColumn *vector = nullptr;
+    for (RawColumn &column : row) {
+        const bool isComponent = isAmong(column.name, "X-comp Y-comp");
+        if (isComponent && vector) {
+            vector->use.reason = ColumnReason::Magnitude;
+            column.name = vector->name + (column.name[0] == 'X' ? " x" : " y");
+            column.use.unit = column.use.unit.empty() ? vector->use.unit : column.use.unit;
+            column.meaning = meaningOf(column.name, column.use.unit);
+        } else if (!isComponent) {
+            const bool isQuantity = meaningOf(column.name, column.use.unit).kind == Kind::Quantity;
+            vector = isQuantity ? &column : nullptr;
+        }
+    }
+}
+
+/// Returns whether the values of a position contradict the implied unit m or rad: a length that travels more than 10 m;
+/// an angle that spans more than a turn and reverses (a coupler does not), or advances by more than half a turn per
+/// row.
+bool contradictsSi(const RawColumn &column)
+{
+    constexpr double kMaxTravel = 10.0;                  // m
+    constexpr double kMaxSwing = 2.0 * std::numbers::pi; // rad
+    constexpr double kMaxStep = std::numbers::pi;        // rad from row to row, on average
+    const double width = rangeOf(column.values).width();
+    if (column.meaning.channel.order != Order::Position) {
+        return false;
+    }
+    if (!isAngle(column.meaning.channel.coordinate)) {
+        return width > kMaxTravel;
+    }
+    const std::vector<double> angles = column.finiteValues();
+    return width > kMaxSwing && (findReversal(angles) || width > kMaxStep * static_cast<double>(angles.size()));
+}
+
+/// If the path of any name implies m, rad and s, those of the other names without a unit do, too: "slider.frame_a.x"
+/// beside "slider.v". But if the values of one column contradict that, no path does.
+void implySiUnits(std::span<RawColumn> row)
+{
+    const auto isInSi = [](const RawColumn &column) { return column.meaning.reason == ColumnReason::PathInSi; };
+    if (std::ranges::none_of(row, isInSi)) {
+        return;
+    }
+    for (RawColumn &column : row) {
+        NameMeaning &meaning = column.meaning;
+        if (column.use.unit.empty() && meaning.kind >= Kind::Quantity && !meaning.owner.empty()) {
+            meaning.reason = ColumnReason::PathInSi;
+        }
+    }
+    if (std::ranges::none_of(row, [&](const RawColumn &column) { return isInSi(column) && contradictsSi(column); })) {
+        return;
+    }
+    for (RawColumn &column : row) {
+        NameMeaning &meaning = column.meaning;
+        const ColumnReason named = meaning.kind >= Kind::Words ? ColumnReason::KnownName : ColumnReason::QuantityInName;
+        meaning.reason = isInSi(column) ? named : meaning.reason;
+    }
+}
+
+/// Symbols such as "x_B" or "d" beside θ₂ or θ₃ are those of a textbook, which denote the slider: its columns need no
+/// confirmation by a person.
+void recognizeTextbook(std::span<RawColumn> row)
+{
+    const auto isAngleOfLink = [](const RawColumn &column) {
+        const Coordinate coordinate = column.meaning.channel.coordinate;
+        return column.meaning.kind >= Kind::Words && (coordinate == Theta2 || coordinate == Theta3) &&
+               beginsWithSymbol(column.name);
+    };
+    if (std::ranges::none_of(row, isAngleOfLink)) {
+        return;
+    }
+    for (RawColumn &column : row) {
+        NameMeaning &meaning = column.meaning;
+        const bool isGuess = meaning.kind == Kind::Quantity && meaning.reason == ColumnReason::QuantityInName;
+        if (isGuess && meaning.channel.coordinate == R4x && beginsWithSymbol(column.name)) {
+            meaning.reason = ColumnReason::KnownName;
+        }
+    }
+}
+
+/// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Paths of some programs imply
+/// m, rad and s; "rpm" and the like are units themselves; ω and α are in rad/s and rad/s²; and another derivative is in
+/// the unit of its position.
+std::string impliedUnit(const RawColumn &column, std::span<const RawColumn> row)
+{
+    const NameMeaning &meaning = column.meaning;
+    const std::string perTime(derivativeSuffix(meaning.channel.order));
+    if (meaning.reason == ColumnReason::PathInSi) {
+        return (isAngle(meaning.channel.coordinate) ? "rad" : "m") + perTime;
+    }
+    if (const std::string_view unit = unitOfRotation(wordsOf(column.name)); !unit.empty()) {
+        return std::string(unit);
+    }
+    const auto isAngularRate = [](const std::string &word) { // ω or α
+        const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
+        return symbol && symbol->dimension == Dimension::Angle && symbol->order > Order::Position;
+    };
+    if (meaning.channel.order != Order::Position && isAngle(meaning.channel.coordinate) &&
+        meaning.doubt != Doubt::IsAngle &&
+        (isAngularRate(meaning.symbol) || std::ranges::any_of(wordsOf(column.name), isAngularRate))) {
+        return "rad" + perTime;
+    }
+    const auto isPosition = [&](const RawColumn &other) {
+        return other.meaning.kind >= Kind::Quantity &&
+               other.meaning.channel == Channel{meaning.channel.coordinate, Order::Position} &&
+               (meaning.hasUnknownWords || !other.meaning.hasUnknownWords);
+    };
+    const RawColumn *const position = findElement(row, isPosition);
+    const std::optional<Unit> unit = position ? parseUnit(position->use.unit) : std::nullopt;
+    const bool differs = unit && unit->factor != 1.0;
+    return differs && meaning.channel.order != Order::Position ? position->use.unit + perTime : std::string();
+}
+
+} // namespace
+
+void interpretHeadings(std::span<RawColumn> row)
+{
+    completeComponents(row);
+    resolveDerivatives(row);
+    resolveAlphas(row);
+    separatePoints(row);
+    excludeCrankPin(row);
+    std::ranges::for_each(row, resolveReciprocalSeconds);
+    implySiUnits(row);
+    for (RawColumn &column : row) {
+        if (column.meaning.kind == Kind::Nothing) {
+            column.use.reason = column.use.heading.empty() ? ColumnReason::NoName : column.meaning.reason;
+        }
+        if (column.meaning.kind >= Kind::Quantity && column.use.unit.empty()) {
+            column.use.unit = impliedUnit(column, row);
+        }
+    }
+    recognizeTextbook(row);
+}
+
+} // namespace slidercrank
