@@ -337,22 +337,23 @@ private slots:
     /// Without a unit, values from 0 to 2π are radians, and so are the other angles without one.
     void recognizesRadians()
     {
-        const auto table = [](const char *headings, double first, double step, int rows) {
+        const auto table = [](const char *headings, double first, double step, int rows, char format = 'f') {
             QByteArray text = headings;
             for (int i = 0; i < rows; ++i) {
                 const double angle = first + i * step;
                 const double limited = angle > 6.2832 && rows > 40 ? angle - 2.0 * std::numbers::pi : angle;
                 const double sine = (15.0 - 40.0 * std::sin(angle)) / 120.0; // of θ3
                 const double x = 40.0 * std::cos(angle) + 120.0 * std::sqrt(1.0 - sine * sine);
-                text += '\n' + QByteArray::number(limited, 'f', 4) + ',' + QByteArray::number(std::asin(sine), 'f', 6) +
-                        ',' + QByteArray::number(x, 'f', 4);
+                text += '\n' + QByteArray::number(limited, format, format == 'f' ? 4 : 6) + ',' +
+                        QByteArray::number(std::asin(sine), 'f', 6) + ',' + QByteArray::number(x, 'f', 4);
             }
             return read(text);
         };
         constexpr double kPi = std::numbers::pi;
-        for (const Outcome &outcome : {table("θ2,θ3,x", 0.0, kPi / 12.0, 25), table("θ2,θ3,x", -kPi, kPi / 18.0, 37),
-                                       table("θ2,θ3,x", 0.0, kPi / 12.0, 13), table("θ2,θ3,x", 0.0, 0.1, 63),
-                                       table("θ2,θ3,x", 0.0, kPi / 12.0, 48)}) {
+        for (const Outcome &outcome :
+             {table("θ2,θ3,x", 0.0, kPi / 12.0, 25), table("θ2,θ3,x", -kPi, kPi / 18.0, 37),
+              table("θ2,θ3,x", 0.0, kPi / 12.0, 13), table("θ2,θ3,x", 0.0, 0.1, 63),
+              table("θ2,θ3,x", 0.0, kPi / 12.0, 48), table("θ2,θ3,x", 0.0, kPi / 36.0, 73, 'g')}) {
             const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
             QVERIFY2(data && data->crank, described(outcome).c_str());
             QVERIFY(rangeOf(data->crank->degrees).width() > 179.9);
@@ -477,12 +478,12 @@ private slots:
     {
         const std::vector<std::pair<const char *, Kind>> rareForms{
             {"{| class=\"wikitable\"\n|-\n! t (s) !! x (mm)\n|-\n| 0 || 85\n|-\n| 1 || 84\n|-\n| 2 || 80\n|}\n",
-             Kind::NamesMissing}, // MediaWiki
+             Kind::NamesMissing},                                                // MediaWiki
             {"||t (s)||x (mm)||\n|0|85|\n|1|84|\n|2|80|\n", Kind::MoreHeadings}, // Jira
             {"     +--------+\n     |  t   x |\n     |--------|\n  1. |  0  85 |\n  2. |  1  84 |\n  3. |  2  80 |\n",
              Kind::FewerHeadings}, // Stata
             {"@RELATION crank\n@ATTRIBUTE time NUMERIC\n@ATTRIBUTE x_mm REAL\n\n@DATA\n0,85\n1,84\n2,80\n",
-             Kind::NamesMissing}, // Weka
+             Kind::NamesMissing},                                                              // Weka
             {"t, \xD3;x, \xCD\xCD;v, \xCD\xCD/\xD3\n0;85;1\n1;84;2\n2;80;3\n", Kind::NoTime}}; // KOI8-R
         for (const auto &[text, kind] : rareForms) {
             const Outcome outcome = read(text);
