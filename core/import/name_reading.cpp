@@ -188,7 +188,7 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
         return merge(reading, *filler);
     }
     const bool isOfBody = entries == Entries::WithoutSymbols; // a part of a path that names the body
-    if (reading.isLabelled || (isOfBody && (isLabel || isAmong(word, "px py")))) {
+    if (reading.isLabelled || (isOfBody && (isLabel || isAmong(word, "px py pz")))) {
         return true; // "Crank_Joint.Rz.q", and the prismatic joint of "Slider Joint.Px.v"
     }
     if (!isOfBody && reading.hasSymbol && findWord(word, WordUse::AmbiguousLetter)) {
