@@ -279,30 +279,26 @@ Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner
     return path;
 }
 
-/// Removes x, y and their derivatives without the name of a point that describe a curved path: they are not those of
-/// the slider. If there is a position x, only the orders whose own path is curved are removed; else a curved path of
-/// one order decides for all. Two positions are kept: the slider may also move along an inclined line, which the
+/// Removes velocities and accelerations without the name of a point whose x and y describe a curve: they are not those
+/// of the slider. Beside two positions they are kept: the slider may also move along an inclined line, which the
 /// identification finds out.
 void removeUnnamedCurvedPath(std::vector<RawColumn *> &candidates)
 {
     const auto find = [&](Coordinate coordinate, Order order) {
         return findUnnamed(candidates, {coordinate, order}, {});
     };
-    const bool hasX = find(R4x, Order::Position);
-    if (hasX && find(R4y, Order::Position)) {
+    if (find(R4x, Order::Position) && find(R4y, Order::Position)) {
         return;
     }
-    std::set<Order> curvedOrders;
-    for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
-        const Path path = hasX ? pathOf(find(R4x, order), find(R4y, order)) : pathOf(candidates, {});
-        if (path == Path::Curved) {
-            curvedOrders.insert(order);
+    for (const Order order : {Order::Velocity, Order::Acceleration}) {
+        if (pathOf(find(R4x, order), find(R4y, order)) != Path::Curved) {
+            continue;
         }
+        removeColumns(candidates, ColumnReason::UnknownBody, [order](const RawColumn &column) {
+            return isOfUnnamedBody(&column) && column.meaning.owner.empty() && column.use.channel.order == order &&
+                   !isAngle(column.use.channel.coordinate);
+        });
     }
-    removeColumns(candidates, ColumnReason::UnknownBody, [&](const RawColumn &column) {
-        return isOfUnnamedBody(&column) && column.meaning.owner.empty() && !isAngle(column.use.channel.coordinate) &&
-               curvedOrders.contains(column.use.channel.order);
-    });
 }
 
 /// Returns whether the owner of a column is A, the crank pin.
