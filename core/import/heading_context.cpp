@@ -43,19 +43,6 @@ bool isSecondDerivative(const RawColumn &column)
     return isAcceleration && isMarked && meaning.doubt == Doubt::None;
 }
 
-/// Returns whether the name is "v_p", "a_p" or "xp_dot", of the piston. "vp" and "ap" are such names in a row without
-/// "v" and "a", whose derivatives they would be.
-bool isOfPiston(const RawColumn &column, std::span<const RawColumn> row)
-{
-    const Words words = wordsOf(column.name);
-    if (words.size() == 1 && isAmong(words[0], "vp ap")) {
-        const std::string symbol = words[0].substr(0, 1);
-        return std::ranges::none_of(row, [&](const RawColumn &other) { return lowered(other.name) == symbol; });
-    }
-    const bool isMarked = words.size() == 2 && isAmong(words[0], "xp sp") && isAmong(words[1], "dot ddot d dd");
-    return isMarked || (words.size() == 2 && isAmong(words[0], "v a") && words[1] == "p");
-}
-
 /// Returns whether the name is that of a displacement and no differential: "DX" of Adams, or "dx" beside "vx".
 bool isDisplacement(const RawColumn &column, std::span<const RawColumn> row)
 {
@@ -96,30 +83,34 @@ bool isCrankPinOfSolve(const RawColumn &column, std::span<const RawColumn> row)
 }
 
 /// Decides between the meanings of "xp", "dx" and the like by the other columns: beside "xpp" or "d2x" they are
-/// derivatives; beside "v_p", or without an "x", "x_p" is the x of the piston; and "DX", or "dx" beside "vx", is a
-/// displacement. Otherwise only a person can tell.
+/// derivatives; without an "x", "xp" is the x of the piston; and "DX", or "dx" beside "vx", is a displacement.
+/// Otherwise only a person can tell.
 void resolveDerivatives(std::span<RawColumn> row)
 {
-    const auto isNamed = [&](std::string_view name) {
+    const auto isNamed = [&](const std::string &name) {
         return std::ranges::any_of(row, [&](const RawColumn &column) { return lowered(column.name) == name; });
     };
+    const auto mayBeOfPiston = [](const RawColumn &column) {
+        return column.meaning.doubt == Doubt::IsPistonsIndex && !isAngle(column.meaning.channel.coordinate);
+    };
+    const bool areSeveral = std::ranges::count_if(row, mayBeOfPiston) > 1;
     const bool hasSecond = std::ranges::any_of(row, isSecondDerivative);
-    const bool hasPiston =
-        std::ranges::any_of(row, [&row](const RawColumn &column) { return isOfPiston(column, row); });
     for (RawColumn &column : row) {
         NameMeaning &meaning = column.meaning;
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
             continue;
         }
-        const std::string name = lowered(column.name);
-        const bool isIndex =
-            hasPiston || ((name.ends_with("_p") || name.ends_with("(p)")) && !isNamed(name.substr(0, 1)));
+        std::string symbol = lowered(column.name); // the "x" of "x_p" and "xp_dot"
+        symbol.resize(std::min(symbol.rfind('p'), symbol.size()));
+        const bool isApart = symbol.ends_with('_') || symbol.ends_with('(');
+        symbol.erase(symbol.find_last_not_of("_(") + 1);
+        const bool isOfPiston = mayBeOfPiston(column) && (isApart || areSeveral) && !isNamed(symbol);
         if (isDisplacement(column, row)) {
             meaning.doubt = Doubt::None;
         } else if (hasSecond && meaning.channel.order < Order::Acceleration) {
             const bool isOfPosition = meaning.channel.order == Order::Position;
             meaning.channel.order = isOfPosition ? Order::Velocity : Order::Acceleration;
-        } else if (meaning.doubt == Doubt::IsDerivative || !isIndex) {
+        } else if (!isOfPiston) {
             meaning = {.reason = ColumnReason::UnknownBody};
         }
     }
