@@ -43,29 +43,13 @@ Cells labelsOf(const Line &line, char delimiter)
     return labels;
 }
 
-} // namespace
-
-std::optional<LabelledRow> findLabelledRow(Lines lines)
-{
-    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-        for (const char delimiter : std::string_view("\t;,| ")) {
-            const Cells labels = labelsOf(lines[i], delimiter);
-            const bool areLabels = labels.size() > 1 && std::ranges::count(labels, std::string_view()) == 0;
-            if (areLabels && labels == labelsOf(lines[i + 1], delimiter)) {
-                return LabelledRow{labels, delimiter, i};
-            }
-        }
-    }
-    return std::nullopt;
-}
-
-std::vector<Heading> headingsOfLabels(const LabelledRow &row, const Line &line)
+/// Returns the headings of the columns, with the labels and units of the cells of the first row.
+std::vector<Heading> headingsOf(const Cells &labels, const Cells &cells)
 {
     std::vector<Heading> headings;
-    const Cells cells = splitCells(line.text, row.delimiter);
     for (std::size_t i = 0; i < cells.size(); ++i) {
-        const std::string_view label = row.labels[i];
-        if (label == cells[i]) { // without a number
+        const std::string_view label = labels[i]; // with its mark ":" or "="
+        if (label == cells[i]) {                  // without a number
             headings.emplace_back();
             continue;
         }
@@ -76,6 +60,22 @@ std::vector<Heading> headingsOfLabels(const LabelledRow &row, const Line &line)
         heading.cells.unit = splitUnit(trimmed(number)).unit;
     }
     return headings;
+}
+
+} // namespace
+
+std::optional<TableTop> readLabelledRows(Lines lines)
+{
+    for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
+        for (const char delimiter : std::string_view("\t;,| ")) {
+            const Cells labels = labelsOf(lines[i], delimiter);
+            const bool areLabels = labels.size() > 1 && std::ranges::count(labels, std::string_view()) == 0;
+            if (areLabels && labels == labelsOf(lines[i + 1], delimiter)) {
+                return TableTop{headingsOf(labels, splitCells(lines[i].text, delimiter)), i, delimiter};
+            }
+        }
+    }
+    return std::nullopt;
 }
 
 } // namespace slidercrank

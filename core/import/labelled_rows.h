@@ -5,7 +5,6 @@
 //
 //     t:0.1,angle:12.5          x = 85 mm, y = 3 mm
 
-#include "core/import/cells.h"
 #include "core/import/heading.h"
 #include "core/import/lines.h"
 
@@ -16,18 +15,16 @@
 namespace slidercrank
 {
 
-/// A row whose cells have labels.
-struct LabelledRow {
-    Cells labels{}; ///< with their marks ":" and "="; a cell that is only a label is its own label
+/// What is above the rows of numbers, or named in them.
+struct TableTop {
+    std::vector<Heading> headings{};
+    std::size_t firstRow = 0; ///< index of the first row of numbers among the lines
     char delimiter = ',';
-    std::size_t line = 0; ///< index among the lines of the file
 };
 
-/// Returns the first line whose cells have the same labels before their numbers as those of the next line.
-std::optional<LabelledRow> findLabelledRow(Lines lines);
-
-/// Returns the headings of the table, with the labels and units of the cells in `line`, its first row. The columns of
-/// cells that are only labels have empty headings.
-std::vector<Heading> headingsOfLabels(const LabelledRow &row, const Line &line);
+/// Finds the first line whose cells have the same labels before their numbers as those of the next line. Returns the
+/// headings with these labels and the units of its cells; those of cells that are only labels are empty. Returns
+/// nullopt if there is no such line.
+std::optional<TableTop> readLabelledRows(Lines lines);
 
 } // namespace slidercrank

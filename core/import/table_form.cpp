@@ -110,13 +110,6 @@ void readUnitsInCells(const NumberRow &row, std::size_t line, std::vector<Headin
     }
 }
 
-/// What is above the rows of numbers.
-struct TableTop {
-    std::vector<Heading> headings{};
-    std::size_t firstRow = 0; ///< index of the first row of numbers among the lines
-    char delimiter = ',';
-};
-
 /// Reads a line of headings with the lines of units and further headings above and below it.
 TableTop readTop(Lines lines, const HeadingCandidate &header, const NumberRow &row)
 {
@@ -140,7 +133,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
     const NumberRow row = findFirstRow(examined);
-    const std::optional<LabelledRow> labelled = row.isFound() ? std::nullopt : findLabelledRow(examined);
+    const std::optional<TableTop> labelled = row.isFound() ? std::nullopt : readLabelledRows(examined);
     if (!row.isFound() && !labelled && isProse(lines)) { // many words, whose meanings would take long to find
         throw ReadError{.fault = {ReadFault::Kind::NotATable}};
     }
@@ -151,10 +144,8 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     }
     TableTop top{.headings = std::vector<Heading>(row.cells.size()), .firstRow = row.line, .delimiter = row.delimiter};
     if (labelled) {
-        layout.headerLine = lines[labelled->line].number;
-        top = {.headings = headingsOfLabels(*labelled, lines[labelled->line]),
-               .firstRow = labelled->line,
-               .delimiter = labelled->delimiter};
+        layout.headerLine = lines[labelled->firstRow].number;
+        top = *labelled;
     } else if (header) {
         layout.headerLine = lines[header->line].number;
         top = readTop(lines, *header, row);
