@@ -173,7 +173,7 @@ std::optional<QString> insertField(const QString &field, const QString &text, QJ
     const auto section = std::ranges::find_if(kSections, hasField);
     if (section == kSections.end()) {
         return SceneLinkText::tr("The link contains “%1”, which is not a setting. It is written as in %2.")
-            .arg(printableText(field), "slidercrank.html#a=40&b=120&c=20&omega2=60rpm&theta20=30deg");
+            .arg(printableText(field), "slidercrank.html#b=120&omega2=60rpm");
     }
     QJsonObject fields = scene[*section].toObject();
     QJsonValue value = text;
