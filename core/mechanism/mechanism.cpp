@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mechanism/mechanism.h"
 
+#include "core/mechanism/turn.h"
+
 #include <cassert>
 #include <cmath>
 
@@ -104,7 +106,8 @@ Mechanism withDrive(const Mechanism &mechanism, double omega2, double theta20)
 {
     Parameters parameters = mechanism.parameters();
     parameters.omega2 = omega2;
-    parameters.theta20 = theta20;
+    // After very many turns, the crank angle of a motion is larger than a parameter may be.
+    parameters.theta20 = std::abs(theta20) <= kLargestParameter ? theta20 : wrapToPi(theta20);
     return Mechanism(parameters);
 }
 

@@ -143,6 +143,17 @@ private slots:
         QVERIFY(std::isnan(wrapToPi(kNone)) && std::isnan(wrapToTwoPi(kInfinity)));
     }
 
+    /// A former defect: the motion at such an angle ended the program, or was that of an impossible parameter.
+    void aCrankMayHaveMadeVeryManyTurns()
+    {
+        constexpr double kAngle = 3.0 * kLargestParameter; // rad
+        const Mechanism mechanism = withCrankAt(Mechanism(Parameters()), kAngle);
+        QVERIFY(!findFault(mechanism.parameters()));
+        const double spacing = std::nextafter(kAngle, kInfinity) - kAngle; // of the doubles near this angle
+        QVERIFY(std::abs(std::remainder(mechanism.theta20() - kAngle, kTurn)) < spacing);
+        QCOMPARE(withCrankAt(mechanism, 7.0).theta20(), 7.0);
+    }
+
     void tablesHaveARowForEachEnumerator()
     {
         struct OrderRow {
