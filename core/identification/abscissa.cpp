@@ -142,8 +142,7 @@ std::optional<ObservedFit> withFittedAngles(const ObservedFit &current)
     const double shift = (found.theta20 - fit.model.mechanism.theta20) / fit.model.angleFactor;
     ObservedFit moved{.wholeFile = withMovedAngles(current.wholeFile, stretch, shift),
                       .searched = withMovedAngles(current.searched, stretch, shift),
-                      .fit = fit,
-                      .errorsOfAngles = ParameterErrors{}};
+                      .fit = fit};
     const Values moves = (moved.wholeFile.angle - moved.wholeFile.printedAngle).abs();
     const double errorOfStart = standardErrorOf(freeFit, {Unknown::Kind::CrankAngle}) / std::abs(fit.model.angleFactor);
     const double halfStep = current.wholeFile.angleHalfStep;
@@ -152,7 +151,7 @@ std::optional<ObservedFit> withFittedAngles(const ObservedFit &current)
     }
     for (const Parameter length : kLengths) {
         valueOf(moved.fit.model.mechanism, length) = valueOf(found, length);
-        (*moved.errorsOfAngles)[indexOf(length)] = standardErrorOf(freeFit, toUnknown(length));
+        moved.errorsOfAngles[indexOf(length)] = standardErrorOf(freeFit, toUnknown(length));
     }
     moved.fit = fitModel(moved.searched, moved.fit.model, fit.columns, fit.unknowns);
     return isExact(moved.searched, moved.fit) ? std::optional(std::move(moved)) : std::nullopt;

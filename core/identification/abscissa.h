@@ -6,8 +6,6 @@
 #include "core/identification/drive.h"
 #include "core/identification/fit.h"
 
-#include <optional>
-
 namespace slidercrank
 {
 
@@ -16,7 +14,7 @@ struct ObservedFit {
     Observations wholeFile; ///< all rows of the file
     Observations searched;  ///< the rows to which the model was fitted
     Fit fit;
-    std::optional<ParameterErrors> errorsOfAngles{}; ///< possible errors of the lengths, if rounded angles were moved
+    ParameterErrors errorsOfAngles{}; ///< possible errors of the lengths because the angles were fitted; else 0
 };
 
 /// Chooses the evenly spaced time stamps or angles that observe() has put in the place of rounded ones, the printed

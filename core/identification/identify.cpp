@@ -15,6 +15,7 @@
 #include "core/import/crank_angles.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <tuple>
 #include <utility>
@@ -94,7 +95,9 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGe
     leaveOutUnusedAngle(findings.leftOut, data, current.wholeFile);
     findings.speeds = std::move(further.speeds);
     ConstrainedFit ofAllColumns = withoutFreedoms(current.searched, std::move(further.fit), geometry);
-    ofAllColumns.possibleErrors = current.errorsOfAngles.value_or(ofAllColumns.possibleErrors);
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        ofAllColumns.possibleErrors[i] = std::hypot(ofAllColumns.possibleErrors[i], current.errorsOfAngles[i]);
+    }
     findings.lastFit =
         fitAllRows(std::move(current.wholeFile), ofAllColumns.fit, ofAllColumns.possibleErrors, findings.drive);
     if (findings.lastFit.fit.isFinite()) {
