@@ -83,6 +83,15 @@ bool hasOneCoordinate(const LastFit &lastFit)
         used, [&](Index k) { return columns[k].channel.coordinate == columns[used.front()].channel.coordinate; });
 }
 
+/// Whether the columns of the fit are positions over the time alone, at least one of which needs an origin.
+bool arePositionsFromOrigin(const LastFit &lastFit)
+{
+    const Observations &observations = lastFit.observations;
+    const auto isOrigin = [](Unknown unknown) { return unknown.kind == UnknownKind::Origin; };
+    return !observations.hasAngle() && !observations.containDerivatives(lastFit.fit.columns) &&
+           std::ranges::any_of(lastFit.fit.unknowns, isOrigin);
+}
+
 /// Which unknown parameters the file leaves open. `errors`: the result of worstCaseErrors(). A parameter whose error is
 /// NaN belongs to the drive, and is open only if all are.
 ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors &errors, bool areResidualsSystematic)
@@ -92,10 +101,11 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
     const std::array<double, kParameterCount> sizes{m.a, m.b, std::max(m.a, std::abs(m.c)), std::abs(m.omega2), 1.0};
     // A motion that is only approximately that of a long coupler hardly shows its length, however small the errors are.
     const bool isCouplerOpen = !lastFit.isExact && hidesLengths(m);
-    // On an arc, many motions resemble each other. If a mechanism explains one coordinate there only approximately, no
-    // other coordinate confirms that it is the one that moved.
-    const bool isEverythingOpen =
-        areResidualsSystematic && isShortArc(lastFit.observations, fit.model) && hasOneCoordinate(lastFit);
+    // On an arc, many motions resemble each other, and over the time so do the positions behind a filter and those of a
+    // different mechanism with a different origin. If a mechanism explains one coordinate only approximately, no other
+    // one confirms that it is the one that moved.
+    const bool isAmbiguous = isShortArc(lastFit.observations, fit.model) || arePositionsFromOrigin(lastFit);
+    const bool isEverythingOpen = areResidualsSystematic && isAmbiguous && hasOneCoordinate(lastFit);
     const ParameterErrors changes = lastFit.isExact ? ParameterErrors{} : changesByRipple(lastFit);
     ParameterFlags open{};
     for (const Unknown unknown : fit.unknowns) {

@@ -155,6 +155,7 @@ private slots:
         QTest::newRow("c >> a") << 101 << 2;             // a search that had not ended refuted the derivatives
         QTest::newRow("a tenth of a turn") << 5 << 2;    // the lengths of a search that had not ended
         QTest::newRow("jitter of the time") << 404 << 6; // late rows were outliers
+        QTest::newRow("zero-phase low-pass") << 55 << 4; // a different mechanism with an invented origin
         QTest::newRow("the slider along y") << 404 << 2; // c was that of a constant column, which is rounded
     }
     void areTrueWhereTheyWereFalse()
