@@ -39,6 +39,7 @@ void changeValues(const Convention &convention, int timePower, std::vector<doubl
     const Kind kind = convention.kind;
     const bool unwraps = kind == Kind::HalfTurn || kind == Kind::WholeTurns;
     if (unwraps) {
+        rounding = rounding.withDecimalsAt(rangeOf(values).size()); // those of 359.948, not of -0.052
         removeJumps(values, 360.0);
     }
     if (unwraps || kind == Kind::ZeroPoint || kind == Kind::TimeShift) {

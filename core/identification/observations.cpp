@@ -66,18 +66,13 @@ ObservedColumn readColumn(const ReferenceData &data, const ReferenceSeries &seri
     const double unit = isAnAngle ? 1.0 / kDegreesPerRadian : 1.0;
     std::vector<double> values(rows.size());
     std::ranges::transform(rows, values.begin(), [&](Index row) { return series.values[row] * unit; });
-    Rounding rounding = series.rounding;
     const bool hadJumps = isAnAngle && series.channel.order == Order::Position && removeJumps(values, kTurn);
-    if (hadJumps) {
-        // The values were rounded before the turns were added: they have the decimals of angles within one turn.
-        rounding = rounding.withDecimalsAt(kTurn * kDegreesPerRadian);
-    }
     const ValueRange range = rangeOf(values);
     ObservedColumn column{
         .channel = series.channel, .statesUnit = statesUnit(data.layout, series.channel), .hadJumps = hadJumps};
     column.range = range.count > 0 ? range.width() : 0.0;
     column.values = Eigen::Map<const Values>(values.data(), std::ssize(values));
-    column.setHalfSteps(computeHalfSteps(series.values, rounding, rows, unit, range.size()));
+    column.setHalfSteps(computeHalfSteps(series.values, series.rounding, rows, unit, range.size()));
     return column;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/typing_errors.h"
 
+#include "core/import/crank_angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -65,6 +67,9 @@ SuspiciousValue findMostSuspicious(const ReferenceSeries &series)
 {
     constexpr double kSteps = 0.5; // rounding steps that count as much as the median of the errors
     std::vector<double> values = series.values;
+    if (isAngle(series.channel.coordinate) && series.channel.order == Order::Position) {
+        removeJumps(values, 360.0);
+    }
     std::vector<PossibleError> errors = fitErrors(values);
     const auto largest = std::ranges::max_element(errors, {}, &PossibleError::explained);
     const std::size_t row = static_cast<std::size_t>(largest - errors.begin());

@@ -13,8 +13,8 @@ namespace slidercrank
 
 /// Returns the row that may contain a typing error: that of the value which is farthest from a smooth curve through its
 /// neighbours, compared with the other values of its column. Returns nullopt if no value is much farther than the
-/// others and than its rounding, and for tables of more rows than a person types. A curve with a corner, such as an
-/// angle that jumps by a turn, may also be returned.
+/// others and than its rounding, and for tables of more rows than a person types. An angle may jump by whole turns. A row
+/// at a corner of a curve may also be returned.
 std::optional<std::size_t> findSuspiciousRow(const ReferenceData &data);
 
 /// Returns the table with gaps in all columns of a row.

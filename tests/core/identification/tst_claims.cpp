@@ -151,12 +151,13 @@ private slots:
         QTest::newRow("time stamps with four decimals") << 303 << 9; // R4_x_diff2 was called finite differences
         QTest::newRow("two mechanisms") << 303 << 1;                 // an origin was invented
         QTest::newRow("standstill") << 5 << 8; // a mechanism with a different origin, from two thirds of a turn
-        QTest::newRow("damped oscillation") << 77 << 5;  // the same, from half a turn
-        QTest::newRow("c >> a") << 101 << 2;             // a search that had not ended refuted the derivatives
-        QTest::newRow("a tenth of a turn") << 5 << 2;    // the lengths of a search that had not ended
-        QTest::newRow("jitter of the time") << 404 << 6; // late rows were outliers
-        QTest::newRow("zero-phase low-pass") << 55 << 4; // a different mechanism with an invented origin
-        QTest::newRow("the slider along y") << 404 << 2; // c was that of a constant column, which is rounded
+        QTest::newRow("damped oscillation") << 77 << 5;     // the same, from half a turn
+        QTest::newRow("c >> a") << 101 << 2;                // a search that had not ended refuted the derivatives
+        QTest::newRow("a tenth of a turn") << 5 << 2;       // the lengths of a search that had not ended
+        QTest::newRow("jitter of the time") << 404 << 6;    // late rows were outliers
+        QTest::newRow("zero-phase low-pass") << 55 << 4;    // a different mechanism with an invented origin
+        QTest::newRow("theta3 within 0 to 360") << 77 << 7; // the first value, 359.948, was a typing error
+        QTest::newRow("the slider along y") << 404 << 2;    // c was that of a constant column, which is rounded
     }
     void areTrueWhereTheyWereFalse()
     {
