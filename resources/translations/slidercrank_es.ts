@@ -5339,6 +5339,10 @@ perpendicular a la línea de la corredera.</translation>
         <translation>La manivela es rápida: muestra una revolución, que dura cuatro segundos al reproducirla</translation>
     </message>
     <message>
+        <source>The time range is only a part of a revolution: shows one revolution</source>
+        <translation>El intervalo de tiempo es solo una parte de una revolución: muestra una revolución</translation>
+    </message>
+    <message>
         <source>Start, duration, steps, one revolution, and the playback speed (Ctrl+R). A fast crank is slowed to four seconds a revolution.</source>
         <translation>Inicio, duración, pasos, una revolución y la velocidad de reproducción (Control+R). Una manivela rápida se ralentiza a cuatro segundos por revolución.</translation>
     </message>

@@ -191,7 +191,6 @@ QLayout *Timeline::createButtons()
     row->addStretch(1);
     m_offer = addButton("oneTurnOffer", nullptr);
     m_offer->setText(tr("One revolution"));
-    m_offer->setToolTip(tr("The crank is fast: shows one revolution, which takes four seconds when it is played"));
     m_offer->hide();
     connect(m_offer, &QToolButton::clicked, this, &Timeline::showOneTurn);
     m_timeRangeButton = addButton("runButton", nullptr);
@@ -313,9 +312,23 @@ void Timeline::showSettings()
     constexpr int kDigits = 3;
     m_timeRangeButton->setText(tr("%1 s · %2× ▾", "duration, playback speed")
                                    .arg(numberText(duration, kDigits), numberText(playbackSpeed(), kDigits)));
-    constexpr double kManyTurns = 5.0;
-    m_offer->setVisible(isFast() && duration > kManyTurns * revolution());
+    showOffer();
     showTime();
+}
+
+/// Offers one revolution if the time range has very many, or only a part of one: then the crank does not reach every
+/// angle.
+void Timeline::showOffer()
+{
+    constexpr double kManyTurns = 5.0;
+    constexpr double kWholeTurn = 0.99; // of a revolution; a speed of 6.28 rad/s is one a second
+    const double turns = m_session->sampling().duration / revolution();
+    const bool showsMany = isFast() && turns > kManyTurns;
+    const bool showsPart = turns < kWholeTurn && revolution() <= kLargestParameter;
+    m_offer->setVisible(showsMany || showsPart);
+    m_offer->setToolTip(showsMany
+                            ? tr("The crank is fast: shows one revolution, which takes four seconds when it is played")
+                            : tr("The time range is only a part of a revolution: shows one revolution"));
 }
 
 void Timeline::editSampling()

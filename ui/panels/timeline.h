@@ -74,6 +74,7 @@ private:
     void goToAngle(double angle);
     void editSampling();
     void showSettings();
+    void showOffer();
     void showTime();
 
     Session *m_session;

@@ -224,6 +224,30 @@ private slots:
         }
     }
 
+    /// A slow crank does not reach every angle in a second: 330° went to 0° without a word.
+    void offersOneRevolutionIfThereAreManyOrLess()
+    {
+        const double turn = 2.0 * std::numbers::pi; // rad/s
+        struct Row {
+            double omega2;
+            double duration;
+            bool isOffered;
+        };
+        for (const Row &row : {Row{turn, 1.0, false}, Row{6.28, 1.0, false}, Row{2.0, 1.0, true}, Row{-2.0, 1.0, true},
+                               Row{2.0, 4.0, false}, Row{100.0, 0.3, false}, Row{100.0, 1.0, true},
+                               Row{100.0, 0.03, true}, Row{0.0, 1.0, false}, Row{1e-13, 1.0, false}}) {
+            Bench bench({.omega2 = row.omega2}, {0.0, row.duration, 200});
+            auto *offer = child<QToolButton>(bench.timeline, "oneTurnOffer");
+            QCOMPARE(!offer->isHidden(), row.isOffered);
+            if (row.isOffered) {
+                bench.click("oneTurnOffer");
+                QVERIFY(offer->isHidden());
+                typeNumber(bench.box("angleBox"), "330");
+                QVERIFY(std::abs(bench.box("angleBox")->value() - 330.0) < 1e-9);
+            }
+        }
+    }
+
     void setsTheSpeed()
     {
         Bench bench({}, {0.0, 2.5, 200});
