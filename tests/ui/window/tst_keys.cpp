@@ -360,6 +360,10 @@ private slots:
             const QString page = QString::fromUtf8(contentOf(name));
             const bool isSpanish = QString(name).contains("spanish");
             QVERIFY(page.contains("C<sub>q</sub>") && !page.contains(QChar(0x307)) && !page.contains(u'_'));
+            for (const char *figure : {"mechanism", "dead_centres", "transmission_angle", "polygons"}) {
+                QVERIFY2(page.contains(QString("<img src=\"qrc:/help/%1.svg\">").arg(figure)), figure);
+                QVERIFY2(contentOf(QString(":/help/%1.svg").arg(figure)).startsWith("<svg"), figure);
+            }
             int keys = 0;
             for (const QAction *action : m_window->findChildren<QAction *>()) {
                 for (const QKeySequence &key : action->shortcuts()) {
