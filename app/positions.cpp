@@ -127,29 +127,6 @@ QString noPosition(const Mechanism &mechanism, const ChannelValue &wanted, doubl
              withUnit(upperBoundText(shownValue(measure, range->greatest, units), kDigits), unit));
 }
 
-bool canBeAssembledAt(const Mechanism &mechanism, double t)
-{
-    return !std::isnan(outputStateAt(mechanism, t).state.q[R4x]);
-}
-
-/// Returns the first time from --start on at which the crank is at the angle theta2 (rad), which is within its range.
-/// If the angle is a limit of the range, rounding may make the time that of an angle beyond it. Then returns the
-/// nearest time at which the mechanism can be assembled.
-double firstTimeAtPosition(const OptionReader &options, const Mechanism &mechanism, double theta2)
-{
-    constexpr int kMaxSteps = 8; // units in the last place; the rounding error of the time is smaller
-    double earlier = firstTimeAtAngle(options, mechanism, theta2);
-    double later = earlier;
-    for (int i = 0; i < kMaxSteps && !canBeAssembledAt(mechanism, later); ++i) {
-        earlier = std::nextafter(earlier, -kInfinity);
-        if (canBeAssembledAt(mechanism, earlier)) {
-            return earlier;
-        }
-        later = std::nextafter(later, kInfinity);
-    }
-    return later;
-}
-
 /// Reads --when: all positions of the revolution that begins at --start. If the crank stands still, the revolution is
 /// counter-clockwise from its angle on.
 std::vector<Positions> readSolutions(const OptionReader &options, const Mechanism &mechanism, const Units &units)
@@ -175,7 +152,7 @@ std::vector<Positions> readSolutions(const OptionReader &options, const Mechanis
     }
     Positions positions{.mechanism = mechanism, .timeStamps = {}};
     for (const double theta2 : *angles) {
-        positions.timeStamps.push_back(firstTimeAtPosition(options, mechanism, theta2));
+        positions.timeStamps.push_back(firstTimeAtAngle(options, mechanism, theta2));
     }
     std::ranges::sort(positions.timeStamps);
     return {positions};

@@ -7,6 +7,7 @@
 #include "app/output.h"
 #include "app/positions.h"
 #include "app/time_step_report.h"
+#include "core/sampling/positions.h"
 #include "ui/document/settings_fields.h"
 #include "ui/export/motion_csv.h"
 
@@ -100,11 +101,11 @@ QByteArray motionJson(const Mechanism &mechanism, Method method, const Table &ta
 }
 
 /// Samples the positions, of which there is at least one.
-Trajectory samplePositions(const std::vector<Positions> &positions, const SampledChannels &channels,
-                           const SolverSettings &solver)
+Trajectory sampleAll(const std::vector<Positions> &positions, const SampledChannels &channels,
+                     const SolverSettings &solver)
 {
     const auto sampleOne = [&](const Positions &each) {
-        return sample(each.mechanism, each.timeStamps, channels, solver);
+        return samplePositions(each.mechanism, each.timeStamps, channels, solver);
     };
     Trajectory motion = sampleOne(positions.front());
     for (const Positions &next : std::span(positions).subspan(1)) {
@@ -172,7 +173,7 @@ void computeMotion(const SolveRequest &request, const std::function<bool(const T
 {
     const SampledChannels channels(request.table.channels, request.alpha2);
     if (!request.positions.empty()) {
-        take(samplePositions(request.positions, channels, request.solver));
+        take(sampleAll(request.positions, channels, request.solver));
     } else if (request.format == OutputFormat::Json) { // JSON holds all values of a channel together
         take(sample(request.mechanism, request.sampling.timeStamps(), channels, request.solver));
     } else {

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/limits/linkage_point.h"
 
-#include "core/limits/output_channel.h"
+#include "core/limits/crank_limit.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace slidercrank
 {
 
 LinkageMotion linkageMotion(const Mechanism &mechanism, double t, double alpha2)
 {
-    const State state = outputStateAt(mechanism, t, alpha2).state;
+    const std::optional<OutputState> limit = crankLimitStateAt(mechanism, motionLimits(mechanism), t, alpha2);
+    const State state = limit ? limit->state : outputStateAt(mechanism, t, alpha2).state;
     const auto motionOf = [&state](Coordinate x, Coordinate y, double factor) {
         const auto vectorOf = [&](const Vector12 &q) { return PlaneVector{factor * q[x], factor * q[y]}; };
         return PointMotion{

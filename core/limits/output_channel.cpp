@@ -3,6 +3,7 @@
 
 #include "core/closed_form/crank_acceleration.h"
 #include "core/closed_form/state_at.h"
+#include "core/limits/crank_limit.h"
 #include "core/limits/mobility.h"
 #include "core/mechanism/enum_table.h"
 #include "core/mechanism/find_element.h"
@@ -246,29 +247,16 @@ OutputState outputStateAt(const Mechanism &mechanism, double t, double alpha2)
     return output;
 }
 
-/// Returns whether the crank angle (rad) is an end of the arc of a rocker, except for rounding. There the coupler is
-/// perpendicular to the slider's line, and the velocities are infinite or, by a rounding error, huge.
-static bool isCrankLimit(const Mechanism &mechanism, double theta2)
-{
-    constexpr double kRounding = 1e-12; // rad
-    return std::ranges::any_of(motionLimits(mechanism).crankLimits, [theta2](const SliderPosition &limit) {
-        return std::abs(wrapToPi(theta2 - limit.theta2)) <= kRounding;
-    });
-}
-
 OutputState unambiguousStateAt(const Mechanism &mechanism, double t, double alpha2)
 {
+    if (const std::optional<OutputState> limit = crankLimitStateAt(mechanism, motionLimits(mechanism), t, alpha2)) {
+        return *limit;
+    }
     OutputState output = outputStateAt(mechanism, t, alpha2);
     const bool isAtRest = mechanism.omega2() == 0.0 && alpha2 == 0.0;
-    if (isAtRest || output.state.status != Status::Solved) {
-        return output;
-    }
-    const double theta2 = output.state.q[Theta2];
-    const bool isLimit = isCrankLimit(mechanism, theta2);
-    if (isLimit || velocitiesJumpAt(mechanism, theta2)) {
+    if (!isAtRest && output.state.status == Status::Solved && velocitiesJumpAt(mechanism, output.state.q[Theta2])) {
         output.state.setStatus(Status::Singular);
-        const double adjacent = isLimit ? 0.0 : ClosedForm(mechanism).motionAt(t).s; // without its rounding error
-        output.derived = derivedState(mechanism, output.state, adjacent);
+        output.derived = derivedState(mechanism, output.state, ClosedForm(mechanism).motionAt(t).s);
     }
     return output;
 }

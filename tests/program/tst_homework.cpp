@@ -17,6 +17,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <numbers>
 
 using namespace slidercrank;
 
@@ -212,6 +213,33 @@ private slots:
         const RunResult none = run("solve --when R4_x=90");
         QCOMPARE(none.status, 4);
         QVERIFY2(none.output.isEmpty() && none.hasOneLineError() && none.error.contains("R4_x = 90 mm"), none.error);
+    }
+
+    /// A former defect: of the two ends of the arc, 210° and 330°, one had 10¹⁰ mm/s and the other could not be
+    /// assembled, because the angles are rounded.
+    void theEndsOfARockersArcAreLimitPositions()
+    {
+        const double x = 60.0 * std::cos(std::numbers::pi / 6.0);
+        for (const char *const speed : {"1", "2", "7", "10", "60rpm", "-1", "-3"}) {
+            for (const char *const position : {"--at-angle 210", "--at-angle 330", "--at-angle -30", "--when mu=0",
+                                               "--at-angle 330 --method newton"}) {
+                const QString line =
+                    QString("solve --a 60 --b 50 --c 20 --omega2 %1 %2 --channels ").arg(speed, position);
+                const RunResult all = run(line + "theta2,theta3,R4_x,R4_x_diff");
+                QCOMPARE(all.status, 5);
+                QVERIFY2(all.error.contains("perpendicular to the slider's line"), all.error);
+                const CsvTable table(all.output);
+                QCOMPARE(table.rows.size(), std::size_t(QString(position).contains("when") ? 2 : 1));
+                QVERIFY(std::isnan(table.at(0, "R4_x_diff")));
+                QVERIFY(std::abs(std::abs(table.at(0, "R4_x")) - x) < 1e-13);
+                QCOMPARE(table.at(0, "theta3"), 90.0);
+                const RunResult positionsOnly = run(line + "R4_x,transmission_angle");
+                QVERIFY2(positionsOnly.status == 0 && positionsOnly.error.isEmpty(), positionsOnly.error);
+                QCOMPARE(CsvTable(positionsOnly.output).at(0, "transmission_angle"), 0.0);
+            }
+        }
+        QVERIFY(CsvTable(run("solve --a 60 --b 50 --c 20 --omega2 2 --at-angle 330.000001").output).at(0, "R4_x_diff") >
+                1e4); // mm/s: almost at the limit the slider is fast
     }
 
     /// 100 random mechanisms by the command; tst_crank_search has more, and all channels.

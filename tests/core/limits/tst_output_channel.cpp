@@ -141,6 +141,48 @@ private slots:
         QCOMPARE(unambiguousStateAt(before, 0.0).state.status, Status::Solved);
     }
 
+    void endsOfArcs_data()
+    {
+        QTest::addColumn<double>("c");
+        QTest::addColumn<Branch>("branch");
+        QTest::addColumn<double>("degrees");
+        QTest::addColumn<double>("theta3");
+        QTest::newRow("third quadrant") << 20.0 << Branch::Open << 210.0 << 90.0;
+        QTest::newRow("fourth quadrant") << 20.0 << Branch::Open << 330.0 << 90.0;
+        QTest::newRow("B below A") << -20.0 << Branch::Open << 30.0 << -90.0;
+        QTest::newRow("crossed") << 20.0 << Branch::Crossed << 330.0 << 90.0;
+        QTest::newRow("crossed, B below A") << -20.0 << Branch::Crossed << 150.0 << 270.0;
+    }
+
+    /// a = 60, b = 50, c = ±20 mm: sin θ2 = ∓1/2. A former defect: beyond the end by a rounding error, the mechanism
+    /// could not be assembled, and before it the positions had 8 digits.
+    void endsOfArcs()
+    {
+        QFETCH(double, c);
+        QFETCH(Branch, branch);
+        QFETCH(double, degrees);
+        QFETCH(double, theta3);
+        for (const double roundingError : {-3e-15, 0.0, 3e-15}) {
+            const double theta2 = degrees / kDegreesPerRadian + roundingError;
+            for (const double omega2 : {2.0, 0.0}) {
+                const Mechanism mechanism({60.0, 50.0, c, omega2, theta2, branch});
+                const OutputState state = unambiguousStateAt(mechanism, 0.0);
+                const double x = 60.0 * std::cos(degrees / kDegreesPerRadian);
+                const bool isAtRest = omega2 == 0.0;
+                QCOMPARE(state.state.status, isAtRest ? Status::Solved : Status::Singular);
+                QCOMPARE(state.state.qDot[R4x] == 0.0, isAtRest);
+                QVERIFY(std::abs(state.state.q[R4x] - x) < 1e-13);
+                QVERIFY(std::abs(state.state.q[Theta3] * kDegreesPerRadian - theta3) < 1e-13);
+                QVERIFY(std::abs(state.state.q[R3x] - x) < 1e-13);
+                QVERIFY(std::abs(state.state.q[R3y] - 0.5 * (c + 60.0 * std::sin(theta2))) < 1e-12);
+                QVERIFY(std::abs(state.derived.pinY.position - 60.0 * std::sin(theta2)) < 1e-12);
+                const double outer = std::sqrt(110.0 * 110.0 - c * c);
+                QVERIFY(std::abs(state.derived.displacement.position -
+                                 (branch == Branch::Open ? outer - x : outer + x)) < 1e-12);
+            }
+        }
+    }
+
     void understandsSymbolsAsTheyAreWritten()
     {
         struct Row {

@@ -13,6 +13,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <cmath>
 #include <limits>
 
 using namespace slidercrank;
@@ -58,6 +59,21 @@ private slots:
         QVERIFY(!session.pose().exists());
         session.undoStack().undo();
         QVERIFY(session.pose().exists());
+    }
+
+    /// sin 330° = -1/2 = (c - b)/a. The angle is rounded: the drawing said that the mechanism could not be assembled.
+    void theEndsOfARockersArcArePoses()
+    {
+        for (const double degrees : {210.0, 330.0}) {
+            for (const double omega2 : {1.0, 7.0, -3.0, 0.0}) {
+                const double theta2 = degrees / kDegreesPerRadian;
+                const Pose pose = poseAt({.a = 60.0, .b = 50.0, .c = 20.0, .omega2 = omega2, .theta20 = theta2}, 0.0);
+                QVERIFY(pose.exists());
+                QCOMPARE(pose.motion.theta3 * kDegreesPerRadian, 90.0);
+                QVERIFY(std::abs(pose.motion.R4x - 60.0 * std::cos(theta2)) < 1e-13);
+                QCOMPARE(pose.motion.R4xDot == 0.0, omega2 == 0.0);
+            }
+        }
     }
 
     void refusesInvalidParameters()
