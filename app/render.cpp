@@ -9,6 +9,7 @@
 #include "app/time_step_report.h"
 #include "core/identification/identification.h"
 #include "core/import/quantity.h"
+#include "core/sampling/positions.h"
 #include "ui/document/result.h"
 #include "ui/document/scene_link.h"
 #include "ui/export/animation_export.h"
@@ -481,7 +482,7 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     summary.add(result->atReference.summary);
     if (request.isOnePosition()) {
         const ChannelSet noChannels; // the status is sufficient
-        summary = sample(result->mechanism, {scene.time}, noChannels, SolverSettings()).summary;
+        summary = samplePositions(result->mechanism, {scene.time}, noChannels, SolverSettings()).summary;
     }
     return reportTimeSteps(streams, summary, result->mechanism, result->solver.newton);
 }
