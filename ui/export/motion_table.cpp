@@ -47,12 +47,6 @@ bool isMeasuredAtB(const OutputChannel &channel)
     return notation().symbols == Symbols::Textbook && channel == OutputChannel(kCouplerAngle);
 }
 
-/// Returns the name of a column in files, with its unit.
-QString csvName(const QString &name, Measure measure)
-{
-    return QStringLiteral("%1 [%2]").arg(name, QString::fromUtf8(asciiUnit(measure, notation().units)));
-}
-
 void append(std::vector<OutputChannel> &channels, const std::vector<OutputChannel> &appended)
 {
     channels.insert(channels.end(), appended.begin(), appended.end());
@@ -149,12 +143,12 @@ std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
          .csvName = settings.step == TableStep::Time ? QStringLiteral("time [s]") : QStringLiteral("first time [s]")},
         {.title = titled("θ₂", angle),
          .explanation = MotionTable::tr("Crank angle"),
-         .csvName = csvName("theta2", Measure::Angle)}};
+         .csvName = nameWithAsciiUnit("theta2", Measure::Angle, notation().units)}};
     for (const OutputChannel &channel : settings.columns) {
+        const QString name = isMeasuredAtB(channel) ? QString(kCouplerAngleAtB) : columnName(channel);
         columns.push_back({.title = titled(symbolOf(channel), shownUnit(channel)),
                            .explanation = nameText(channel),
-                           .csvName = csvName(isMeasuredAtB(channel) ? QString(kCouplerAngleAtB) : columnName(channel),
-                                              measureOf(channel))});
+                           .csvName = nameWithAsciiUnit(name, measureOf(channel), notation().units)});
     }
     return columns;
 }

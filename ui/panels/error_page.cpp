@@ -66,7 +66,7 @@ public:
         const std::optional<double> error = shownDifference(channel.channel, channel.maxAbs);
         const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
         return {{{.text = QStringLiteral("%1 %2").arg(symbolText(channel.channel), quantityName(channel.channel)),
-                  .csv = QStringLiteral("%1 [%2]").arg(columnName(channel.channel), unit)},
+                  .csv = nameWithAsciiUnit(columnName(channel.channel), measureOf(channel.channel), notation().units)},
                  numberCell(error, unit),
                  numberCell(channel.percentOfPeak),
                  {.text = numberText(time), .number = time, .tone = Tone::Link}},

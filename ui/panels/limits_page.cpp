@@ -29,7 +29,7 @@ QString csvName(const MotionFact &fact)
     if (isCouplerAngle && notation().symbols == Symbols::Textbook) {
         name += " at B";
     }
-    return fact.unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, fact.unit);
+    return nameWithAsciiUnit(name, describe(fact.kind).measure, notation().units);
 }
 
 std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
@@ -81,7 +81,7 @@ Page limitsPage(const Result &result)
                .csvName = "value"},
               {.title = QStringLiteral("θ₂ [%1]").arg(angle),
                .explanation = LimitsPage::tr("Crank angle, 0 to 360°"),
-               .csvName = QStringLiteral("theta2 [%1]").arg(angle)},
+               .csvName = nameWithAsciiUnit("theta2", Measure::Angle, notation().units)},
               {.title = LimitsPage::tr("t [s]"),
                .explanation = LimitsPage::tr("First time at which the crank is there"),
                .csvName = "time [s]"}},

@@ -118,7 +118,13 @@ QString columnName(const OutputChannel &channel, const Units &units)
     const QString text = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
     const Measure measure = measureOf(channel);
     const bool isDefault = unitText(measure, units) == unitText(measure);
-    return isDefault ? text : text + " [" + QString::fromLatin1(asciiUnit(measure, units)) + ']';
+    return isDefault ? text : nameWithAsciiUnit(text, measure, units);
+}
+
+QString nameWithAsciiUnit(const QString &name, Measure measure, const Units &units)
+{
+    const QByteArray unit = asciiUnit(measure, units);
+    return unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, QString::fromLatin1(unit));
 }
 
 QString withUnit(const QString &number, const QString &unit)

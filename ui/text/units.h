@@ -48,6 +48,9 @@ QByteArray asciiUnit(Measure measure, const Units &units);
 /// files: "R4_x_diff [in/s]".
 QString columnName(const OutputChannel &channel, const Units &units = {});
 
+/// Returns the name in a CSV with the unit of its values: "R4_x_diff [mm/s]", "theta2 [deg]"; a ratio has none.
+QString nameWithAsciiUnit(const QString &name, Measure measure, const Units &units);
+
 /// Returns "60°" or "60 mm": a number and its unit.
 QString withUnit(const QString &number, const QString &unit);
 

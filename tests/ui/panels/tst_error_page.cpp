@@ -105,7 +105,7 @@ private slots:
                               "v⁴ slider velocity|≈ close|14.23 mm/s|71.17|0.5", "θ³ coupler angle|✗ differs|–|–|–"}));
         const std::vector<TableRow> &rows = page.tables[0].rows;
         QCOMPARE(rows[1].cells[2].number, std::optional(14.2345)); // every digit, to be copied
-        QCOMPARE(rows[0].cells[0].csv, "theta3 [°]");
+        QCOMPARE(rows[0].cells[0].csv, "theta3 [deg]");
         QCOMPARE(rows[1].time, std::optional(0.5));
         QCOMPARE(rows[2].time, std::nullopt);
         QCOMPARE(rows[2].cells[2].number, std::nullopt);

@@ -56,11 +56,11 @@ private slots:
         };
         const QStringList names = namesOf(pageOf({}));
         QVERIFY2(names.contains("outer-dead-centre [mm]") && names.contains("time-ratio") &&
-                     names.contains("minimum-coupler-angle [°]"),
+                     names.contains("minimum-coupler-angle [deg]"),
                  qPrintable(names.join(", ")));
         QVERIFY(namesOf(pageOf({20, 40, 25})).contains("crank-limit [mm]"));
         setNotation({.symbols = Symbols::Textbook});
-        QVERIFY(namesOf(pageOf({})).contains("minimum-coupler-angle at B [°]"));
+        QVERIFY(namesOf(pageOf({})).contains("minimum-coupler-angle at B [deg]"));
     }
 
     void saysWhetherTheCrankMakesFullTurnsAndWhy()

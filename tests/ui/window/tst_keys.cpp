@@ -292,7 +292,7 @@ private slots:
         for (const Row &row :
              {Row{ErrorsTab, "errorTable", "channel,verdict,max_error,percent_of_peak,max_error_at [s]",
                   "\"R4_x_diff [mm/s]\",differs,9.46935096"},
-              Row{LimitsTab, "limitTable", "limit,value,theta2 [°],time [s]",
+              Row{LimitsTab, "limitTable", "limit,value,theta2 [deg],time [s]",
                   "\"inner-dead-centre [mm]\",37.4165738"}}) {
             showTab(row.tab);
             auto *table = part<QTableView>(row.table);
@@ -360,7 +360,7 @@ private slots:
             const QString page = QString::fromUtf8(contentOf(name));
             const bool isSpanish = QString(name).contains("spanish");
             QVERIFY(page.contains("C<sub>q</sub>") && !page.contains(QChar(0x307)) && !page.contains(u'_'));
-            for (const char *figure : {"mechanism", "dead_centres", "transmission_angle", "polygons"}) {
+            for (const char *figure : {"mechanism", "dead-centres", "transmission-angle", "polygons"}) {
                 QVERIFY2(page.contains(QString("<img src=\"qrc:/help/%1.svg\">").arg(figure)), figure);
                 QVERIFY2(contentOf(QString(":/help/%1.svg").arg(figure)).startsWith("<svg"), figure);
             }
