@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <limits>
 #include <utility>
 
 namespace slidercrank
@@ -177,74 +177,153 @@ void stackLabels(PlotCursor &cursor, const QRectF &axes, const QFont &font)
     }
 }
 
-/// The penalty, in covered points, for a value without a place. It is larger than the number of points that values
-/// cover.
-constexpr std::ptrdiff_t kPointsWithoutPlace = 10000;
-
-/// The order in which the values are placed: from the highest dot to the lowest, or from the lowest to the highest.
-enum class Direction { Downwards, Upwards };
-
-/// Returns the indices of the labels in that direction; where values may be left out, the most important ranks first.
-std::vector<std::size_t> orderOfPlacing(const PlotCursor &cursor, Direction direction, CrowdedLabelPolicy policy)
+/// Places the values one after the other, from the highest dot to the lowest. Returns whether each of them has a place
+/// in the right order that covers nothing.
+bool placeOneAfterTheOther(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 {
-    std::vector<std::size_t> order(cursor.labels.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    if (direction == Direction::Upwards) {
-        std::ranges::reverse(order);
+    bool isGood = true;
+    for (PlotCursor::Label &label : cursor.labels) {
+        if (label.dot) {
+            isGood = placeValue(cursor, label, axes, font) == 0 && isGood;
+        }
     }
-    if (policy == CrowdedLabelPolicy::LeaveOut) {
-        std::ranges::stable_sort(order, {}, [&cursor](std::size_t i) { return cursor.labels[i].rank; });
-    }
-    return order;
+    return isGood;
 }
 
-/// Places the values one after the other. Of the values of a rank, all are placed or none, and none if one of a more
-/// important rank is left out: a single value would be taken for that of the model. Returns how many points of the
-/// curves they cover, with a penalty for each value that has no place or is left out.
-std::ptrdiff_t placeValues(PlotCursor &cursor, Direction direction, const QRectF &axes, const QFont &font,
-                           CrowdedLabelPolicy policy)
+/// A place of a value, and how good it is.
+struct RatedPlace {
+    QRectF place;
+    std::ptrdiff_t covered = 0; ///< number of points of the curves
+    std::size_t distance = 0;   ///< index in possiblePlaces(), where the best places are first
+};
+
+/// The places of the first values of a cursor.
+struct Arrangement {
+    std::vector<QRectF> places = {};
+    std::ptrdiff_t covered = 0; ///< sum
+    std::size_t distance = 0;   ///< sum
+};
+
+/// Returns the possible places of a value that cover no heading and no more points of the curves than that.
+std::vector<RatedPlace> ratedPlaces(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
+                                    const QFont &font, std::ptrdiff_t mostCovered)
+{
+    std::vector<RatedPlace> rated;
+    std::size_t distance = 0;
+    for (const QRectF &place : possiblePlaces(cursor, label, axes, font)) {
+        const auto isCoveredHeading = [&place](const PlotCursor::Label &other) {
+            return !other.dot && other.place.intersects(place);
+        };
+        const std::ptrdiff_t covered = coveredPoints(cursor, place, dotRadius(font));
+        if (covered <= mostCovered && std::ranges::none_of(cursor.labels, isCoveredHeading)) {
+            rated.push_back({place, covered, distance});
+        }
+        ++distance;
+    }
+    return rated;
+}
+
+/// Returns the best arrangements of one more value, none of which is above the values before it or covers one of them.
+std::vector<Arrangement> continuedWith(const std::vector<RatedPlace> &places,
+                                       const std::vector<Arrangement> &arrangements)
+{
+    constexpr std::size_t kMaxArrangements = 24; // with more of them, hardly any value has a better place
+    struct Continuation {
+        const Arrangement *first;
+        const RatedPlace *next;
+
+        std::pair<std::ptrdiff_t, std::size_t> cost() const
+        {
+            return {first->covered + next->covered, first->distance + next->distance};
+        }
+    };
+    std::vector<Continuation> continuations;
+    for (const RatedPlace &next : places) {
+        const auto overlaps = [&next](const QRectF &other) { return other.intersects(next.place); };
+        for (const Arrangement &first : arrangements) {
+            const bool isInOrder = first.places.empty() || first.places.back().top() <= next.place.top();
+            if (isInOrder && std::ranges::none_of(first.places, overlaps)) {
+                continuations.push_back({&first, &next});
+            }
+        }
+    }
+    const std::size_t kept = std::min(continuations.size(), kMaxArrangements);
+    const auto end = continuations.begin() + static_cast<std::ptrdiff_t>(kept);
+    std::ranges::partial_sort(continuations, end, {}, &Continuation::cost);
+    std::vector<Arrangement> longer;
+    for (const auto &[first, next] : std::span(continuations).first(kept)) {
+        Arrangement &added = longer.emplace_back(*first);
+        added.places.push_back(next->place);
+        added.covered += next->covered;
+        added.distance += next->distance;
+    }
+    return longer;
+}
+
+/// Places values in the order of their dots, all of them together where they cover the fewest points. `values` are
+/// sorted from the highest dot to the lowest. Returns false, and changes nothing, if there is no such arrangement.
+bool placeTogether(PlotCursor &cursor, const std::vector<std::size_t> &values, const QRectF &axes, const QFont &font,
+                   std::ptrdiff_t mostCovered)
+{
+    std::vector<Arrangement> best(1);
+    for (const std::size_t index : values) {
+        best = continuedWith(ratedPlaces(cursor, cursor.labels[index], axes, font, mostCovered), best);
+    }
+    if (best.empty()) {
+        return false;
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        cursor.labels[values[i]].place = best.front().places[i];
+    }
+    return true;
+}
+
+/// Returns the indices of the values up to a rank, from the highest dot to the lowest.
+std::vector<std::size_t> valuesUpTo(const PlotCursor &cursor, PlotCursor::Rank rank)
+{
+    std::vector<std::size_t> values;
+    for (std::size_t i = 0; i < cursor.labels.size(); ++i) {
+        if (cursor.labels[i].dot && cursor.labels[i].rank <= rank) {
+            values.push_back(i);
+        }
+    }
+    return values;
+}
+
+/// Places the values of as many ranks as have places that cover no curve, the most important ranks first, and leaves
+/// out the others: a single value would be taken for that of the model.
+void placeMostImportant(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 {
     constexpr std::ptrdiff_t kMaxCovered = 1; // points: the corner of a label may touch a curve
-    std::ptrdiff_t total = 0;
-    std::optional<PlotCursor::Rank> missing; // the most important rank of which a value has no place
-    for (const std::size_t i : orderOfPlacing(cursor, direction, policy)) {
-        PlotCursor::Label &label = cursor.labels[i];
-        if (!label.dot || missing) {
-            continue;
+    using Rank = PlotCursor::Rank;
+    for (const Rank rank : {Rank::Pinned, Rank::File, Rank::Model}) {
+        if (placeTogether(cursor, valuesUpTo(cursor, rank), axes, font, kMaxCovered)) {
+            return;
         }
-        const std::ptrdiff_t covered = placeValue(cursor, label, axes, font).value_or(kPointsWithoutPlace);
-        if (covered > kMaxCovered && policy == CrowdedLabelPolicy::LeaveOut) {
-            missing = label.rank;
-        }
-        total += covered;
-    }
-    for (PlotCursor::Label &label : cursor.labels) {
-        if (label.dot && missing && label.rank >= *missing) {
-            leaveOut(label);
-            total += kPointsWithoutPlace;
+        for (PlotCursor::Label &label : cursor.labels) {
+            if (label.dot && label.rank == rank) {
+                leaveOut(label);
+            }
         }
     }
-    return total;
 }
 
-/// Places the values in the direction in which they cover fewer points, because the values that are placed first take
-/// the best places. While the motion is played, downwards is sufficient: most values keep their places. Returns the
-/// same as placeValues().
-std::ptrdiff_t placeValuesInBestDirection(PlotCursor &cursor, const QRectF &axes, const QFont &font,
-                                          CrowdedLabelPolicy policy)
+/// Places all values. If one has no place near its dot, all labels are in a column. While the motion is played, most
+/// values keep their places.
+void placeAll(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 {
+    constexpr std::ptrdiff_t kAnyNumber = std::numeric_limits<std::ptrdiff_t>::max();
     const bool isPlayed =
         std::ranges::any_of(cursor.labels, [](const PlotCursor::Label &label) { return label.lastPlace.has_value(); });
-    PlotCursor upwards = cursor;
-    const std::ptrdiff_t covered = placeValues(cursor, Direction::Downwards, axes, font, policy);
-    if (covered == 0 || isPlayed) {
-        return covered;
+    if (placeOneAfterTheOther(cursor, axes, font)) {
+        return;
     }
-    const std::ptrdiff_t coveredUpwards = placeValues(upwards, Direction::Upwards, axes, font, policy);
-    if (coveredUpwards < covered) {
-        cursor = std::move(upwards);
+    const bool isPlaced =
+        !isPlayed && placeTogether(cursor, valuesUpTo(cursor, PlotCursor::Rank::Pinned), axes, font, kAnyNumber);
+    const auto hasNoPlace = [](const PlotCursor::Label &label) { return label.dot && label.place.isEmpty(); };
+    if (!isPlaced && std::ranges::any_of(cursor.labels, hasNoPlace)) {
+        stackLabels(cursor, axes, font);
     }
-    return std::min(covered, coveredUpwards);
 }
 
 /// Places the labels without a dot at the top of the axes, one below the other.
@@ -260,7 +339,7 @@ void placeHeadings(PlotCursor &cursor, const QRectF &axes, const QFont &font)
     }
 }
 
-/// Places the labels of one cursor. If a value has no place near its dot, all labels are in a column.
+/// Places the labels of one cursor.
 void placeLabelsOf(PlotCursor &cursor, const QRectF &wholeAxes, const QFont &font, CrowdedLabelPolicy policy)
 {
     // Beside the left edge, where the axis has its numbers, a value looks like one of them. A figure has little space.
@@ -274,9 +353,10 @@ void placeLabelsOf(PlotCursor &cursor, const QRectF &wholeAxes, const QFont &fon
         label.text.prepare({}, font);
     }
     placeHeadings(cursor, axes, font);
-    const std::ptrdiff_t covered = placeValuesInBestDirection(cursor, axes, font, policy);
-    if (covered >= kPointsWithoutPlace && policy == CrowdedLabelPolicy::CoverLeast) {
-        stackLabels(cursor, axes, font);
+    if (isFigure) {
+        placeMostImportant(cursor, axes, font);
+    } else {
+        placeAll(cursor, axes, font);
     }
 }
 

@@ -673,6 +673,40 @@ private slots:
         QVERIFY(exchanged < inOrder / 20);
     }
 
+    /// A former defect: beside three pinned motions, the values were in any order.
+    void valuesOfPinnedMotionsAreInTheOrderOfTheirDots_data()
+    {
+        QTest::addColumn<CrowdedLabelPolicy>("policy");
+        QTest::newRow("window") << CrowdedLabelPolicy::CoverLeast;
+        QTest::newRow("figure") << CrowdedLabelPolicy::LeaveOut;
+    }
+    void valuesOfPinnedMotionsAreInTheOrderOfTheirDots()
+    {
+        QFETCH(const CrowdedLabelPolicy, policy);
+        QFont font;
+        font.setPixelSize(12);
+        PlotFigure &figure =
+            figureOf({.model = withCoupler(65.0), .pinned = {withCoupler(66.0), withCoupler(67.0), withCoupler(68.0)}});
+        int inOrder = 0;
+        int exchanged = 0;
+        for (const std::size_t plot : {0U, 1U, 3U, 4U, 6U, 7U}) {
+            figure.compose({{plot}, font, paletteFor(Theme::Light)}, {605, PlotFigure::heightFor({plot}, 605, font)});
+            for (int step = 0; step <= 100; ++step) {
+                std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 100.0, {})};
+                placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick, policy);
+                const std::vector<PlotCursor::Label> &labels = cursors.front().labels; // from the highest dot on
+                for (std::size_t i = 1; i < labels.size(); ++i) {
+                    if (!labels[i].place.isEmpty() && !labels[i - 1].place.isEmpty()) {
+                        ++(labels[i - 1].place.top() <= labels[i].place.top() ? inOrder : exchanged);
+                    }
+                }
+            }
+        }
+        qInfo("%d pairs of values are in the order of their dots, %d are exchanged", inOrder, exchanged);
+        QVERIFY(inOrder > 900);
+        QVERIFY(exchanged <= (policy == CrowdedLabelPolicy::LeaveOut ? 0 : inOrder / 50));
+    }
+
     /// A former defect: while the motion was played, every fourth value jumped from one side of its curve to the other.
     void valuesKeepTheirPlacesWhilePlaying()
     {
