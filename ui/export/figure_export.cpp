@@ -68,12 +68,13 @@ struct ParameterLines {
 
 ParameterLines parameterLines(const QString &parameters, const QSize &figure, const QFont &font)
 {
-    constexpr int kMargin = 3; // px
+    constexpr int kMargin = 3; // px, above and below
     const QFontMetrics metrics(font);
+    const int widest = figure.width() - 2 * metrics.averageCharWidth(); // so that no letter touches an edge
     QStringList lines;
     for (const QString &equation : parameters.split(", ")) {
         const QString longer = lines.isEmpty() ? equation : lines.last() + ", " + equation;
-        if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= figure.width() - 2 * kMargin) {
+        if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= widest) {
             lines.last() = longer;
         } else {
             lines << equation;

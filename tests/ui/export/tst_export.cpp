@@ -175,6 +175,22 @@ private slots:
         }
     }
 
+    /// A former defect: in narrow figures with large letters, the parameters touched both edges.
+    void theParametersKeepAwayFromTheEdges()
+    {
+        const FigureDrawing nothing = [](QPainter &, const QSize &) {};
+        const FigureDrawing draw = withParameters(nothing, Mechanism(), paletteFor(Theme::Light));
+        for (int width = 300; width <= 600; width += 5) {
+            const FigureSize size{.size = {width, 200}, .fontPixels = 19};
+            const QImage picture = figureImage(size, draw);
+            for (int y = 0; y < picture.height(); ++y) {
+                for (const int x : {0, 1, 2, width - 3, width - 2, width - 1}) {
+                    QCOMPARE(picture.pixelColor(x, y), QColor(Qt::white));
+                }
+            }
+        }
+    }
+
     /// A former defect: a light line divided a dark figure from its parameters.
     void noLineDividesAFigureFromItsParameters()
     {
