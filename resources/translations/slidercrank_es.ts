@@ -3793,10 +3793,6 @@ perpendicular a la línea de la corredera.</translation>
         <translation>sin definir: la referencia es 0</translation>
     </message>
     <message>
-        <source>error</source>
-        <translation>error</translation>
-    </message>
-    <message>
         <source>position error</source>
         <translation>error de posición</translation>
     </message>
@@ -3833,10 +3829,6 @@ perpendicular a la línea de la corredera.</translation>
         <translation>diferencia de aceleración</translation>
     </message>
     <message>
-        <source>difference</source>
-        <translation>diferencia</translation>
-    </message>
-    <message>
         <source>no time step is solved</source>
         <translation>no se resuelve ningún paso de tiempo</translation>
     </message>
@@ -3855,6 +3847,10 @@ perpendicular a la línea de la corredera.</translation>
     <message>
         <source>≈ file: %1</source>
         <translation>≈ archivo: %1</translation>
+    </message>
+    <message>
+        <source>%1 (gaps: cannot be assembled)</source>
+        <translation>%1 (sin curva: no se puede ensamblar)</translation>
     </message>
 </context>
 <context>

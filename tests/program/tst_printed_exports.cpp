@@ -305,7 +305,7 @@ private slots:
                 return element.match(svg).captured(1).toDouble();
             };
             QVERIFY(heightOf("t = 0.2500 s") > 0.0);
-            QVERIFY(heightOf("t = 0.2500 s") < heightOf("angle "));
+            QVERIFY(heightOf("t = 0.2500 s") < heightOf("θ³"));
         }
     }
 

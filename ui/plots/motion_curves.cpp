@@ -42,6 +42,11 @@ std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Inter
 
 } // namespace
 
+bool MotionCurves::canHaveGaps() const
+{
+    return isExact() && motionLimits(m_mechanism).mobility != Mobility::FullTurn;
+}
+
 double MotionCurves::nearestTime(double t) const
 {
     return isExact() ? std::clamp(t, m_time.lower, m_time.upper) : m_samples->time[nearestIndex(m_samples->time, t)];

@@ -36,6 +36,9 @@ public:
 
     bool isExact() const { return !m_samples; }
 
+    /// Returns whether the motion is exact and the mechanism cannot be assembled at some crank angles.
+    bool canHaveGaps() const;
+
     /// Returns the time (s) nearest to t at which the curves have values.
     double nearestTime(double t) const;
 

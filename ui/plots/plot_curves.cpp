@@ -167,13 +167,23 @@ bool PlotFigure::isLogarithmic(std::size_t plot) const
     return isErrorPlot(plot) && m_settings.logarithmicError;
 }
 
+/// Returns the name of a motion, the index of which is given. Where its curves have gaps, the name says why.
+QString PlotFigure::nameWithGaps(const QString &name, std::size_t motion) const
+{
+    constexpr std::size_t kAnyChannel = 0; // all of them have the same gaps
+    const auto isGap = [](const CurvePoint &point) { return std::isnan(point.value); };
+    const bool hasGaps =
+        std::ranges::any_of(m_curves[motion][kAnyChannel].points, isGap) && m_motions[motion].canHaveGaps();
+    return hasGaps ? tr("%1 (gaps: cannot be assembled)").arg(name) : name;
+}
+
 /// Returns the curve of a pinned motion. `pinned`: its index, from the oldest.
 PlotCurve PlotFigure::pinnedCurve(std::size_t pinned, std::size_t channel) const
 {
     const MotionCurves &motion = m_motions[pinned];
     const MotionCurves::Curve &computed = m_curves[pinned][channel];
     PlotCurve curve;
-    curve.name = pinnedText(m_result->pinned[pinned], m_result->mechanism.parameters());
+    curve.name = nameWithGaps(pinnedText(m_result->pinned[pinned], m_result->mechanism.parameters()), pinned);
     curve.ink = kPinnedColours[pinned];
     curve.points = computed.points;
     curve.readout = [&motion, channel](const ReadTime &at) { return CurvePoint{at.t, motion.value(channel, at.t)}; };
@@ -196,6 +206,7 @@ PlotCurve PlotFigure::modelCurve(std::size_t channel) const
     curve.readout = [this, channel](const ReadTime &at) { return modelPoint(channel, at); };
     if (model().isExact()) {
         curve.valueAt = [this, channel](double t) { return model().value(channel, t); };
+        curve.name = nameWithGaps(curve.name, m_motions.size() - 1);
         return curve;
     }
     constexpr std::size_t kPixelsPerDot = 12;
@@ -270,6 +281,10 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
         const QString name =
             isSlider ? tr("difference of the slider from %1") : tr("difference of the coupler from %1");
         curve.name = name.arg(m_style.comparedWith);
+    }
+    const bool isNarrow = m_style.mostColumns < kPlotColumns; // then the titles have no space for the measure
+    if (isNarrow && m_style.error == ErrorMeasure::OfPeak) {
+        curve.name += QStringLiteral(" (%1)").arg(tr("% of peak"));
     }
     curve.width = kErrorWidth;
     curve.readout = [this, channel](const ReadTime &at) { return errorPoint(channel, at); };

@@ -64,21 +64,26 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, const Q
 }
 
 /// Returns the number of plots side by side: two for the six plots of the motion and for four plots, whose rows are
-/// then complete, otherwise at most three.
-std::size_t columnsFor(const std::vector<std::size_t> &plots)
+/// then complete, otherwise at most three. Where that many are too narrow, as many as `mostColumns`, or one if all
+/// plots would nearly be in one row.
+std::size_t columnsFor(const std::vector<std::size_t> &plots, std::size_t mostColumns)
 {
     constexpr std::size_t kPair = 2;
     const std::size_t count = plots.size();
     const bool isGridWithoutErrors = count == kPair * kPlotRows && std::ranges::none_of(plots, &isErrorPlot);
     const bool isSquare = count == kPair * kPair;
-    return isSquare || isGridWithoutErrors ? kPair : std::min(count, kPlotColumns);
+    const std::size_t columns = isSquare || isGridWithoutErrors ? kPair : std::min(count, kPlotColumns);
+    if (columns <= mostColumns) {
+        return columns;
+    }
+    return count <= kPlotColumns ? 1 : mostColumns;
 }
 
 /// Returns whether the last row of the figure has fewer plots than the others. Then every plot has numbers on its time
 /// axis, and space for them below it.
-bool isLastRowShort(const std::vector<std::size_t> &plots)
+bool isLastRowShort(const PlotStyle &style)
 {
-    return plots.size() % columnsFor(plots) != 0;
+    return style.plots.size() % columnsFor(style.plots, style.mostColumns) != 0;
 }
 
 /// Returns a name of the legend for lines of that width (px): a long name has several lines, and a word that is too
@@ -121,13 +126,13 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_drawing->plotLayout()->clear();
     m_plots = {};
     const std::size_t count = style.plots.size();
-    const std::size_t columns = columnsFor(style.plots);
-    const bool hasLabelsEverywhere = isLastRowShort(style.plots);
+    const std::size_t columns = columnsFor(style.plots, style.mostColumns);
+    const bool hasLabelsEverywhere = isLastRowShort(style);
     for (std::size_t place = 0; place < count; ++place) {
         const std::size_t index = style.plots[place];
         Plot &plot = m_plots[index];
-        plot.row = place / columns;
-        plot.hasTimeLabels = hasLabelsEverywhere || plot.row + 1 == count / columns;
+        const std::size_t row = place / columns;
+        plot.hasTimeLabels = hasLabelsEverywhere || row + 1 == count / columns;
         constexpr bool kHasFourAxes = false; // only the two that are added below
         plot.axes = new QCPAxisRect(m_drawing.get(), kHasFourAxes);
         plot.timeAxis = plot.axes->addAxis(QCPAxis::atBottom);
@@ -138,7 +143,7 @@ void PlotFigure::applyStyle(const PlotStyle &style)
         const int below = linesBelow * lineHeight(m_fonts.tick);
         plot.axes->setMargins(QMargins(0, lineHeight(m_fonts.title) + kLabelGap, 0, below));
         plot.axes->setAutoMargins(QCP::msLeft | QCP::msRight);
-        m_drawing->plotLayout()->addElement(static_cast<int>(plot.row), static_cast<int>(place % columns), plot.axes);
+        m_drawing->plotLayout()->addElement(static_cast<int>(row), static_cast<int>(place % columns), plot.axes);
         plot.ticker.reset(new NumberTicker);
         for (const QString &title : titles(index)) {
             plot.titles.push_back(withSubscripts(title, m_fonts.title));
@@ -159,6 +164,10 @@ void PlotFigure::compose(PlotStyle style, const QSize &size)
     m_isStale = false;
     style.isOfFile = m_result->reference != nullptr;
     style.error = m_settings.error;
+    if (style.mostColumns < kPlotColumns && std::ranges::is_sorted(style.plots)) { // the order of the window
+        std::stable_partition(style.plots.begin(), style.plots.end(),
+                              [](std::size_t plot) { return !isErrorPlot(plot); });
+    }
     if (!m_result->pinned.empty()) {
         style.comparedWith = pinnedText(m_result->pinned.back(), m_result->mechanism.parameters());
     }
@@ -180,7 +189,7 @@ void PlotFigure::compose(PlotStyle style, const QSize &size)
     chooseTitles();
 }
 
-/// Chooses the longest titles that fit, of the same length for both motions of a row.
+/// Chooses the longest titles that fit, of the same variant for all motions and for all errors.
 void PlotFigure::chooseTitles()
 {
     const QCPAxisRect &axes = *m_plots[plots().front()].axes;
@@ -189,7 +198,7 @@ void PlotFigure::chooseTitles()
         Plot &plot = m_plots[index];
         const auto isTooLong = [&](std::size_t variant) {
             return std::ranges::any_of(plots(), [&](std::size_t other) {
-                const bool isAlike = m_plots[other].row == plot.row && isErrorPlot(other) == isErrorPlot(index);
+                const bool isAlike = isErrorPlot(other) == isErrorPlot(index);
                 return isAlike && m_plots[other].titles[variant].size().width() > space;
             });
         };
@@ -275,7 +284,7 @@ void PlotFigure::fill()
         drawCurves(m_plots[index]);
     }
     m_legendSize = placeLegend();
-    const int linesBelow = isLastRowShort(plots()) ? 0 : kLinesOfTimeLabels;
+    const int linesBelow = isLastRowShort(m_style) ? 0 : kLinesOfTimeLabels;
     m_drawing->plotLayout()->setMargins( // for the legend, and the numbers and the title of the time axis
         {0, m_legendSize.height(), 0, linesBelow * lineHeight(m_fonts.tick) + kLabelGap});
 }
@@ -416,19 +425,20 @@ static std::pair<QString, QString> differenceTitles(Order order, const QString &
     return {PlotFigure::tr("position difference from %1").arg(comparedWith), PlotFigure::tr("position difference")};
 }
 
-/// Returns the titles of errors and, after them, shorter variants. Without the name of the quantity, only the row of a
-/// plot tells whose errors it shows.
+/// Returns the titles of errors and, after them, shorter variants, the last one with the symbols: "Δω³, Δv⁴".
 QStringList PlotFigure::errorTitles(Order order) const
 {
+    const QString symbols =
+        QStringLiteral("Δ%1, Δ%2").arg(symbolText(Channel{Theta3, order}), symbolText(Channel{R4x, order}));
     if (m_style.isOfFile) {
-        return {nameOfErrors(order), tr("error"), QString()};
+        return {nameOfErrors(order), symbols};
     }
     const auto [differenceFrom, difference] = differenceTitles(order, m_style.comparedWith);
-    return {differenceFrom, difference, tr("difference"), QString()};
+    return {differenceFrom, difference, symbols};
 }
 
 /// Returns "coupler angular velocity ω³ = dθ³/dt" and shorter variants. All motions have the same number of variants,
-/// because the titles of a row are shortened alike.
+/// because their titles are shortened alike.
 QStringList PlotFigure::motionTitles(Channel channel)
 {
     const QString name = quantityName(channel);
@@ -461,9 +471,13 @@ QStringList PlotFigure::titles(std::size_t index) const
         const Channel channel = kPlottedChannels[channelOf(index)];
         return withUnits(motionTitles(channel), shownUnit(channel));
     }
-    QStringList titles = withUnits(errorTitles(orderOfPlot(index)), errorUnit(orderOfPlot(index)));
-    if (m_style.error == ErrorMeasure::OfPeak) { // "[% of peak]" may be too long
-        titles << QStringLiteral("[%]");
+    const Order order = orderOfPlot(index);
+    const QStringList names = errorTitles(order);
+    QStringList titles = withUnits(names, errorUnit(order));
+    if (m_style.error == ErrorMeasure::Absolute) {
+        titles << QStringLiteral("[%1]").arg(errorUnit(order)); // tells which order of derivatives the plot shows
+    } else {
+        titles << QStringLiteral("%1 [%]").arg(names.back()); // "[% of peak]" may be too long
     }
     return titles;
 }
@@ -515,11 +529,19 @@ void PlotFigure::paint(QPainter &painter)
     }
 }
 
+std::size_t PlotFigure::columnsThatFit(int width, const QFont &font)
+{
+    constexpr int kMinLines = 10; // lines of text that are as high as a plot is wide, half of it for the numbers
+    const int line = std::max(lineHeight(font), lineHeight(PlotFonts(font).tick));
+    const auto columns = static_cast<std::size_t>(std::max(1, width / (kMinLines * line)));
+    return std::min(columns, kPlotColumns);
+}
+
 int PlotFigure::heightFor(const std::vector<std::size_t> &plots, int width, const QFont &font)
 {
     constexpr std::array kRowHeight{0.0, 0.55, 0.66, 0.76}; // in widths of a plot, by the number of plots in a row
     constexpr int kMinLines = 8;                            // of text, of which the title and the numbers take half
-    const std::size_t columns = columnsFor(plots);
+    const std::size_t columns = columnsFor(plots, columnsThatFit(width, font));
     const std::size_t rows = (plots.size() + columns - 1) / columns;
     const double row =
         std::max<double>(kRowHeight[columns] * width / static_cast<double>(columns), kMinLines * lineHeight(font));

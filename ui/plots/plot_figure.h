@@ -81,7 +81,6 @@ struct Plot {
     QString note;                    ///< why something is missing
     std::vector<QStaticText> titles; ///< variants of the title, the longest first
     std::size_t title = 0;           ///< index of the variant that is drawn
-    std::size_t row = 0;             ///< row of the figure in which the plot is
     bool hasTimeLabels = true;       ///< whether the time axis has numbers and a title
 };
 
@@ -107,7 +106,8 @@ struct PlotStyle {
     std::vector<std::size_t> plots;
     QFont font = {};
     QPalette palette = {};
-    double detail = 1.0;    ///< size (px) of the smallest detail that the device shows
+    std::size_t mostColumns = kPlotColumns; ///< plots side by side; where they are fewer, errors follow the motions
+    double detail = 1.0;                    ///< size (px) of the smallest detail that the device shows
     QString comparedWith{}; ///< the pinned motion whose differences are shown; empty for those of a file
     bool isOfFile = false;  ///< whether the errors are those of a file
     ErrorMeasure error = ErrorMeasure::OfPeak;
@@ -156,7 +156,11 @@ public:
     /// Draws the figure at the size for which it is composed.
     void paint(QPainter &painter);
 
-    /// Returns the height (px) at which that many plots have good proportions in a figure of that width.
+    /// Returns how many plots can be read side by side in an exported figure of that width (px), at most kPlotColumns.
+    static std::size_t columnsThatFit(int width, const QFont &font);
+
+    /// Returns the height (px) at which the plots have good proportions in a figure of that width, with as many columns
+    /// as fit.
     static int heightFor(const std::vector<std::size_t> &plots, int width, const QFont &font);
 
     const std::vector<std::size_t> &plots() const { return m_style.plots; }
@@ -210,6 +214,7 @@ private:
     double lastPinnedValue(std::size_t channel, double t) const;
     QStringList cursorTexts(double t) const;
     void computeMotions(Plot &plot, std::size_t channel);
+    QString nameWithGaps(const QString &name, std::size_t motion) const;
     PlotCurve pinnedCurve(std::size_t pinned, std::size_t channel) const;
     PlotCurve modelCurve(std::size_t channel) const;
     PlotCurve fileCurve(std::size_t channel) const;
