@@ -117,7 +117,8 @@ public:
         {"render", "--output FILE [options]", QT_TR_NOOP("a picture, an animation or a report"),
          QT_TR_NOOP("Draws what the window shows into a file, or writes a report of it. Needs no display. A scene "
                     "(--scene) also supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa "
-                    "and error measure."),
+                    "and error measure. Without --start, --duration and --scene, the plots of a fast crank show its "
+                    "first revolution."),
          renderCommand, Platform::Offscreen},
     };
 

@@ -58,6 +58,7 @@ struct RenderRequest {
     Animation animation; ///< for Subject::Frames
     PaperSize paper = PaperSize::A4;
     Theme theme = Theme::Light;
+    bool isTimeChosen = false; ///< whether the user chose the time range; otherwise plottedTime() does
     QString output;
 
     /// Returns whether the subject shows a single position, so that it may be asked for a time outside the time range.
@@ -312,6 +313,7 @@ RenderRequest readRequest(const OptionReader &options)
         request.scene.reference = ReferenceSource{.paths = files};
     }
     request.theme = options.choice("theme", Theme::Light);
+    request.isTimeChosen = options.has("scene") || options.has("start") || options.has("duration");
     readPicture(options, request);
     readTime(options, request);
     readAcceleration(options, request);
@@ -334,6 +336,18 @@ FigureContent contentOf(const RenderRequest &request)
     return content;
 }
 
+/// Returns the time range that the plots show; nullopt for that of the scene or the whole motion.
+std::optional<Interval> plottedTimeOf(const RenderRequest &request, const Result &result,
+                                      const std::optional<double> &cursorTime)
+{
+    if (request.isTimeChosen && request.subject != Subject::Report) {
+        return std::nullopt;
+    }
+    const std::optional<Interval> time = plottedTime(result, request.scene.zoom);
+    const bool showsCursor = !time || !cursorTime || time->contains(*cursorTime);
+    return showsCursor ? time : std::nullopt;
+}
+
 /// The plots and the drawing of the mechanism as the window shows them, with the settings of the request's scene.
 class Pictures
 {
@@ -347,9 +361,7 @@ public:
         m_plots.setSettings(m_scene.plots);
         m_plots.setResult(result);
         m_plots.setZoom(m_scene.zoom);
-        if (request.subject == Subject::Report) {
-            m_figure.time = plottedTime(*result, m_scene.zoom);
-        }
+        m_figure.time = plottedTimeOf(request, *result, m_figure.cursorTime);
         m_mechanism.setResult(result);
         m_mechanism.setSettings(m_scene.mechanism);
         m_mechanism.setZoom(m_scene.mechanismFrame);

@@ -729,8 +729,8 @@
         <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 115 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición. Con varios casos (--cases), primero viene una tabla de los métodos para todos los casos: error mayor, tiempo mediano y cuántos instantes se resolvieron. Siguen las tablas de los casos; --format csv también da sus filas.</translation>
     </message>
     <message>
-        <source>Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene) also supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa and error measure.</source>
-        <translation>Dibuja en un archivo lo que muestra la ventana, o escribe un informe. No necesita pantalla. Una escena (--scene) aporta también lo que mostraba la ventana: flechas, trayectoria, nombres, cotas, ampliación, abscisa y medida del error.</translation>
+        <source>Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene) also supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa and error measure. Without --start, --duration and --scene, the plots of a fast crank show its first revolution.</source>
+        <translation>Dibuja en un archivo lo que muestra la ventana, o escribe un informe. No necesita pantalla. Una escena (--scene) aporta también lo que mostraba la ventana: flechas, trayectoria, nombres, cotas, ampliación, abscisa y medida del error. Sin --start, --duration ni --scene, las gráficas de una manivela rápida muestran su primera revolución.</translation>
     </message>
     <message>
         <source>Usage:</source>

@@ -206,6 +206,30 @@ private slots:
         QVERIFY(!contentOf(file).contains("4.780"));
     }
 
+    /// A former defect: a crank with 3000 rpm gave fifty revolutions, which print as a solid area.
+    void aFigureOfAFastCrankShowsOneRevolution()
+    {
+        struct Row {
+            const char *options;
+            const char *lastNumber; ///< on the time axis
+        };
+        for (const Row &row : {Row{"--omega2 3000rpm", "0.02"}, Row{"--omega2 3000rpm --at-angle 60", "0.02"},
+                               Row{"--omega2 3000rpm --duration 1", "1"}, Row{"--omega2 3000rpm --at 0.5", "1"},
+                               Row{"--omega2 60rpm", "1"}}) {
+            QCOMPARE(run("render --what theta3 -o " + path("x.svg") + ' ' + row.options).status, 0);
+            static const QRegularExpression kText(QStringLiteral(">([^<>]+)</text>"));
+            QString last; // number before the title of the time axis
+            for (auto match = kText.globalMatch(QString::fromUtf8(contentOf(path("x.svg")))); match.hasNext();) {
+                const QString text = match.next().captured(1).trimmed();
+                if (text == u"t [s]") {
+                    break;
+                }
+                last = text;
+            }
+            QCOMPARE(last, row.lastNumber);
+        }
+    }
+
     /// A link does not say what is drawn beside the linkage.
     void aLinkIsDrawnLikeItsMechanism()
     {
