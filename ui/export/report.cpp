@@ -136,13 +136,14 @@ public:
 private:
     static constexpr int kSectionLevel = 2; ///< level of the headings of sections
 
-    /// Moves a section that a page break would divide to the next page, if it fits on a page.
+    /// Moves a section that a page break would divide to the next page, unless this left a large part of a page empty.
     void keepTogether(const QTextBlock &heading)
     {
+        constexpr double kMaxEmptyPart = 0.4;
         const double top = boxOf(heading).top();
-        const double bottom = bottomOf(heading);
-        const bool isDivided = pageAt(top) != pageAt(bottom);
-        if (isDivided && bottom - top <= m_page.height() && std::fmod(top, m_page.height()) > 0.0) {
+        const bool isDivided = pageAt(top) != pageAt(bottomOf(heading));
+        const double space = m_page.height() - std::fmod(top, m_page.height()); // on the page where it begins
+        if (isDivided && space < kMaxEmptyPart * m_page.height()) {
             setPageBreak(heading, QTextFormat::PageBreak_AlwaysBefore);
         }
     }
@@ -285,22 +286,25 @@ public:
         constexpr int kMechanismType = QTextFormat::UserObject;
         constexpr int kPolygonType = QTextFormat::UserObject + 1;
         constexpr int kFigureType = QTextFormat::UserObject + 2;
-        setText(m_document, font, reportHtml(content));
+        const QString html = reportHtml(content);
+        setText(m_document, font, html);
         insertDrawing(m_document, kMechanismPlace, kMechanismType, m_mechanism);
         insertDrawing(m_document, kPolygonsPlace, kPolygonType, m_polygons);
         insertDrawing(m_document, kFigurePlace, kFigureType, m_figure);
         m_document.setPageSize(page);
         const double minPolygons = minimumPolygonHeight(font);
-        m_sections.emplace(m_document, std::vector<FlexibleDrawing>{{.drawing = m_polygons,
-                                                                     .type = kPolygonType,
-                                                                     .smallest = minPolygons,
-                                                                     .largest = kMaxPolygonRatio * page.width(),
-                                                                     .followers = Followers::None},
-                                                                    {.drawing = m_figure,
-                                                                     .type = kFigureType,
-                                                                     .smallest = kMinFigure * page.height(),
-                                                                     .largest = kMaxFigureRatio * page.width(),
-                                                                     .followers = Followers::NextOrAll}});
+        m_sections.emplace(m_document,
+                           std::vector<FlexibleDrawing>{
+                               {.drawing = m_polygons,
+                                .type = kPolygonType,
+                                .smallest = minPolygons,
+                                .largest = kMaxPolygonRatio * page.width(),
+                                .followers = html.contains(kFigurePlace) ? Followers::None : Followers::NextOrAll},
+                               {.drawing = m_figure,
+                                .type = kFigureType,
+                                .smallest = kMinFigure * page.height(),
+                                .largest = kMaxFigureRatio * page.width(),
+                                .followers = Followers::NextOrAll}});
     }
 
     Pages &sections() { return *m_sections; }

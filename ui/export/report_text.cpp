@@ -279,8 +279,7 @@ QString motionTable(const ReportContent &content)
         for (std::size_t i = first; i < std::min(first + kMaxChannels, columns.size()); ++i) {
             shown.push_back(i);
         }
-        html += html.isEmpty() ? QStringLiteral("<h2 style=\"page-break-before: always\">%1</h2>").arg(title)
-                               : heading(Report::tr("Further columns of the table"));
+        html += heading(html.isEmpty() ? title : Report::tr("Further columns of the table"));
         html += motionColumns(columns, rows, shown);
     }
     return html + dashNotes(rows);
@@ -380,7 +379,8 @@ QString differenceText(const Result &result)
 QString plotSection(const ReportContent &content)
 {
     const Result &result = *content.result;
-    if (result.limits.mobility == Mobility::Impossible && !result.isCompared()) {
+    const bool isMoving = result.limits.mobility != Mobility::Impossible && result.mechanism.omega2() != 0.0;
+    if (!isMoving && !result.isCompared()) {
         return {};
     }
     QString shown;
