@@ -18,6 +18,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QFileInfo>
+#include <QIcon>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMenu>
@@ -26,9 +27,11 @@
 #include <QScrollBar>
 #include <QSplitter>
 #include <QTextEdit>
+#include <QTimer>
 #include <QToolButton>
 #include <QUrl>
 
+#include <chrono>
 #include <cstdlib>
 #include <emscripten.h>
 #include <emscripten/html5.h>
@@ -238,6 +241,9 @@ int main(int argc, char *argv[])
     }
     auto *window = new MainWindow;
     fillPage(window);
+    // Title bars of dialogs show the icon. It is drawn after the window has been painted.
+    constexpr std::chrono::seconds kAfterStart(2);
+    QTimer::singleShot(kAfterStart, qApp, [] { QApplication::setWindowIcon(QIcon(":/slidercrank.svg")); });
     if (isSceneLink(address)) {
         window->openFiles({address});
     }

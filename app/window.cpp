@@ -14,6 +14,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QIcon>
 #include <QSettings>
 
 #include <algorithm>
@@ -91,6 +92,7 @@ ExitStatus windowCommand(const OptionReader &options, const Streams &streams)
                                          "solve, which needs none.")};
     }
     leaveConsole();
+    QApplication::setWindowIcon(QIcon(":/slidercrank.svg"));
     auto window = std::make_unique<MainWindow>();
     followLanguage(window);
     window->showWithinScreen();

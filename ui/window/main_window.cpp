@@ -127,7 +127,6 @@ MainWindow::MainWindow(QWidget *parent)
     , m_exports(new Exports(m_session, m_views, this))
     , m_status(new StatusBar(this))
 {
-    setWindowIcon(QIcon(":/slidercrank.svg"));
     setAcceptDrops(true);
     resize(kInitialSize);
     if (chosenTheme() != Theme::System) {
