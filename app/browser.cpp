@@ -210,6 +210,8 @@ void fillPage(MainWindow *window)
     new BrowserPage(window);
     window->setWindowFlag(Qt::FramelessWindowHint);
     window->showMaximized();
+    // Otherwise the first picture would show an unfinished layout for a moment: the legend of the plots was cut off.
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     emscripten_set_visibilitychange_callback(window, false, storeLayout);
     const auto remake = [window] {
         fillPage(window->remade().release());
