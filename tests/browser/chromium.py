@@ -5,6 +5,7 @@ long the page stands still, in processor time: another load on the machine does 
 import base64
 import http.server
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -15,9 +16,9 @@ import urllib.request
 
 import websocket
 
-# Counts the frames in which the page is painted.
+# Counts the frames in which the page is painted, and notes when the first one has been painted (s since 1970).
 MEASURE = """
-window.measured = {frames: 0};
+window.measured = {frames: 0, painted: null};
 {
   let isPainted = false;
   for (const name of ["putImageData", "drawImage"]) {
@@ -25,7 +26,10 @@ window.measured = {frames: 0};
     CanvasRenderingContext2D.prototype[name] = function (...all) { isPainted = true; return paint.apply(this, all); };
   }
   const next = () => {
-    measured.frames += isPainted;
+    if (isPainted) {
+      measured.frames += 1;
+      measured.painted ??= (performance.timeOrigin + performance.now()) / 1000;
+    }
     isPainted = false;
     requestAnimationFrame(next);
   };
@@ -69,8 +73,10 @@ class Chromium:
         self.chooser = None
         self.trace = None  # tasks, while they are recorded
         self.longest_block = 0.0  # s
-        for domain in ("Page", "Runtime", "Log", "Network", "DOM"):
+        for domain in ("Page", "Runtime", "Log", "DOM"):
             self.call(domain + ".enable")
+        # Otherwise Chromium would keep a copy of all that a page loads, for which the page would wait.
+        self.call("Network.enable", maxTotalBufferSize=0, maxResourceBufferSize=0)
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=is_phone)
         self.call("Emulation.setEmulatedMedia",
                   features=[{"name": "prefers-color-scheme", "value": "dark" if is_dark else "light"}])
@@ -90,6 +96,29 @@ class Chromium:
             except (OSError, StopIteration, ValueError):
                 time.sleep(0.1)
         raise TimeoutError("Chromium does not start")
+
+    def wait_until_started(self):
+        """Waits until the browser itself has nothing to do. It answers seconds before."""
+        end = time.time() + 30
+        before = -1.0
+        while (now := self._processor_time()) > before + 0.02 and time.time() < end:
+            before = now
+            self.wait(0.5)
+
+    def processes(self):
+        names = subprocess.run(["pgrep", "--full", str(self.profile)], capture_output=True, text=True).stdout.split()
+        return [pathlib.Path("/proc") / name for name in names]
+
+    def _processor_time(self):
+        """The seconds for which the processes of the browser have run, in the user's and in the system's mode."""
+        seconds = 0.0
+        for process in self.processes():
+            try:
+                fields = (process / "stat").read_text().rpartition(")")[2].split()
+            except OSError:  # it has just ended
+                continue
+            seconds += (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+        return seconds
 
     def _note(self, message):
         method, about = message.get("method"), message.get("params", {})
@@ -172,7 +201,7 @@ class Chromium:
         self.trace = None
 
     def open(self, address):
-        """Opens the page. Returns the seconds until the window is painted."""
+        """Opens the page. Returns the seconds until its window has been painted for the first time."""
         self.stop_record()
         self.requests.clear()
         start = time.time()
@@ -182,9 +211,9 @@ class Chromium:
         if self.script("window.isOld") and self.script("location.href") == address:
             self.call("Page.reload")  # the same address again; for another link, the page does so itself
         self.wait_for("the window", lambda: not self.script("window.isOld") and self.is_started(), 120)
-        seconds = time.time() - start
+        painted = self.script("measured.painted")
         self.record()
-        return seconds
+        return painted - start
 
     def reload(self):
         self.open(self.script("location.href"))

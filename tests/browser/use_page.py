@@ -248,6 +248,7 @@ def use(name, address, shots):
         window = Window(browser, shots, name)
         window.address = address
         browser.call("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
+        browser.wait_until_started()
         seconds = browser.open(address)
         within(f"{name}: the window is painted", seconds, 2.5)
         measured[f"{name}: of them, processor time of the page, s"] = round(browser.busy(), 2)
@@ -276,8 +277,7 @@ def use(name, address, shots):
 
 def memory_of(browser):
     """MB of all processes of the browser, of which it uses shared memory once."""
-    names = subprocess.run(["pgrep", "--full", str(browser.profile)], capture_output=True, text=True).stdout.split()
-    maps = [pathlib.Path(f"/proc/{name}/smaps_rollup") for name in names]
+    maps = [process / "smaps_rollup" for process in browser.processes()]
     return round(sum(int(re.search(r"^Pss: +(\d+)", each.read_text(), re.M)[1]) for each in maps if each.exists()) / 1000)
 
 
