@@ -65,7 +65,7 @@ bool isAngleBetter(const Fit &overAngle, const ObservedFit &overTime)
 {
     const auto isInterpolated = [&](Index k) { return overTime.searched.columns[k].isInterpolated; };
     if (std::ranges::any_of(overAngle.columns, isInterpolated)) {
-        return false; // they suit the angle, which was interpolated or held like them, but not the time
+        return false; // the angle was interpolated or held like these columns, so that they suit it, but not the time
     }
     const Fit byAngle = evaluateModel(overTime.searched, overAngle.model, overAngle.columns);
     const Fit byTime = evaluateModel(overTime.searched, overTime.fit.model, overAngle.columns);

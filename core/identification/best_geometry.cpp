@@ -95,9 +95,11 @@ ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observation
 ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, const Observations &searched,
                                                const Parameters &given)
 {
-    constexpr double kFiner = 3.0; // with similar steps, the lower derivatives have shown the geometry as well
+    // With similar rounding steps, the lower derivatives have shown the geometry as well.
+    constexpr double kMinStepRatio = 3.0;
     const Indices columns = higherShapeColumns(searched);
-    const bool areFiner = kFiner * coarsestStep(searched, columns) < coarsestStep(searched, shapeColumns(searched));
+    const bool areFiner =
+        kMinStepRatio * coarsestStep(searched, columns) < coarsestStep(searched, shapeColumns(searched));
     return areFiner ? findConstrainedGeometry(wholeFile, searched, columns, given) : ConstrainedFit{};
 }
 

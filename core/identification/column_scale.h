@@ -53,8 +53,8 @@ struct ColumnScale {
     bool isNearRounding = false; ///< they are as small as rounding
 };
 
-/// Compares a derivative with its prediction by `model`, which is that of the fit at the same or at another speed of
-/// the crank. `othersAreExact`: see largestFurtherResidual().
+/// Compares a derivative with its prediction by `model`, which is that of the fit at the same or at a different speed
+/// of the crank. `othersAreExact`: see largestFurtherResidual().
 ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index column,
                      bool othersAreExact);
 

@@ -2,11 +2,11 @@
 #pragma once
 
 // Conventions in which a file may differ from its headings: radians instead of degrees, metres instead of millimetres,
-// an axis in the opposite direction, another origin, the textbook's θ_3 instead of θ³, the other assembly, a late
+// an axis in the opposite direction, a different origin, the textbook's θ_3 instead of θ³, the other assembly, a late
 // start, a column that is not the derivative it claims to be. The program reports them and lets the user apply them.
 //
-// Some conventions cannot be distinguished from another mechanism. The set of the motions of all mechanisms does not
-// change if they are
+// Some conventions cannot be distinguished from a different mechanism. The set of the motions of all mechanisms does
+// not change if they are
 //
 //     mirrored in the x axis    θ → -θ, x → x            c → -c, ω2 → -ω2, θ20 → -θ20
 //     mirrored in the y axis    θ → 180° - θ, x → -x     ω2 → -ω2, θ20 → 180° - θ20, the other assembly
@@ -20,13 +20,13 @@
 //     the crank is reversed     θ → θ                    ω2 → -ω2, θ20 → 180° - θ20
 //
 // Therefore the length unit of the whole file, times in milliseconds, a late start and the other assembly are reported
-// only if the file then agrees with the given mechanism. Otherwise the result is another mechanism without a
+// only if the file then agrees with the given mechanism. Otherwise the result is a different mechanism without a
 // convention. (Milliseconds are also reported if derivatives show them, see table_conventions.h.) Some files can be
 // described by either of two conventions:
 //
 //     θ turned by 180°, or x negated
 //     one of two columns negated, or the other one
-//     R4x measured from another origin in the opposite direction (a depth), or θ turned by 180°
+//     R4x measured from a different origin in the opposite direction (a depth), or θ turned by 180°
 //
 // The simplest description is chosen, then the one whose mechanism is near the given one (mirror_images.h).
 //
@@ -60,7 +60,7 @@ struct Convention {
         HalfTurn,       ///< the textbook's θ_3, measured at B and not at A: jumps by a turn are removed, and an odd
                         ///< multiple of 180° is added
         WholeTurns,     ///< jumps by a turn are removed, and amount = 0, ±360°, … is added
-        ZeroPoint,      ///< another origin: amount (in the unit of files) is added to one column
+        ZeroPoint,      ///< a different origin: amount (in the unit of files) is added to one column
         SwappedColumns, ///< two columns have each other's headings
         Branch,         ///< the motion of the other assembly: changes the model, not the data
         TimeShift,      ///< the clock started early or late: amount (s) is added to the times

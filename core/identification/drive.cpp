@@ -39,8 +39,8 @@ LinearFit fitPowers(const Observations &observations, const Values &angles, Inde
 bool areNoise(const Values &residuals, const Observations &observations, const Values &angles, Index terms)
 {
     constexpr double kMaxNoise = 0.1;         // rad (6°): larger deviations are not those of a sensor
-    constexpr double kMinFraction = 0.5;      // of the sum of squares: two more terms leave less of a curve
-    constexpr double kMinProbability = 0.001; // of noise that resembles a curve in few rows
+    constexpr double kMinFraction = 0.5;      // of the sum of squares remains: of a curve, two more terms leave less
+    constexpr double kMinProbability = 0.001; // that noise in few rows resembles a curve by as much
     if (residuals.abs().maxCoeff() > kMaxNoise || !changeSignLikeNoise(residuals) || !differLikeNoise(residuals)) {
         return false;
     }

@@ -15,7 +15,7 @@ struct Drive {
                    ///< at all
         Constant, ///< it contains both, and the speed is constant
         RunUp,    ///< it contains both, and the speed changes evenly
-        Uneven    ///< the speed changes in another way: the angle predicts positions, but nothing predicts derivatives
+        Uneven    ///< the speed changes unevenly: the angle predicts positions, but nothing predicts derivatives
     };
     Kind kind = Kind::OverTime;
 

@@ -249,7 +249,7 @@ void compareWithBothMechanisms(Identification &result, const ReferenceData &corr
 bool isRowContradicted(const Identification &result, const ReferenceData &data, std::size_t row,
                        const Findings &findings)
 {
-    constexpr double kFar = 4.0; // bounds of rounding
+    constexpr double kFarInBounds = 4.0; // bounds of rounding
     ReferenceData corrected = applyAll(result.conventions, data);
     for (ReferenceSeries &series : corrected.series) {
         for (std::size_t other = 0; series.channel != kCrankAngle && other < series.values.size(); ++other) {
@@ -259,8 +259,8 @@ bool isRowContradicted(const Identification &result, const ReferenceData &data, 
     const FittedMechanism fitted = findings.lastFit.fit.fittedMechanism();
     const std::vector<ChannelComparison> channels =
         compareCorrectedFile(result.parameters, corrected, findings, fitted);
-    return std::ranges::any_of(channels,
-                               [](const ChannelComparison &channel) { return channel.largestErrorInBounds > kFar; });
+    return std::ranges::any_of(
+        channels, [](const ChannelComparison &channel) { return channel.largestErrorInBounds > kFarInBounds; });
 }
 
 bool allAgree(const std::vector<ChannelComparison> &channels)

@@ -88,8 +88,8 @@ bool isSmallOrigin(const Observations &observations, const Model &model, Unknown
                          : kMaxAngle);
 }
 
-/// Where sin θ3 ≈ θ3, another unit of θ3 looks like another length of the coupler. Returns the fit with θ3 in its usual
-/// unit, or the same fit if the file needs the other unit.
+/// Where sin θ3 ≈ θ3, a different unit of θ3 looks like a different length of the coupler. Returns the fit with θ3 in
+/// its usual unit, or the same fit if the file needs the other unit.
 Fit withUsualUnits(const Observations &observations, Fit fit)
 {
     const Indices columns = fit.columns;

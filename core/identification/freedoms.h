@@ -18,10 +18,10 @@ struct ConstrainedFit {
     ParameterErrors possibleErrors{};
 };
 
-/// If the coupler is very long, a different length of it looks like another unit of θ3, and a reversed crank like the
-/// opposite sign of R4_x. Returns the fit with the usual unit if this explains the columns as well, and with the usual
-/// sign if rounding explains its residuals; otherwise the same fit. If the model follows the angle in the file, θ20 is
-/// wrapped to [-π, π).
+/// If the coupler is very long, a different length of it looks like a different unit of θ3, and a reversed crank like
+/// the opposite sign of R4_x. Returns the fit with the usual unit if this explains the columns as well, and with the
+/// usual sign if rounding explains its residuals; otherwise the same fit. If the model follows the angle in the file,
+/// θ20 is wrapped to [-π, π).
 Fit withUsualReadings(const Observations &observations, Fit fit);
 
 /// Sets each origin to its nearest usual value, one after the other, and fits the other unknowns again: the angle of

@@ -27,7 +27,8 @@ using Reason = LeftOutColumn::Reason;
 bool isMotionOfOtherProportions(const Observations &observations, const Fit &fit, Index k)
 {
     constexpr double kMinValues = 20.0; // fewer prove nothing
-    constexpr double kMinChange = 3e-3; // of b/a or c/a, relative to (b + |c|)/a: a delayed column changes neither
+    // The change of b/a or c/a, relative to (b + |c|)/a. A delay of the column changes neither.
+    constexpr double kMinChange = 3e-3;
     if (observations.columns[k].isConstant()) {
         return false;
     }
@@ -66,7 +67,7 @@ double percentOfPeakAtBestScale(const Observations &observations, const Fit &fit
 }
 
 /// Largest deviation at the best scale, in percent of the peak, with which a derivative may be that of the mechanism at
-/// another speed. If several speeds are possible, the derivatives have smaller deviations.
+/// a different speed. If several speeds are possible, the derivatives have smaller deviations.
 constexpr double kMaxPercentAtOpenSpeed = 5.0;
 
 /// Why nothing predicts column k of `result`, so that it cannot be compared with the mechanism; nullopt if the
@@ -86,7 +87,7 @@ std::optional<Reason> reasonWithoutPrediction(const FurtherColumns &result, cons
     if (isSpeedKnown) {
         return std::nullopt;
     }
-    if (column.isDifference) { // this is more certain than that another speed would explain the column
+    if (column.isDifference) { // this is more certain than a different speed that would explain the column
         return Reason::FiniteDifferences;
     }
     const bool suitsAnySpeed = percentOfPeakAtBestScale(observations, result.fit, k) < kMaxPercentAtOpenSpeed;

@@ -20,8 +20,8 @@ struct FurtherColumns {
     std::vector<double> speeds{};
 };
 
-/// Adds columns to a fit, positions first. A column is added in its usual reading, or else in another unit, with
-/// another sign or with a free origin, if it is explained together with the columns of the fit: its residuals are
+/// Adds columns to a fit, positions first. A column is added in its usual reading, or else in a different unit, with a
+/// different sign or with a free origin, if it is explained together with the columns of the fit: its residuals are
 /// rounding or small, and the others are explained as well as without it (explainsAsWell()). `given`: chooses among
 /// speeds that the units of a table leave open.
 FurtherColumns withFurtherColumns(const Observations &observations, const Fit &fit, const Drive &drive,

@@ -157,7 +157,7 @@ ColumnReading readingAfterScaling(const ObservedColumn &column, const ColumnRead
     return column.containsAngles() ? fitted : ColumnReading{std::copysign(1.0, fitted.factor), fitted.origin};
 }
 
-/// A model from which a fit may start, and how badly it explains the columns without one.
+/// A model from which a fit may start, and the misfit before that fit.
 struct Candidate {
     double misfit = kInfinity;
     Model model;
@@ -431,7 +431,7 @@ bool determineLengths(const Observations &observations, const Indices &columns)
 Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,
                  const Parameters &given)
 {
-    constexpr Index kGridRows = 40;    // the grid is coarse, and has many points
+    constexpr Index kGridRows = 40;    // for each of more than a thousand mechanisms, which are not exact anyway
     constexpr Index kSearchRows = 120; // some dozens of candidates are fitted to them
     const Observations gridRows = selectRows(observations, kGridRows);
     const Observations searchRows = selectRows(observations, kSearchRows);

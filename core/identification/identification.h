@@ -23,7 +23,7 @@ namespace slidercrank
 /// A statement about each parameter, at indexOf(Parameter): whether it is true of this parameter.
 using ParameterFlags = std::array<bool, kParameterCount>;
 
-/// Another mechanism whose motion is the same in all columns of the file, read in the same way.
+/// A different mechanism whose motion is the same in all columns of the file, read in the same way.
 struct AlternativeMechanism {
     enum class Symmetry {
         MirrorImage,   ///< R4_x alone: c, ω2 and θ20 negated
@@ -37,7 +37,7 @@ struct AlternativeMechanism {
 /// A column that the fit does not use.
 struct LeftOutColumn {
     enum class Reason {
-        FiniteDifferences, ///< it agrees with difference quotients of another column, but not with the derivative
+        FiniteDifferences, ///< it agrees with difference quotients of a lower column, but not with the derivative
         UnevenSpeed,       ///< the speed of the crank changes, so that nothing predicts this derivative
         OpenSpeed, ///< ω2, or the unit in which it is counted, is not known; for θ2: it has gaps, or its rows are too
                    ///< far apart to show how many turns the crank makes

@@ -16,8 +16,8 @@ std::optional<Fit> tryToAddColumn(const Observations &observations, const Fit &f
                                   bool isGeometryExact);
 
 /// Fits column k together with the columns of a fit, in the simplest reading with which a mechanism explains them all:
-/// in its usual one, with another sign or unit, or else with a free origin. Returns nullopt if there is none, or if the
-/// column only contains difference quotients of another one. `isGeometryExact`: see tryToAddColumn().
+/// in its usual one, with a different sign or unit, or else with a free origin. Returns nullopt if there is none, or if
+/// the column only contains difference quotients of another one. `isGeometryExact`: see tryToAddColumn().
 std::optional<Fit> addInSimplestReading(const Observations &observations, const Fit &fit, Index k,
                                         bool isGeometryExact);
 

@@ -31,22 +31,22 @@ Values largestChangeToNeighbours(const Values &values)
 /// than rounding or a row that is a little late could make it.
 Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fit, Index place)
 {
-    constexpr double kDeviations = 8.0; // robust standard deviations: noise does not reach them in any file
-    constexpr double kNormal = 1.4826;  // standard deviation of noise, in medians of its absolute values
-    constexpr double kRoundings = 2.0;  // bounds of rounding: one for the value, one for the error of the fit
-    constexpr double kLateness = 0.2;   // intervals between rows by which a row may be late or early
+    constexpr double kMaxDeviations = 8.0;         // robust standard deviations: noise does not reach them in any file
+    constexpr double kDeviationPerMedian = 1.4826; // standard deviation of noise over the median of its magnitudes
+    constexpr double kMaxBounds = 2.0;   // bounds of rounding: one for the value, one for the error of the fit
+    constexpr double kMaxLateness = 0.2; // intervals between rows by which a row may be late or early
     const ObservedColumn &column = observations.columns[fit.columns[place]];
     const Values residuals = fit.residuals.col(place);
     const Values errors = residuals.abs();
-    const double limit = kDeviations * std::max(kNormal * median(errors), std::sqrt(column.variance));
+    const double limit = kMaxDeviations * std::max(kDeviationPerMedian * median(errors), std::sqrt(column.variance));
     // Residuals from row to row jump at outliers. Systematic residuals may be as large, but rise and fall slowly.
     const Index pairs = residuals.size() - 1;
     if (!(gapsAsZeros(residuals.tail(pairs) - residuals.head(pairs)).abs() > limit).any()) {
         return Eigen::ArrayX<bool>::Constant(residuals.size(), false);
     }
     const Values predictions = predictValues(fit.model, observations, {fit.columns[place]}).col(0);
-    const Values harmless =
-        (kRoundings * roundingBounds(observations, fit, place)).max(kLateness * largestChangeToNeighbours(predictions));
+    const Values harmless = (kMaxBounds * roundingBounds(observations, fit, place))
+                                .max(kMaxLateness * largestChangeToNeighbours(predictions));
     return errors > limit && errors > harmless;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether a single wrong length of the given mechanism explains why the file is that of another one.
+// Whether a single wrong length of the given mechanism explains why a different one produced the file.
 
 #include "core/identification/fit.h"
 #include "core/identification/identification.h"

@@ -163,12 +163,12 @@ int countUnusualReadings(const Observations &observations, const Fit &fit, const
 
 /// Orders the images: that with the lowest rank, compared member by member, is preferred.
 struct ImageRank {
-    int unusualReadingsAndAssembly; ///< unusualReadings, and one more for another assembly than the given one
+    int unusualReadingsAndAssembly; ///< unusualReadings, and one more for an assembly other than the given one
     bool isOtherThanGiven;          ///< the assembly or c is not that of the given mechanism
     bool isDisplacementNegated;     ///< a displacement may have any direction, but that of x is likelier
     int unusualReadings; ///< countUnusualReadings(): the given assembly with one is preferred to the other without any
     bool isReversed;     ///< the crank turns in the direction opposite to the given one
-    double distanceOfC;  ///< of c from the given one: 0 … 1
+    double distanceOfC;  ///< between c and the given c, 0 … 1
 
     friend auto operator<=>(const ImageRank &, const ImageRank &) = default;
 };
@@ -225,12 +225,12 @@ bool haveSameReading(const Fit &fit, const Model &first, const Model &second)
 
 std::vector<Model> rankMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given)
 {
-    std::vector<Model> images{fit.model, mirroredInX(fit.model, observations)};
-    images.push_back(mirroredInY(images[0], observations));
-    images.push_back(mirroredInY(images[1], observations));
+    const Model inX = mirroredInX(fit.model, observations);
+    std::vector<Model> images{fit.model, inX, mirroredInY(fit.model, observations), mirroredInY(inX, observations)};
     if (observations.containOnlyAngles(fit.columns)) {
-        for (std::size_t i = 0; i < 4; ++i) {
-            images.push_back(withReflectedCrank(images[i], observations));
+        const std::vector<Model> withCrankOfFit = images;
+        for (const Model &image : withCrankOfFit) {
+            images.push_back(withReflectedCrank(image, observations));
         }
     }
     std::ranges::stable_sort(images, {},

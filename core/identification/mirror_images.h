@@ -14,12 +14,12 @@ namespace slidercrank
 
 /// Returns the mirror images of a fit, itself included, the one with the simplest reading of the file first; of equal
 /// ones, the one near the given mechanism. A reading is the simpler the fewer columns are negated or half a turn off;
-/// if all columns of lengths or of angles are negated, they count once. Another assembly than the given one, and R4_y
+/// if all columns of lengths or of angles are negated, they count once. An assembly other than the given one, and R4_y
 /// that is not c, count like one such column. The direction of a displacement does not count, but of equal readings the
 /// one is simpler in which it is not negated.
 std::vector<Model> rankMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given);
 
-/// Of rankMirrorImages(), returns those that read the file as the first one does.
+/// Returns the first of rankMirrorImages(), and those that read the file in the same way.
 std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given);
 
 } // namespace slidercrank

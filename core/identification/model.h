@@ -94,8 +94,10 @@ bool computeUnitSpeedMotion(TextbookMotion<Number> &motion, Branch branch, const
 {
     // At a speed of one radian per second, the derivatives with respect to the time are those with respect to the
     // angle.
-    return motion.compute({lengths[0], lengths[1], lengths[2], Number(1.0), Number(0.0)}, crankAngle,
-                          branch == Branch::Open ? 1.0 : -1.0);
+    const Number omega2(1.0);
+    const Number theta20(0.0);
+    const auto &[a, b, c] = lengths;
+    return motion.compute({a, b, c, omega2, theta20}, crankAngle, branch == Branch::Open ? 1.0 : -1.0);
 }
 
 /// The motion of a channel at a speed ω (rad/s) and an angular acceleration α (rad/s²) of the crank. With the

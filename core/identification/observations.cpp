@@ -134,7 +134,7 @@ double farthestBelowZero(const Function &function, double minimum, double end)
     if (function(minimum) >= 0.0) {
         return minimum;
     }
-    constexpr int kBits = 26; // of the result: the interval may be small
+    constexpr int kBits = 26; // that are correct in the result
     std::uintmax_t evaluations = 50;
     const boost::math::tools::eps_tolerance<double> isClose(kBits);
     const auto [left, right] = boost::math::tools::toms748_solve(function, std::min(minimum, end),
@@ -148,7 +148,7 @@ double farthestBelowZero(const Function &function, double minimum, double end)
 /// the first one.
 Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<double> &gridNumbers)
 {
-    constexpr int kBits = 26; // of the result; more are lost in rounding errors
+    constexpr int kBits = 26; // that are correct in the result; more are lost in rounding errors
     const Index last = printed.size() - 1;
     const Values numbers = Eigen::Map<const Values>(gridNumbers.data(), std::ssize(gridNumbers));
     const Values fractions = numbers / numbers[last]; // of the duration of the grid
@@ -166,8 +166,8 @@ Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<
     const double best = boost::math::tools::brent_find_minima(excess, -1.0, 1.0, kBits).first;
     const double start = 0.5 * (earliestStart(best) + latestStart(best));
     Grid grid{.times = start + gridFromZero(best)};
-    for (const double longest : {-1.0, 1.0}) {
-        const double stretch = farthestBelowZero(excess, best, longest);
+    for (const double limit : {-1.0, 1.0}) {
+        const double stretch = farthestBelowZero(excess, best, limit);
         const double otherStart = 0.5 * (earliestStart(stretch) + latestStart(stretch));
         grid.startMargin = std::max({grid.startMargin, -0.5 * excess(best), std::abs(otherStart - start)});
         grid.durationMargin =
@@ -242,8 +242,8 @@ void observeTableAngle(Observations &observations, const CrankAngles &crank)
     observations.angleHalfStep = 0.5 * clock.step() / kDegreesPerRadian;
 }
 
-/// Whether the angles are evenly spaced multiples of a simple part of their distance, as 30°, 45°, 60° or 105°, 115°,
-/// 125°: somebody chose them, and computed the other columns from them.
+/// Whether the angles are evenly spaced multiples of a simple fraction of their distance, as 30°, 45°, 60° or 105°,
+/// 115°, 125°: somebody chose them, and computed the other columns from them.
 bool areChosen(const Values &angle)
 {
     constexpr double kPartsOfDistance = 6.0; // halves and thirds

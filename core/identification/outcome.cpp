@@ -65,13 +65,27 @@ ParameterErrors worstCaseErrors(const LastFit &lastFit, bool areResidualsSystema
     return errors;
 }
 
-/// The largest error of a parameter, relative to its size, with which it is not left open.
+/// The largest error of a parameter, relative to its size, with which it counts as determined.
 double maxRelativeError(Unknown unknown, bool areResidualsSystematic)
 {
     if (areResidualsSystematic) {
         return kMaxSystematicError;
     }
     return unknown.kind == UnknownKind::A ? kMaxErrorOfCrank : kMaxError;
+}
+
+/// The size with which the error of a parameter is compared, in mm, rad and s. An offset is compared at least with the
+/// crank, and an angle with 1 rad.
+double comparedSize(Parameter parameter, const Parameters &mechanism)
+{
+    switch (parameter) {
+    case Parameter::A: return mechanism.a;
+    case Parameter::B: return mechanism.b;
+    case Parameter::C: return std::max(mechanism.a, std::abs(mechanism.c));
+    case Parameter::Omega2: return std::abs(mechanism.omega2);
+    case Parameter::Theta20: break;
+    }
+    return 1.0;
 }
 
 /// Whether all columns of the fit are those of one coordinate, such as R4_x and its derivatives.
@@ -98,7 +112,6 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
 {
     const Fit &fit = lastFit.fit;
     const Parameters &m = fit.model.mechanism;
-    const std::array<double, kParameterCount> sizes{m.a, m.b, std::max(m.a, std::abs(m.c)), std::abs(m.omega2), 1.0};
     // A motion that is only approximately that of a long coupler hardly shows its length, however small the errors are.
     const bool isCouplerOpen = !lastFit.isExact && hidesLengths(m);
     // On an arc, many motions resemble each other, and over the time so do the positions behind a filter and those of a
@@ -111,10 +124,11 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
     for (const Unknown unknown : fit.unknowns) {
         if (unknown.isParameter()) {
             const std::size_t i = indexOf(toParameter(unknown));
+            const double size = comparedSize(toParameter(unknown), m);
             const bool isCouplerOrOffset = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
             open[i] = isEverythingOpen || (isCouplerOpen && isCouplerOrOffset) ||
-                      changes[i] > kMaxChangeByRipple * sizes[i] ||
-                      errors[i] > maxRelativeError(unknown, areResidualsSystematic) * sizes[i];
+                      changes[i] > kMaxChangeByRipple * size ||
+                      errors[i] > maxRelativeError(unknown, areResidualsSystematic) * size;
         }
     }
     if (open[indexOf(Parameter::A)]) {

@@ -12,11 +12,11 @@ namespace slidercrank
 
 Values roundingBounds(const Observations &observations, const Fit &fit, Index place)
 {
-    constexpr double kTies = 1.0 + 1e-6; // a value in the middle of two printable ones is not exact in binary
+    constexpr double kTieFactor = 1.0 + 1e-6; // a value in the middle of two printable ones is not exact in binary
     const ObservedColumn &column = observations.columns[fit.columns[place]];
     const double shift = fit.model.followsAngle ? std::abs(fit.model.angleFactor) * observations.angleHalfStep
                                                 : std::abs(fit.model.mechanism.omega2) * observations.timeHalfStep;
-    Values motion = Values::Zero(column.values.size()); // during half a step of the abscissa
+    Values motion = Values::Zero(column.values.size()); // during half a rounding step of the abscissa
     for (const double side : {-shift, shift}) {
         if (side == 0.0) {
             continue;
@@ -26,7 +26,7 @@ Values roundingBounds(const Observations &observations, const Fit &fit, Index pl
         const Values residuals = column.values - predictValues(shifted, observations, {fit.columns[place]}).col(0);
         motion = motion.max(gapsAsZeros((residuals - fit.residuals.col(place)).abs()));
     }
-    return kTies * column.halfSteps + motion;
+    return kTieFactor * column.halfSteps + motion;
 }
 
 double columnSize(const Observations &observations, const Fit &fit, Index place)

@@ -10,8 +10,8 @@ namespace slidercrank
 {
 
 /// The largest residuals (rms, relative to the range of a column) with which a mechanism explains the column
-/// approximately. The limit is lower for systematic residuals than for noise, because a motion of another kind leaves
-/// them as well: 0.8 % and more if a slider-crank is fitted to a four-bar linkage.
+/// approximately. The limit is lower for systematic residuals than for noise, because a motion of a different kind
+/// leaves them as well: 0.8 % and more if a slider-crank is fitted to a four-bar linkage.
 inline constexpr double kLargestNoise = 0.02;
 inline constexpr double kLargestSystematicResidual = 0.007;
 

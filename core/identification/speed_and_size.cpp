@@ -33,8 +33,8 @@ void scaleLengths(Parameters &mechanism, double factor)
     }
 }
 
-/// The order of the lengths in a fit over the angle of the crank, which is the same for all; Position if there are
-/// none.
+/// The order (position, velocity or acceleration) that all columns of lengths have in a fit over the angle of the
+/// crank; Position if there are none.
 Order orderOfLengths(const Observations &observations, const Fit &fit)
 {
     const auto isLength = [&](Index k) { return !observations.columns[k].containsAngles(); };
@@ -53,10 +53,9 @@ double ratioOfSpeeds(double factorOfColumn, Order order, Order fittedOrder)
 }
 
 /// Over the angle of the crank, velocities of lengths show the product a ω2, and accelerations a ω2². If a fit of
-/// columns of one of these orders (and of angles) has assumed another speed than the true one, it predicts lengths of
-/// other orders that are off by a factor, which shows the true speed. Returns the fit together with such a column, in
-/// which the speed is free; nullopt if no mechanism explains both, or if the column only contains difference quotients
-/// of the other one.
+/// columns of one of these orders (and of angles) has assumed a wrong speed, it predicts lengths of other orders that
+/// are off by a factor, which shows the true speed. Returns the fit together with such a column, in which the speed is
+/// free; nullopt if no mechanism explains both, or if the column only contains difference quotients of the other one.
 std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool isGeometryExact)
 {
     const Order fittedOrder = orderOfLengths(observations, fit);
@@ -79,7 +78,7 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
 }
 
 /// Angles show only ratios of lengths. Returns a fit of angles together with the first column of lengths that the same
-/// mechanism explains in another size; the same fit if there is none. Where a table over the crank angle leaves ω2
+/// mechanism explains in a different size; the same fit if there is none. Where a table over the crank angle leaves ω2
 /// open, a derivative only shows the size at the assumed speed. `drive`: the kind of the drive; if it is Uneven,
 /// nothing predicts derivatives.
 Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::Kind drive, bool isGeometryExact)

@@ -12,9 +12,9 @@
 namespace slidercrank
 {
 
-/// The model of a fit over the angle of the crank at another speed. If the fit contains velocities or accelerations of
-/// lengths, the lengths and the signs of the readings change so that it predicts the same values. (Angles in the fit do
-/// not depend on the speed.)
+/// The model of a fit over the angle of the crank at a different speed. If the fit contains velocities or accelerations
+/// of lengths, the lengths and the signs of the readings change so that it predicts the same values. (Angles in the fit
+/// do not depend on the speed.)
 Model atSpeed(const Observations &observations, const Fit &fit, double omega2);
 
 struct SpeedAndSize {

@@ -51,7 +51,7 @@ std::vector<Channel> findDoubtfulHeadings(const Identification &result)
 
 /// A conversion of the time stamps that is worth a trial if derivatives are left out from a file over the time, because
 /// derivatives do not suit the positions if the unit of the clock is wrong: from seconds to milliseconds, or from
-/// another unit to seconds.
+/// a different unit to seconds.
 std::optional<Convention> possibleUnitOfClock(const ReferenceData &data, const Identification &result)
 {
     const auto isDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };
@@ -101,7 +101,7 @@ std::vector<Convention> possibleTableConventions(const ReferenceData &data, cons
 {
     std::vector<Convention> conventions = possibleExchanges(data, findDoubtfulHeadings(result));
     if (std::optional<Convention> clock = possibleUnitOfClock(data, result)) {
-        conventions.insert(conventions.begin(), *std::move(clock)); // of equal results, the earlier one is kept
+        conventions.insert(conventions.begin(), *std::move(clock)); // if two results are equal, the earlier one is kept
     }
     return conventions;
 }

@@ -46,9 +46,9 @@ bool haveRatioOfTen(double speed, double other)
     return haveSameMagnitude(speed, 10.0 * other) || haveSameMagnitude(10.0 * speed, other);
 }
 
-/// Whether a derivative is probably not in a unit: it is a length, the file states a different unit, or it states none
-/// although θ2 is in radians; then rates of angles are in radians, too. `unit`: one of unitFactors(), 1 for that of the
-/// heading or the usual one.
+/// Whether `unit`, one of unitFactors(), differs from the unit that a derivative is expected to have: the stated one
+/// (1), or else the usual one for lengths (1), and radians for rates of angles if θ2 is in radians. If θ2 is in
+/// degrees, rates of angles without a stated unit may have any.
 bool contradictsUnit(const ObservedColumn &column, const Model &model, double unit)
 {
     const double unitOfAngles = 1.0 / std::abs(model.angleFactor);
@@ -180,8 +180,8 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
     std::ranges::transform(votes, std::back_inserter(supports),
                            [&](const Vote &vote) { return countSupport(vote, votes); });
     const auto bestRank = std::ranges::max(supports, {}, &Support::rank).rank();
-    // A wrong unit is likelier than another speed, unless that is ten times as high or low: 60 rpm and 600 rpm are both
-    // usual. With the opposite sense of the crank, the velocities are counted in the opposite direction, which is
+    // A wrong unit is likelier than a different speed, unless that is ten times as high or low: 60 rpm and 600 rpm are
+    // both usual. With the opposite sense of the crank, the velocities are counted in the opposite direction, which is
     // reported then.
     const bool isTenTimesGiven = std::ranges::any_of(supports, [&](const Support &support) {
         return support.rank() == bestRank && haveRatioOfTen(support.speed, givenSpeed);
@@ -213,7 +213,8 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
         }
         const ColumnScale scale = fitScale(observations, fit, fit.model, k, areExact);
         const auto isScale = [&](double unit) { return haveSameMagnitude(scale.factor, unit); };
-        const bool isInOtherUnit = std::ranges::any_of(unitFactors(channel), isScale); // likelier than another speed
+        // A wrong unit is likelier than a different speed.
+        const bool isInOtherUnit = std::ranges::any_of(unitFactors(channel), isScale);
         if (!scale.isExplained || isInOtherUnit) {
             continue;
         }

@@ -31,7 +31,7 @@ PossibleError fitError(const std::vector<double> &values, std::size_t row)
 {
     double sum = 0.0;
     double weight = 0.0;
-    for (std::size_t place = 0; place < kFourthDifference.size(); ++place) { // of the value in the difference
+    for (std::size_t place = 0; place < kFourthDifference.size(); ++place) { // where the value is in the difference
         if (row < place || row - place + kFourthDifference.size() > values.size()) {
             continue;
         }
@@ -65,7 +65,7 @@ struct SuspiciousValue {
 /// The value of a column that is most probably a typing error.
 SuspiciousValue findMostSuspicious(const ReferenceSeries &series)
 {
-    constexpr double kSteps = 0.5; // rounding steps that count as much as the median of the errors
+    constexpr double kMinUsualError = 0.5; // rounding steps: about the rms of the errors that rounding causes
     std::vector<double> values = series.values;
     if (isAngle(series.channel.coordinate) && series.channel.order == Order::Position) {
         removeJumps(values, 360.0);
@@ -75,12 +75,12 @@ SuspiciousValue findMostSuspicious(const ReferenceSeries &series)
     const std::size_t row = static_cast<std::size_t>(largest - errors.begin());
     const double error = std::abs(largest->error);
     const double step = series.rounding.stepAt(values[row]);
-    values[row] -= largest->error; // which has also changed the errors of its neighbours
+    values[row] -= largest->error; // otherwise it would count as an error of its neighbours, too
     errors = fitErrors(values);
     const auto magnitude = [](const PossibleError &possible) { return std::abs(possible.error); };
     const auto median = errors.begin() + std::ssize(errors) / 2;
     std::ranges::nth_element(errors, median, {}, magnitude);
-    const double usualError = std::max(magnitude(*median), kSteps * step);
+    const double usualError = std::max(magnitude(*median), kMinUsualError * step);
     return {.row = row, .suspicion = error > 0.0 ? error / usualError : 0.0};
 }
 
@@ -88,7 +88,7 @@ SuspiciousValue findMostSuspicious(const ReferenceSeries &series)
 
 std::optional<std::size_t> findSuspiciousRow(const ReferenceData &data)
 {
-    constexpr std::size_t kMinRows = 9;    // with fewer, five fourth differences are most of them
+    constexpr std::size_t kMinRows = 9;    // fewer do not have the five fourth differences that an error changes
     constexpr std::size_t kMaxRows = 400;  // nobody types more
     constexpr double kMinSuspicion = 10.0; // few curves without an error reach it
     if (data.time.size() < kMinRows || data.time.size() > kMaxRows) {

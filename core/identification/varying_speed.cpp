@@ -56,11 +56,11 @@ Eigen::MatrixXd derivativesByUnknowns(const Observations &observations, const Fi
 /// The derivatives of the predictions by both numbers of a ripple, a column for each.
 Eigen::MatrixXd derivativesByRipple(const Observations &observations, const Fit &fit)
 {
-    constexpr double kSize = 1.0; // rad
+    constexpr double kSizeOfRipple = 1.0; // rad
     Eigen::MatrixXd derivatives(fit.residuals.size(), 2);
-    derivatives << derivativeOfPredictions(observations, fit, kSize,
+    derivatives << derivativeOfPredictions(observations, fit, kSizeOfRipple,
                                            [](Model &model, double amount) { model.ripple.cosine += amount; }),
-        derivativeOfPredictions(observations, fit, kSize,
+        derivativeOfPredictions(observations, fit, kSizeOfRipple,
                                 [](Model &model, double amount) { model.ripple.sine += amount; });
     return derivatives;
 }

@@ -52,7 +52,7 @@ void appendForColumns(std::vector<ConventionFinding> &conventions, const Referen
 
 /// The factors by which values may have to be multiplied because their unit is wrong. `unitInFile`: the size of this
 /// unit in mm, ° or s, as the heading states it and conventions change it; 1 if none is stated. Values in mm, ° or s,
-/// or without a unit, may really be in any of `units`; values in another unit may really be in mm, ° or s.
+/// or without a unit, may really be in any of `units`; values in a different unit may really be in mm, ° or s.
 std::vector<double> possibleFactors(std::span<const double> units, double unitInFile)
 {
     if (unitInFile == 1.0) {

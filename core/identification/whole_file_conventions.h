@@ -19,8 +19,8 @@ struct WholeFileConventions {
 };
 
 /// A different length unit, times in milliseconds, the other sense of rotation, a late start and the other assembly
-/// cannot be distinguished from another mechanism. Returns such conventions only if the mechanism found is the given
-/// one after they are applied, and only if one or two of them are sufficient (in a file with θ2: one). Otherwise
+/// cannot be distinguished from a different mechanism. Returns such conventions only if the mechanism found is the
+/// given one after they are applied, and only if one or two of them are sufficient (in a file with θ2: one). Otherwise
 /// returns no conventions, and `found`. `data`: the file after all other conventions were applied.
 WholeFileConventions findWholeFileConventions(const ReferenceData &data, const Parameters &found,
                                               const ParameterErrors &standardError, const Parameters &given);

@@ -41,9 +41,12 @@ ClaimTable &ClaimTable::setPositions(const std::function<double(Channel, double)
         const Channel position{channel.coordinate, Order::Position};
         const double before = positions(position, t - step);
         const double after = positions(position, t + step);
-        return channel.order == Order::Position   ? positions(position, t)
-               : channel.order == Order::Velocity ? (after - before) / (2.0 * step)
-                                                  : (after - 2.0 * positions(position, t) + before) / (step * step);
+        switch (channel.order) {
+        case Order::Position: break;
+        case Order::Velocity: return (after - before) / (2.0 * step);
+        case Order::Acceleration: return (after - 2.0 * positions(position, t) + before) / (step * step);
+        }
+        return positions(position, t);
     };
     return *this;
 }

@@ -34,7 +34,7 @@ struct LinearizedFit {
     std::vector<Index> free{}; ///< indices of the unknowns: parameters, then origins
     Values weights{};          ///< 1 / error of each value, one column after the other; 0: not used
     Values deviations{};       ///< systematic ones of the values, in errors
-    double count = 0.0;        ///< of used values
+    double count = 0.0;        ///< number of used values
     double information = 0.0;  ///< sum of the logarithms of spread / error
     bool isClose = true;       ///< systematic deviations are below half a percent of the range
 

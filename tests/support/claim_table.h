@@ -153,7 +153,8 @@ public:
     ClaimTable &withTone(const Channels &channels, double fraction, double perTurn);
     ClaimTable &withBacklash(Channel channel, double fraction);
     ClaimTable &misread(Channel channel, double factor, double offset); ///< in at most 3 % of the rows
-    /// One value has another sign, its point is moved by one place, or it is off by up to a twentieth of the swing.
+    /// One value has the opposite sign, its point is moved by one place, or it is off by up to a twentieth of the
+    /// swing.
     ClaimTable &mistyped(Channel channel);
     /// Each value is too small with the probability `rows`, by at most `fraction`.
     ClaimTable &failing(Channel channel, double rows, double fraction);
@@ -187,7 +188,7 @@ public:
     ClaimTable &tooFewValues();   ///< to identify a mechanism reliably
     ClaimTable &mayBeMissed();    ///< although the linearized fit determines the mechanism
     ClaimTable &approximate();    ///< its systematic deviations may look like a different mechanism
-    ClaimTable &contradictory();  ///< its columns belong to several mechanisms, of which any may be found
+    ClaimTable &contradictory();  ///< several mechanisms produced its columns, and any of them may be found
     ClaimTable &mayExcludeRows(); ///< even right ones, where the last digit of a length changes the motion noticeably
     ClaimTable &noMechanism();    ///< no slider-crank makes this motion
 

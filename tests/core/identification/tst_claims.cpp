@@ -89,9 +89,11 @@ Totals runKind(const ClaimKind &kind, int usualFiles)
     const bool isOneFile = qEnvironmentVariableIsSet("SLIDERCRANK_CLAIM_FILE");
     const int first = qEnvironmentVariableIntValue("SLIDERCRANK_CLAIM_FILE");
     const int asked = qEnvironmentVariableIntValue("SLIDERCRANK_CLAIM_RUNS");
-    std::vector<JudgedFile> files(static_cast<std::size_t>(isOneFile || kIsMemoryCheck ? 1
-                                                           : asked > 0                 ? asked
-                                                                                       : usualFiles));
+    int count = asked > 0 ? asked : usualFiles;
+    if (isOneFile || kIsMemoryCheck) {
+        count = 1;
+    }
+    std::vector<JudgedFile> files(static_cast<std::size_t>(count));
     inParallel(files.size(), [&](std::size_t i) { files[i] = judgeFile(kind, first + static_cast<int>(i), seed()); });
     Totals totals;
     std::array<int, 4> outcomes{};

@@ -73,7 +73,7 @@ const std::vector<Fault> kFaults{
     {"the two velocities swapped", {Kind::SwappedColumns, {kTheta3Speed, kSliderSpeed}}},
 };
 
-/// Faults that another mechanism explains equally well.
+/// Faults that a different mechanism explains equally well.
 const std::vector<Fault> kFaultsOfWholeFile{
     {"all lengths in metres", {Kind::LengthUnit, kSliderChannels, 1e3}},
     {"all lengths in inches", {Kind::LengthUnit, kSliderChannels, 25.4}},
@@ -187,7 +187,7 @@ private slots:
         struct Row {
             std::vector<std::string> faults;
             std::vector<Channel> channels = kSixChannels; ///< θ3, x, and their derivatives
-            bool needsGiven = false;                      ///< another mechanism explains the file, too
+            bool needsGiven = false;                      ///< a different mechanism explains the file, too
         };
         for (const Row &row : {Row{{"angles in radians", "velocity in m/s"}},
                                {{"the textbook's θ_3", "angles in radians"}},
@@ -344,7 +344,7 @@ private slots:
                                         std::abs(found[1].convention.amount + row.angleAdded) < 1e-3),
                          title);
                 // After these conventions are applied, the file agrees with the mechanism. They are also found if
-                // another mechanism is given.
+                // a different mechanism is given.
                 ReferenceData read = data;
                 for (const ConventionFinding &finding : found) {
                     read = applied(finding.convention, std::move(read));

@@ -280,7 +280,7 @@ private slots:
     }
 
     /// A person chose θ2 every 15° and computed the times from it. Taken for angles that were rounded to whole degrees,
-    /// they would allow a mechanism without another origin of x: b = 161 mm.
+    /// they would allow a mechanism without a different origin of x: b = 161 mm.
     void takesChosenAnglesAsExact()
     {
         const Parameters p{.a = 45.0, .b = 153.6, .c = -13.5, .omega2 = 12.0};
@@ -396,7 +396,7 @@ private slots:
         QCOMPARE(found.lack, Identification::Lack::UnevenSpeed);
     }
 
-    /// Without θ2, a speed that varies once per turn looks like other lengths and another origin.
+    /// Without θ2, a speed that varies once per turn looks like different lengths and a different origin.
     void statesNoLengthsThatAVaryingSpeedMayImitate()
     {
         for (const double amplitude : {0.02, 0.05}) { // rad

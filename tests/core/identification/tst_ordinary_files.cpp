@@ -373,13 +373,13 @@ private slots:
     void findsTheLengthsForTheGivenSpeedFromAVelocityOverTheAngle()
     {
         constexpr double kSpeed = 10.0; // rad/s
-        constexpr double kSmall = 1e-6;
+        constexpr double kDifferenceStep = 1e-6;
         const auto velocity = [](double degrees) {
             const double angle = degrees * kDegree;
             return kSpeed *
-                   (sliderPosition(40.0, 140.0, 10.0, angle + kSmall) -
-                    sliderPosition(40.0, 140.0, 10.0, angle - kSmall)) /
-                   (2.0 * kSmall);
+                   (sliderPosition(40.0, 140.0, 10.0, angle + kDifferenceStep) -
+                    sliderPosition(40.0, 140.0, 10.0, angle - kDifferenceStep)) /
+                   (2.0 * kDifferenceStep);
         };
         for (const double given : {kSpeed, 2.0 * kSpeed, -2.0 * kSpeed}) {
             const Identification found =
@@ -395,16 +395,17 @@ private slots:
 
     void findsTheSpeedFromVelocityAndAccelerationOverTheAngle()
     {
-        constexpr double kSmall = 1e-4;
+        constexpr double kDifferenceStep = 1e-4;
         for (const double speed : {10.0, -10.0}) {
             std::string text = "theta2 (deg),v (mm/s),a (mm/s^2)\n";
             for (int i = 0; i <= 36; ++i) {
                 const double angle = 10.0 * i * kDegree;
-                const double before = sliderPosition(40.0, 140.0, 10.0, angle - kSmall);
+                const double before = sliderPosition(40.0, 140.0, 10.0, angle - kDifferenceStep);
                 const double at = sliderPosition(40.0, 140.0, 10.0, angle);
-                const double after = sliderPosition(40.0, 140.0, 10.0, angle + kSmall);
-                const double velocity = speed * (after - before) / (2.0 * kSmall);
-                const double acceleration = speed * speed * (before - 2.0 * at + after) / (kSmall * kSmall);
+                const double after = sliderPosition(40.0, 140.0, 10.0, angle + kDifferenceStep);
+                const double velocity = speed * (after - before) / (2.0 * kDifferenceStep);
+                const double acceleration =
+                    speed * speed * (before - 2.0 * at + after) / (kDifferenceStep * kDifferenceStep);
                 std::array<char, 80> line{};
                 std::snprintf(line.data(), line.size(), "%d,%.2f,%.1f\n", 10 * i, velocity, acceleration);
                 text += line.data();
@@ -449,13 +450,13 @@ private slots:
     void takesNoSpeedFromDifferencesOfTheVelocityOverTheAngle()
     {
         constexpr double kSpeed = 10.0; // rad/s
-        constexpr double kSmall = 1e-6;
+        constexpr double kDifferenceStep = 1e-6;
         for (const int step : {2, 5, 10}) { // °; at 1°, the quotients are the acceleration within their rounding
             const auto velocity = [](double degrees) {
                 const double angle = degrees * kDegree;
-                const double change = sliderPosition(40.0, 120.0, 20.0, angle + kSmall) -
-                                      sliderPosition(40.0, 120.0, 20.0, angle - kSmall);
-                return 0.01 * std::round(100.0 * kSpeed * change / (2.0 * kSmall));
+                const double change = sliderPosition(40.0, 120.0, 20.0, angle + kDifferenceStep) -
+                                      sliderPosition(40.0, 120.0, 20.0, angle - kDifferenceStep);
+                return 0.01 * std::round(100.0 * kSpeed * change / (2.0 * kDifferenceStep));
             };
             std::string text = "theta2 (deg),v (mm/s),a (mm/s^2)\n";
             for (int degrees = 0; degrees <= 360; degrees += step) {
@@ -650,12 +651,13 @@ private slots:
     /// The speed of the velocities would also be that of a crank that makes 20 turns from row to row.
     void takesAClockInMillisecondsForAnotherUnitAndNoFasterCrank()
     {
-        constexpr double kSmall = 1e-6;
+        constexpr double kDifferenceStep = 1e-6;
         const auto position = [](double time) { return sliderPosition(40.0, 140.0, 10.0, kTurnPerSecond * time); };
         std::string text = "t,x (mm),v (mm/s)\n";
         for (int i = 0; i < 61; ++i) {
             const double time = 0.02 * i;
-            const double velocity = (position(time + kSmall) - position(time - kSmall)) / (2.0 * kSmall);
+            const double velocity =
+                (position(time + kDifferenceStep) - position(time - kDifferenceStep)) / (2.0 * kDifferenceStep);
             std::array<char, 80> line{};
             std::snprintf(line.data(), line.size(), "%d,%.2f,%.1f\n", 20 * i, position(time), velocity);
             text += line.data();
@@ -666,7 +668,7 @@ private slots:
         QCOMPARE(found.conventions.size(), 1U);
     }
 
-    /// The crank speeds up during half a turn, which looks like another mechanism at constant speed.
+    /// The crank speeds up during half a turn, which looks like a different mechanism at constant speed.
     void claimsNothingFromAnArcThatNoMechanismExplainsExactly()
     {
         const Identification found = identifyTable("time (s),R4_x (mm)", 0.02, 61, [](double time) {
