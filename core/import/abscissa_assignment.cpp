@@ -94,7 +94,7 @@ void countFromFirstRow(RawColumn &column)
     const double scale = unitsPerSecond(column);
     column.origin = first / scale;
     column.factor /= scale;
-    const double step = column.rounding.infer(column.factor, true).finestStep();
+    const double step = column.rounding.infer(column.factor, RoundingObserver::Content::TimeStamps).finestStep();
     std::ranges::for_each(column.values, [&](double &value) {
         value = (value - first) / scale;
         value = step > 0.0 ? step * std::rint(value / step) : value; // a double near 1.7e9 is off by 1e-7
@@ -140,7 +140,8 @@ bool mayBeTime(const RawColumn &column)
     return !areWhole || !column.use.unit.empty() || (!mayBeRowNumbers && !mayBeDegrees);
 }
 
-/// Returns whether the column may be the crank angle by its name and values.
+/// Returns whether the name is that of an angle of an unnamed body, and the values only rise or only fall. The first
+/// column may be the crank angle then.
 bool mayBeCrankAngle(const RawColumn &column)
 {
     const Channel channel = column.meaning.channel;
@@ -148,7 +149,7 @@ bool mayBeCrankAngle(const RawColumn &column)
            isTurningAngle(column);
 }
 
-/// Returns whether the column, which may be at any place, is the crank angle by its name and values.
+/// Returns whether such a column spans more than half a turn, so that it may be the crank angle at any place.
 bool turnsLikeCrank(const RawColumn &column)
 {
     return mayBeCrankAngle(column) && makesHalfTurn(column);

@@ -103,8 +103,8 @@ std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel
     return std::string(fileUnit(role == ColumnRole::Channel ? channel : kCrankAngle));
 }
 
-/// Returns the unit to suggest for a time whose unit is unknown, or which has none but consists of so large numbers
-/// that they are in µs or ns.
+/// Returns the unit to suggest for a time: s if its unit is unknown; µs or ns if it has none, because its numbers are
+/// too large for seconds.
 std::string likelyTimeUnit(const RawColumn &column)
 {
     constexpr double kLongestStep = 1e5; // µs between two rows

@@ -52,8 +52,10 @@ PrintedPlaces placesOf(std::string_view digits, double exponent)
     const int top =
         static_cast<int>(std::clamp(exponent, -kLargestExponent, kLargestExponent) + static_cast<double>(point));
     const auto powerAt = [&](std::ptrdiff_t at) { return top - static_cast<int>(at) - (at < point ? 1 : 0); };
-    return {first == digits.end(), powerAt(first - digits.begin()), powerAt(digits.rend() - last - 1),
-            powerAt(std::ssize(digits) - 1)};
+    return {.zero = first == digits.end(),
+            .first = powerAt(first - digits.begin()),
+            .last = powerAt(digits.rend() - last - 1),
+            .printed = powerAt(std::ssize(digits) - 1)};
 }
 
 /// Parses an optional minus sign, digits with at most one point, and an optional exponent. Other texts are no numbers.
@@ -107,6 +109,7 @@ std::string withoutSeparators(std::string_view text)
     for (std::size_t end = digits.size(); end > 3; end -= 3) {
         grouped.insert(end - 3, 1, separator);
     }
+    // A single comma without a point behind it may also be the decimal sign.
     const bool isClear = separators > 1 || separator == kApostrophe || digits.size() < plain.size();
     const bool isGrouped = grouped == whole && isClear && !digits.starts_with('0');
     if (separators > 0 && !isGrouped) {
@@ -383,7 +386,7 @@ bool looksNumeric(std::string_view text)
 NumberWithUnit splitUnit(std::string_view text)
 {
     constexpr std::string_view kBlanks = " \t";
-    constexpr std::string_view kLetters = // with the first bytes of °, µ and μ
+    constexpr std::string_view kLetters = // the last two are the first bytes of ° and µ, and of μ
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ\xC2\xCE";
     for (const std::string_view beginnings : {kBlanks, kLetters}) {
         const std::size_t at = text.find_first_of(beginnings);

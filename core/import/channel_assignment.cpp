@@ -45,7 +45,8 @@ void removeWords(std::vector<RawColumn *> &candidates)
 /// Returns the rounding step of the largest value.
 double stepOf(const RawColumn &column)
 {
-    return column.rounding.infer(column.factor, false).stepAt(rangeOf(column.values).size());
+    return column.rounding.infer(column.factor, RoundingObserver::Content::Quantity)
+        .stepAt(rangeOf(column.values).size());
 }
 
 bool areEqual(const Values &x, const Values &y, double tolerance)

@@ -11,7 +11,7 @@
 namespace slidercrank
 {
 
-/// The smallest number of rows whose values are not alike by chance.
+/// The smallest number of rows from which conclusions are drawn: in fewer, values may be equal by chance.
 inline constexpr std::size_t kMinConclusiveRows = 10;
 
 /// Largest range of the angle of a coupler, in degrees, in every mechanism that makes full turns.
@@ -23,8 +23,8 @@ bool isConstant(const RawColumn &column);
 /// Returns whether the values are 0, 1, 2, … or 1, 2, 3, …
 bool countsRows(const RawColumn &column);
 
-/// Returns whether the column only rises or only falls as an angle that is limited to one turn. The number of the turn
-/// does not.
+/// Returns whether the values only rise or only fall, as an angle does whose jumps after one turn are removed. A count
+/// of the turns, 0, 0, 0, 1, 1, does not.
 bool isTurningAngle(const RawColumn &column);
 
 /// Returns whether the column, which has not been converted yet, may be an angle that spans more than half a turn.

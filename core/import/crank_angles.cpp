@@ -36,8 +36,9 @@ bool removeJumps(std::vector<double> &angles, double turn, double largestChange)
 
 std::vector<double> unwrapped(std::vector<double> angles, double turn)
 {
+    constexpr double kAnyChange = 0.5; // turns: what the nearest whole number of turns leaves at most
     if (findReversal(angles)) {
-        removeJumps(angles, turn, 0.5);
+        removeJumps(angles, turn, kAnyChange);
     }
     return angles;
 }

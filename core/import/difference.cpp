@@ -50,7 +50,7 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
 {
     constexpr std::size_t kExaminedRows = 512;
     constexpr std::size_t kMinRows = 12;
-    constexpr double kBetter = 16.0;          // ratio of the sums of squares of the second best to the best match
+    constexpr double kMinRatio = 16.0;        // of the sums of squares, from the second best to the best match
     constexpr double kArithmeticError = 1e-6; // relative to the peak
     const std::size_t rows = std::min(data.time.size(), kExaminedRows);
     const bool hasTime = !data.crank;
@@ -73,7 +73,7 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
     const double peak = rangeOf(rate->values).size();
     const double allowed = base->rounding.stepAt(rangeOf(base->values).size()) / spacing + rate->rounding.stepAt(peak) +
                            kArithmeticError * peak;
-    const bool isDifference = secondBest > kBetter * *best && *best <= allowed * allowed * mismatch.rows;
+    const bool isDifference = secondBest > kMinRatio * *best && *best <= allowed * allowed * mismatch.rows;
     return isDifference ? std::optional(static_cast<Difference>(best - mismatch.ofDifferences.begin())) : std::nullopt;
 }
 

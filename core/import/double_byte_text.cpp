@@ -69,7 +69,7 @@ std::optional<std::string_view> takeKnownCharacter(std::string_view &bytes)
 
 bool isDoubleByteText(std::string_view bytes)
 {
-    constexpr std::size_t kMinKnown = 2; // a single one may be two letters of another encoding by chance
+    constexpr std::size_t kMinKnown = 2; // a single one may be two letters of a different encoding by chance
     std::size_t known = 0;
     std::size_t unknown = 0;
     while (!bytes.empty()) {

@@ -33,7 +33,7 @@ enum class ColumnReason {
     // Guessed: a person should confirm them.
     QuantityInName, ///< the heading and its unit denote a quantity, but not of which body: the usual one is assumed
     WideAngle,    ///< an angle that spans more than half a turn is that of the crank; or a derivative of such an angle
-    StraightPath, ///< of several points it is the only one whose y does not change, or a derivative of its x or y
+    StraightPath, ///< the only one of several points whose y does not change, or a derivative of its x or y
     UnknownWords, ///< some words of the heading are unknown, but no other column is the quantity
     RisingValues, ///< no column is named as the time; this is the first one, and its values only rise
     PathInSi,     ///< the heading is a path of a program that uses m, rad and s, such as Modelica and ROS
@@ -43,7 +43,7 @@ enum class ColumnReason {
     UnknownName,    ///< the heading denotes no channel
     UnknownBody,    ///< the heading denotes a quantity, but of an unknown body
     RowNumber,      ///< it numbers the rows
-    Magnitude,      ///< of a vector whose components are other columns
+    Magnitude,      ///< the magnitude of a vector whose components are other columns
     SameTimeStamps, ///< the time stamps of another signal, equal to those in the column of the time
     NoName,         ///< the heading is empty
     NoNumber,       ///< no cell contains a number
@@ -56,9 +56,12 @@ enum class ColumnReason {
     Constant        ///< it does not change, like a parameter; a column of that quantity would
 };
 
+/// Returns whether the column was guessed, so that a person should confirm it.
 constexpr bool isGuess(ColumnReason reason)
 {
-    return reason >= ColumnReason::QuantityInName && reason <= ColumnReason::AngleForTime;
+    using enum ColumnReason;
+    return reason == QuantityInName || reason == WideAngle || reason == StraightPath || reason == UnknownWords ||
+           reason == RisingValues || reason == PathInSi || reason == AngleForTime;
 }
 
 /// Returns whether the column is probably a channel, which only a person can choose.

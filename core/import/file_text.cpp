@@ -3,6 +3,7 @@
 
 #include "core/import/cells.h"
 #include "core/import/double_byte_text.h"
+#include "core/import/reference_data.h"
 #include "core/import/spellings.h"
 #include "core/import/unit_text.h"
 
@@ -50,9 +51,11 @@ bool isUtf8(std::string_view bytes)
     return surplus >= 0;
 }
 
-/// Throws if the bytes begin like a different format. Exceptions: "[s]" is a unit, and "<" may begin any text. Binary
-/// data may begin like markup or JSON, which are text.
-void refuseFormats(std::string_view text, bool mayBeBinary)
+/// The formats that refuseFormats() looks for. Binary data may begin like markup or JSON, which are text.
+enum class Formats { Binary, All };
+
+/// Throws if the bytes begin like one of these formats. Exceptions: "[s]" is a unit, and "<" may begin any text.
+void refuseFormats(std::string_view text, Formats formats)
 {
     using enum ReadFault::Kind;
     constexpr std::array<std::pair<std::string_view, ReadFault::Kind>, 11> kBeginnings{
@@ -71,7 +74,7 @@ void refuseFormats(std::string_view text, bool mayBeBinary)
     std::erase_if(beginning, [](char c) { return isBlank(c) || c == '\r' || c == '\n'; });
     for (const auto &[bytes, format] : kBeginnings) {
         const bool isBinary = format == Spreadsheet || format == Pdf;
-        if (beginning.starts_with(bytes) && (isBinary || !mayBeBinary)) {
+        if (beginning.starts_with(bytes) && (isBinary || formats == Formats::All)) {
             throw ReadError{.fault = {format}};
         }
     }
@@ -194,9 +197,9 @@ std::u16string decodeAs(CodePage page, std::string_view bytes)
 std::string_view decodeText(std::string_view bytes, std::string &converted)
 {
     constexpr std::size_t kExamined = std::size_t{1} << 20U; // bytes, for the encoding
-    refuseFormats(bytes, true);
+    refuseFormats(bytes, Formats::Binary);
     std::string_view text = bytes;
-    std::u16string units; // of other encodings than UTF-8
+    std::u16string units; // the text, if it is in an encoding other than UTF-8
     if (const std::optional<std::size_t> lower = findLowerByte(bytes)) {
         units.resize(bytes.size() / 2);
         for (std::size_t i = 0; i < units.size(); ++i) {
@@ -221,7 +224,7 @@ std::string_view decodeText(std::string_view bytes, std::string &converted)
         const auto lines = static_cast<std::size_t>(std::ranges::count(text.substr(0, binary), '\n'));
         throw ReadError{.line = lines + 1, .fault = {ReadFault::Kind::NotText}};
     }
-    refuseFormats(text, false);
+    refuseFormats(text, Formats::All);
     return text;
 }
 

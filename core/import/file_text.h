@@ -3,7 +3,7 @@
 
 // First stage of reading: from the bytes of a file to text in UTF-8.
 
-#include "core/import/reference_data.h"
+#include "core/import/read_fault.h"
 
 #include <string>
 #include <string_view>
@@ -15,7 +15,7 @@ namespace slidercrank
 /// A byte order mark determines the encoding. Otherwise it is UTF-8, or if most bytes outside ASCII are not valid
 /// UTF-8, a code page of Windows: 1252 (which includes Latin-1), 1250 for Polish, or 1251 for Russian. The lines of a
 /// table drawn with box characters become "|", "-" and "+". Throws ReadError if the bytes are not text, or text of
-/// another format than a table.
+/// a format other than a table.
 std::string_view decodeText(std::string_view bytes, std::string &converted);
 
 } // namespace slidercrank

@@ -239,8 +239,9 @@ std::string withoutEnclosure(std::string text)
 /// Returns the text without the number of the measurement that PASCO writes behind a heading: " Run #1".
 std::string withoutRun(std::string text)
 {
-    const std::size_t run = text.rfind(" Run #");
-    const bool isAtEnd = run != text.npos && isDigits(text.substr(run + 6));
+    constexpr std::string_view kRun = " Run #";
+    const std::size_t run = text.rfind(kRun);
+    const bool isAtEnd = run != text.npos && isDigits(text.substr(run + kRun.size()));
     return isAtEnd ? std::string(trimmed(text.substr(0, text.find_last_not_of(" ,", run) + 1))) : text;
 }
 

@@ -135,7 +135,8 @@ bool turnsInRadians(const RawColumn &column, std::span<const RawColumn> columns)
     if (values.size() < kMinValues || width > kMaxWidth) {
         return false;
     }
-    const double roundingStep = column.rounding.infer(column.factor, true).stepAt(rangeOf(values).size());
+    const double roundingStep =
+        column.rounding.infer(column.factor, RoundingObserver::Content::TimeStamps).stepAt(rangeOf(values).size());
     if (findReversal(values)) { // at a jump, or because the angle oscillates
         std::vector<double> unwrapped = values;
         const bool hasJumps = removeJumps(unwrapped, kTurn);

@@ -54,7 +54,8 @@ Cells withHeadingsJoined(const Cells &cells)
     return joined;
 }
 
-/// Joins cells of headings that contain the delimiter if there are more cells than in the row, and as many afterwards.
+/// If there are more cells than in the row, joins those into which the delimiter has split a heading. Keeps the cells
+/// if there are not as many as in the row then.
 void joinHeadings(HeadingCandidate &names, const NumberRow &row)
 {
     if (names.delimiter == ' ' || !row.isFound() || names.cells.size() <= row.sizeWithEmptyCells) {
@@ -82,7 +83,8 @@ bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isM
         return !areSpaced;
     }
     const std::size_t numbers = row.cells.size();
-    if (row.hasCountOf(names.cells)) { // between spaces, above numbers that are not, only one name may be unknown
+    if (row.hasCountOf(names.cells)) {
+        // If spaces separate the headings but not the numbers, at most one heading may be unknown.
         return !areSpaced || row.delimiter == ' ' || (names.isComplete() && names.known() + 1 >= numbers);
     }
     if (areSpaced || row.delimiter == ' ') { // only the column of the row names may lack a heading

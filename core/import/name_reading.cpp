@@ -170,13 +170,13 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
         return includeNumber(reading, word, entries);
     }
     if (const WordMeaning *const entry = findWord(word, WordUse::Word)) {
-        reading.isLabelled = false;
+        reading.expectsJoint = false;
         reading.isBodyNamed = reading.isBodyNamed || entry->body;
         reading.isOrderNamed = reading.isOrderNamed || entry->order;
         return merge(reading, *entry);
     }
     const bool isLabel = findWord(word, WordUse::Label);
-    const bool followsLabel = std::exchange(reading.isLabelled, !reading.hasSymbol && isLabel);
+    const bool followsLabel = std::exchange(reading.expectsJoint, !reading.hasSymbol && isLabel);
     if (followsLabel && word.size() == 1 && !isAmong(word, "x y")) {
         return includeJoint(reading, word);
     }
@@ -188,7 +188,7 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
         return merge(reading, *filler);
     }
     const bool isOfBody = entries == Entries::WithoutSymbols; // a part of a path that names the body
-    if (reading.isLabelled || (isOfBody && (isLabel || isAmong(word, "px py pz")))) {
+    if (reading.expectsJoint || (isOfBody && (isLabel || isAmong(word, "px py pz")))) {
         return true; // "Crank_Joint.Rz.q", and the prismatic joint of "Slider Joint.Px.v"
     }
     if (!isOfBody && reading.hasSymbol && findWord(word, WordUse::AmbiguousLetter)) {
@@ -225,7 +225,7 @@ bool includePart(NameReading &reading, std::string_view part, Entries entries)
 {
     constexpr std::size_t kShortestFiller = 4; // bytes
     const bool isShortFiller = part.size() < kShortestFiller && findWord(part, WordUse::Filler);
-    reading.isLabelled = false; // "piston pin VX" has no joint V
+    reading.expectsJoint = false; // "piston pin VX" has no joint V
     return !isShortFiller && !findWord(part, WordUse::Label) && includeEntry(reading, part, entries);
 }
 

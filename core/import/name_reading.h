@@ -36,7 +36,7 @@ struct NameReading {
     bool hasIndex = false;
     bool isOrderNamed = false;  ///< by a word such as "velocity"
     bool isBodyNamed = false;   ///< by a word or number, and not only by an index such as B
-    bool isLabelled = false;    ///< the next letter is that of a joint
+    bool expectsJoint = false;  ///< the word before is "joint" or "point", so that a letter names the joint
     bool isCentre = false;      ///< it names the centre of mass
     bool isFrame = false;       ///< it has the number 1, as the frame if the links are numbered from there
     bool isUnknownBody = false; ///< it has an index that denotes none of the three bodies

@@ -41,7 +41,7 @@ bool isNumberOrGap(std::string_view cell);
 std::size_t countCells(std::string_view line, char delimiter);
 
 /// Returns the first line whose cells are numbers or gaps, at least two of them numbers; a row without cells if there
-/// is none. Spaces only count as the delimiter if with no other one any line is a row.
+/// is none. Spaces count as the delimiter only if no other delimiter makes any line a row.
 NumberRow findFirstRow(Lines lines);
 
 /// Returns whether a text of at least ten lines has no rows of numbers, so that it is no table.

@@ -206,8 +206,8 @@ struct CellFault {
     RowFault fault{};
 };
 
-/// Returns why a row is skipped because of a column, which is unreadable there; if it is not, its time is repeated.
-/// `cells`: of the row, in the file of the column.
+/// Returns why a row is skipped. `column`: the one that is unreadable in this row, or the abscissa if all are readable
+/// but the time is repeated. `cells`: the cells of the row in the file of this column.
 CellFault findCellFault(const RawTable &table, const RawColumn &column, std::size_t row, const Cells &cells)
 {
     const TableFile &file = table.fileOf(column);
@@ -232,7 +232,8 @@ CellFault findCellFault(const RawTable &table, const RawColumn &column, std::siz
         const std::optional<RowFault> atBeginning = faultIn(table.columns[file.firstColumn]); // a word, as in a footer
         return atBeginning ? CellFault{0, *atBeginning} : CellFault{own, RowFault::NoTime};
     }
-    return {own, cells.size() < file.fewestCells ? RowFault::TooFewCells : RowFault::TooLarge}; // once converted
+    // With enough cells, the value can only have become infinite when it was converted to the default unit.
+    return {own, cells.size() < file.fewestCells ? RowFault::TooFewCells : RowFault::TooLarge};
 }
 
 } // namespace
@@ -263,9 +264,11 @@ void convert(RawColumn &column, const Unit &unit)
 ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault)
 {
     const TableFile &file = table.fileOf(column);
-    return {
-        file.layout.headerLine, column.index - file.firstColumn + 1, excerpt(column.use.heading), std::move(fault), {},
-        column.use.file};
+    return {.line = file.layout.headerLine,
+            .column = column.index - file.firstColumn + 1,
+            .text = excerpt(column.use.heading),
+            .fault = std::move(fault),
+            .file = column.use.file};
 }
 
 void readTable(const FileBytes &bytes, const std::function<bool(double part)> &progress, RawTable &table)

@@ -7,7 +7,9 @@
 #include "core/import/file_layout.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace slidercrank
 {
@@ -28,7 +30,7 @@ enum class RowFault {
 struct ReadFault {
     enum class Kind {
         Empty,
-        Spreadsheet, ///< or an archive
+        Spreadsheet, ///< a spreadsheet or an archive
         Pdf,
         Markup, ///< HTML or XML
         Json,
@@ -41,23 +43,23 @@ struct ReadFault {
         FewerHeadings,   ///< `headings` are fewer than `numbers` in the rows
         Transposed,      ///< each line is a quantity
         CommonFactor,    ///< the numbers are printed without their common factor, as MATLAB and Octave do
-        AnotherTable,    ///< begins with this line of headings
-        UnknownUnit,     ///< or a unit of another quantity than `channel`
+        AnotherTable,    ///< a second table begins with this line of headings
+        UnknownUnit,     ///< the unit is unknown, or of a quantity other than `channel`
         UnknownTimeUnit,
-        NoSuchColumn,   ///< called `heading`
-        SeveralColumns, ///< called `heading`
-        ChannelTwice,   ///< `channel`, in the headings or chosen by a person
-        TimeTwice,      ///< or the crank angle instead of it
+        NoSuchColumn,   ///< no column is called `heading`
+        SeveralColumns, ///< several columns are called `heading`
+        ChannelTwice,   ///< two columns are `channel` by their headings or by choice
+        TimeTwice,      ///< two columns are the time, or the crank angle instead of it
         NoTime,
         NoChannel,        ///< no heading is known
         NoCertainChannel, ///< the column with `heading` may be a channel, but is ignored because of `column`
-        NoNumbers,        ///< below the headings
-        NoRow,            ///< can be read; `row` is the reason for the first one
-        MostRows,         ///< cannot be read, although they have numbers; `row` as for NoRow
-        NoValues,         ///< besides the time
+        NoNumbers,        ///< there are no numbers below the headings
+        NoRow,            ///< no row can be read; `row` is the reason for the first one
+        MostRows,         ///< most rows cannot be read, although they have numbers; `row` as for NoRow
+        NoValues,         ///< only the time has values
         TimeNotRising,
-        TimeStartsAgain, ///< another motion begins
-        AngleTurnsBack,  ///< the crank angle
+        TimeStartsAgain, ///< a second motion begins
+        AngleTurnsBack,  ///< the crank angle changes its direction
         AngleStartsAgain,
 
         // About a file that has to be joined with others; `heading` is one of them.
@@ -65,7 +67,7 @@ struct ReadFault {
         ChannelInBoth,
 
         TooLarge, ///< larger than kLargestReferenceFile
-        Stopped,  ///< by the caller
+        Stopped,  ///< the caller has stopped reading
         NoMemory
     };
     Kind kind = Kind::Empty;
@@ -77,6 +79,18 @@ struct ReadFault {
     std::size_t numbers = 0;  ///< in the longest row
 
     friend bool operator==(const ReadFault &, const ReadFault &) = default;
+};
+
+/// Why no data could be read, and where. The line is 0 if the error concerns the file as a whole.
+struct ReadError {
+    std::size_t line = 0;
+    std::size_t column = 0;
+    std::string text{};
+    ReadFault fault{};
+    FileLayout layout{}; ///< as far as it was found; if it has columns, a person can choose their meaning
+
+    std::optional<std::size_t> file{};  ///< index of the joined file with the error; nullopt if it concerns all of them
+    std::vector<ColumnChoice> advice{}; ///< choices of columns that would help; empty if there are none
 };
 
 } // namespace slidercrank

@@ -28,10 +28,10 @@ using Fault = ReadFault::Kind;
 
 ReadError errorAt(const SkippedRow &row, Fault fault)
 {
-    return {row.line, row.column, row.text, {.kind = fault, .row = row.fault}};
+    return {.line = row.line, .column = row.column, .text = row.text, .fault = {.kind = fault, .row = row.fault}};
 }
 
-/// Returns whether a time or angle that turns back starts again, as at the beginning of another motion.
+/// Returns whether a time or angle that turns back starts again, as at the beginning of a second motion.
 bool startsAgain(std::span<const double> values, std::size_t row)
 {
     constexpr std::size_t kMinRows = 3;
@@ -178,7 +178,9 @@ void moveValues(RawColumn &column, const std::vector<std::size_t> &rows, Referen
         values[i] = values[rows[i]];
     }
     values.resize(rows.size());
-    const Rounding inferred = column.rounding.infer(column.factor, column.isAbscissa());
+    const auto content =
+        column.isAbscissa() ? RoundingObserver::Content::TimeStamps : RoundingObserver::Content::Quantity;
+    const Rounding inferred = column.rounding.infer(column.factor, content);
     const Rounding rounding = column.origin == 0.0 ? inferred : inferred.withDecimalsAt(column.origin);
     if (column.isAbscissa()) {
         data.time = std::move(values);
@@ -218,7 +220,7 @@ ReferenceData collect(RawTable &table)
 }
 
 /// Returns the row where the crank angle starts again while the other columns differ from those at the same angle
-/// before, so that another motion begins; nullopt if there is none.
+/// before, so that a second motion begins; nullopt if there is none.
 std::optional<std::size_t> findAnotherMotion(const ReferenceData &data)
 {
     constexpr double kMaxMeanDifference = 0.02; // of two turns of one motion, relative to the range of the column
@@ -259,12 +261,12 @@ void countByAngle(ReferenceData &data, RawTable &table)
 /// Returns whether the values are points of a parabola over the rows, apart from a tolerance.
 bool isParabola(std::span<const double> values, double tolerance)
 {
-    constexpr double kErrors = 4.0; // in a second difference: of three values, the middle one twice
+    constexpr double kMaxErrors = 4.0; // in x[0] - 2 x[1] + x[2], where x[1] counts twice
     ValueRange secondDifferences;
     for (std::size_t i = 2; i < values.size(); ++i) {
         secondDifferences.include(values[i] - 2.0 * values[i - 1] + values[i - 2]);
     }
-    return secondDifferences.width() <= 2.0 * kErrors * tolerance;
+    return secondDifferences.width() <= 2.0 * kMaxErrors * tolerance;
 }
 
 /// Finds the step of an instrument, from the first rows: 5 or 0.5, as of a scale, or that of an encoder or converter.

@@ -85,18 +85,6 @@ struct ReferenceData {
 /// Returns the channels of all series.
 ChannelSet channelsOf(const ReferenceData &data);
 
-/// Why no data could be read, and where. The line is 0 if the error concerns the file as a whole.
-struct ReadError {
-    std::size_t line = 0;
-    std::size_t column = 0;
-    std::string text{};
-    ReadFault fault{};
-    FileLayout layout{}; ///< as far as it was found; if it has columns, a person can choose their meaning
-
-    std::optional<std::size_t> file{};  ///< index of the joined file with the error; nullopt if it concerns all of them
-    std::vector<ColumnChoice> advice{}; ///< choices of columns that would help; empty if there are none
-};
-
 /// The range of the finite ones among some values.
 struct ValueRange {
     double low = kInfinity;

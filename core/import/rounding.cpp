@@ -93,14 +93,14 @@ PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
     std::array<char, 32> text{};
     const auto shortest = std::to_chars(text.data(), text.data() + text.size(), value);
     const PrintedPlaces found = parseNumber({text.data(), shortest.ptr}, DecimalSign::Point).places;
-    return {found.zero, found.first, found.last, places.printed};
+    return {.zero = found.zero, .first = found.first, .last = found.last, .printed = places.printed};
 }
 
 /// Refines a step of sorted values: a distance of many steps, divided by their number, is more precise than one step.
 /// The distances increase, so that the number of steps in each is certain.
 double refinedStep(double step, const std::vector<double> &values)
 {
-    double mostSteps = 1.0; // in the longest distance used so far
+    double mostSteps = 1.0; // number of steps in the longest distance used so far
     for (const double value : values) {
         const double distance = value - values.front();
         if (const double steps = std::round(distance / step); steps > mostSteps) {
@@ -217,17 +217,22 @@ bool RoundingObserver::isPadded() const
     return areManyZeros && havePaddedValuesMajority;
 }
 
-std::vector<RoundedDecade> RoundingObserver::roundedDecades(bool areTimeStamps) const
+std::vector<RoundedDecade> RoundingObserver::roundedDecades(Content content) const
 {
     // Without padding, a program prints all values with the same digits; but many of a formula end early by chance,
     // such as those at 30°, 60° and 90°.
-    const bool haveEqualDigits = areTimeStamps || !isPadded();
+    const bool haveEqualDigits = content == Content::TimeStamps || !isPadded();
+    // The decade ends at the place at which this number of its values has ended: nine of ten or, with padding, clearly
+    // more than a quarter.
+    constexpr double kEndedFraction = 0.9;
+    constexpr double kEndedFractionOfPadded = 0.25;
+    constexpr double kSpareValuesOfPadded = 2.0;
     std::vector<RoundedDecade> decades;
     for (int exponent = -kLargestExponent; exponent <= kLargestExponent; ++exponent) {
         const auto &counts = m_decades[static_cast<std::size_t>(exponent + kLargestExponent)];
         const double total = std::accumulate(counts.begin(), counts.end(), 0.0);
-        // The decade ends at the place at which this number of its values has ended.
-        const double needed = haveEqualDigits ? 0.9 * total : std::min(total, 0.25 * (total + 8.0));
+        const double needed = haveEqualDigits ? kEndedFraction * total
+                                              : std::min(total, kEndedFractionOfPadded * total + kSpareValuesOfPadded);
         double ended = 0.0;
         int place = exponent + 1;
         for (std::size_t i = 0; i < kMaxDigits && ended < needed; ++i) {
@@ -241,7 +246,7 @@ std::vector<RoundedDecade> RoundingObserver::roundedDecades(bool areTimeStamps) 
     return decades;
 }
 
-int RoundingObserver::coarsestPlaceOf(const Rounding &rounding, const RoundedDecade &largest, bool areTimeStamps) const
+int RoundingObserver::coarsestPlaceOf(const Rounding &rounding, const RoundedDecade &largest, Content content) const
 {
     constexpr double kMinRoundedValues = 6.0; // values of a decade that do not all end early by chance
     constexpr int kMinDigitsByHand = 3;       // fewer may be chosen numbers: 5, 10, 20
@@ -252,12 +257,12 @@ int RoundingObserver::coarsestPlaceOf(const Rounding &rounding, const RoundedDec
         coarsest = isLong ? INT_MAX : 0;
     }
     // A person rounds -2123 to -2120 if three digits are enough, also beside 853.
-    const bool isByHand = isRelative && rounding.digits >= kMinDigitsByHand && !areTimeStamps;
+    const bool isByHand = isRelative && rounding.digits >= kMinDigitsByHand && content == Content::Quantity;
     const bool endsEarly = largest.haveAllEnded && largest.weight >= kMinRoundedValues;
     return isByHand && endsEarly ? std::max(coarsest, largest.place) : coarsest;
 }
 
-Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
+Rounding RoundingObserver::infer(double unitFactor, Content content) const
 {
     Rounding rounding;
     rounding.unitFactor = unitFactor;
@@ -271,9 +276,9 @@ Rounding RoundingObserver::infer(double unitFactor, bool areTimeStamps) const
         rounding.digits = -placeOfOneValue(shortestPlaces(m_lastPlaces, m_lastMagnitude));
         return rounding;
     }
-    const std::vector<RoundedDecade> decades = roundedDecades(areTimeStamps);
+    const std::vector<RoundedDecade> decades = roundedDecades(content);
     chooseRule(decades, rounding);
-    rounding.coarsestPlace = coarsestPlaceOf(rounding, decades.back(), areTimeStamps);
+    rounding.coarsestPlace = coarsestPlaceOf(rounding, decades.back(), content);
     if (rounding.rule == Rounding::Rule::Decimals) {
         rounding.digits = std::max(rounding.digits, -rounding.coarsestPlace);
     }

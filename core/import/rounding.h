@@ -86,22 +86,25 @@ struct RoundedDecade;
 class RoundingObserver
 {
 public:
+    /// What the numbers of a column are.
+    enum class Content { Quantity, TimeStamps };
+
     /// Adds the next number of the column, which was printed with these places.
     void observe(PrintedPlaces places, double value);
 
     /// Infers the rule. The digits of time stamps are not random: in 0.0333, 0.0667, 0.1, every third ends early. So
     /// they are rounded at the place where nine of ten have ended, also if they are padded.
-    Rounding infer(double unitFactor, bool areTimeStamps) const;
+    Rounding infer(double unitFactor, Content content) const;
 
 private:
     /// Whether most values end with zeros that say nothing, as in 139.397000.
     bool isPadded() const;
 
     /// Returns the places at which the values of all decades were rounded, from the smallest decade.
-    std::vector<RoundedDecade> roundedDecades(bool areTimeStamps) const;
+    std::vector<RoundedDecade> roundedDecades(Content content) const;
 
     /// Returns the coarsest place that a step of the rule may have. `largest`: the decade of the largest values.
-    int coarsestPlaceOf(const Rounding &rounding, const RoundedDecade &largest, bool areTimeStamps) const;
+    int coarsestPlaceOf(const Rounding &rounding, const RoundedDecade &largest, Content content) const;
 
     static constexpr std::size_t kMaxDigits = 17; ///< in the shortest text of a double
     static constexpr int kLargestExponent = 48;   ///< values beyond mark missing numbers

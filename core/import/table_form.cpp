@@ -153,7 +153,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     layout.delimiter = top.delimiter;
     std::vector<Heading> &headings = top.headings;
     readUnitsInCells(row, lines[row.line].number, headings);
-    for (Heading &heading : headings) { // whose unit may be below or behind the numbers
+    for (Heading &heading : headings) { // again, because the unit may be in a line of units or behind the numbers
         heading.meaning = meaningOf(heading.name, heading.use.unit);
     }
     lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(top.firstRow));

@@ -364,14 +364,15 @@ bool isRowNumber(const Words &words)
 
 bool namesOtherQuantity(std::string_view word)
 {
-    constexpr std::size_t kShortestPart = 4; // bytes
+    constexpr std::size_t kShortestPart = 4; // bytes that remain
     constexpr std::size_t kShortestStem = 5; // bytes: "blad" is an error in Polish, but not the stem of "blade"
     constexpr std::size_t kLongestEnding = 2;
     bool isOther = findWord(word, WordUse::OtherQuantity);
-    for (std::size_t rest = 1; rest + kShortestPart <= word.size(); ++rest) {
-        const bool isPart = rest > kLongestEnding || word.size() - rest >= kShortestStem;
-        isOther = isOther || (isPart && (findWord(word.substr(rest), WordUse::OtherQuantity) ||
-                                         findWord(word.substr(0, word.size() - rest), WordUse::OtherQuantity)));
+    for (std::size_t omitted = 1; omitted + kShortestPart <= word.size(); ++omitted) { // bytes at one of both ends
+        const std::size_t size = word.size() - omitted;
+        const bool isPart = omitted > kLongestEnding || size >= kShortestStem;
+        isOther = isOther || (isPart && (findWord(word.substr(omitted), WordUse::OtherQuantity) ||
+                                         findWord(word.substr(0, size), WordUse::OtherQuantity)));
     }
     return isOther;
 }

@@ -60,9 +60,10 @@ double valueIn(const QString &column, int row)
 
 const std::vector<double> &valuesOfColumn(const ReferenceData &data, const FileColumn &column)
 {
-    return column.role == ColumnRole::Time         ? data.time
-           : column.role == ColumnRole::CrankAngle ? data.crank->degrees
-                                                   : data.find(column.channel)->values;
+    if (column.role == ColumnRole::Time) {
+        return data.time;
+    }
+    return column.role == ColumnRole::CrankAngle ? data.crank->degrees : data.find(column.channel)->values;
 }
 
 class TestHeadings : public QObject

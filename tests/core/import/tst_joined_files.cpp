@@ -66,7 +66,7 @@ private slots:
             {"a little later", {a, "time,theta3\n0.1,1\n1.1,2\n2.1,3\n"}, otherTimes},
             {"other digits", {"time,R4_x\n0,1\n0.033,2\n", "time,theta3\n0,1\n0.03333,2\n"}, otherTimes},
             {"one row less", {a, "time,theta3\n0,1\n1,2\n"}, otherTimes},
-            {"another unit of time", {a, "time [ms],theta3\n0,1\n1,2\n2,3\n"}, otherTimes},
+            {"a different unit of time", {a, "time [ms],theta3\n0,1\n1,2\n2,3\n"}, otherTimes},
             {"the third", {a, "time,theta3\n0,1\n1,2\n2,3\n", "time,theta2\n0,1\n1.5,2\n2,3\n"}, otherTimes, 2},
             {"a channel twice", {a, "time,r4x\n0,1\n1,2\n2,3\n"}, {Kind::ChannelInBoth, kX, "a"}},
             {"angles beside time stamps", {a, "theta2,theta3\n0,1\n1,2\n2,3\n"}, {Kind::NoTime}},

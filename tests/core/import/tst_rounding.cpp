@@ -39,7 +39,7 @@ Rounding inferred(const QStringList &cells)
         const CellNumber number = parseNumber(cell.toStdString(), sign);
         observer.observe(number.places, number.value);
     }
-    return observer.infer(1.0, false);
+    return observer.infer(1.0, RoundingObserver::Content::Quantity);
 }
 
 struct ColumnRow {
@@ -183,7 +183,7 @@ private slots:
             const double found = row.rounding.stepAt(row.value);
             QVERIFY2(std::abs(found - row.step) <= 1e-12 * row.step, qPrintable(QString::number(found, 'g', 17)));
         }
-        // Converting a power of ten to another unit and back may yield a value just below it.
+        // Converting a power of ten to a different unit and back may yield a value just below it.
         for (const double factor : {1.0, kRadian, 25.4, 10.0, 1e3, 1e6, kRadian * 1e6}) {
             const Rounding rounding{Rule::SignificantDigits, 6, factor, 0};
             for (int exponent = -20; exponent <= 20; ++exponent) {
