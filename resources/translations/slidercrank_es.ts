@@ -1389,11 +1389,11 @@ Equipo: %1. Tiempo: %2 s.
         <translation>microsegundos</translation>
     </message>
     <message>
-        <source>in seconds, but read in another unit</source>
+        <source>in seconds, but read in a different unit</source>
         <translation>en segundos, pero leído en otra unidad</translation>
     </message>
     <message>
-        <source>in millimetres, but read in another unit</source>
+        <source>in millimetres, but read in a different unit</source>
         <translation>en milímetros, pero leído en otra unidad</translation>
     </message>
     <message>

@@ -95,8 +95,8 @@ QString misreadUnitText(const Convention &convention)
         }
     }
     // A file may state a rarer unit; then the only other one that is tried is the default unit.
-    return convention.kind == Kind::TimeUnit ? ConventionText::tr("in seconds, but read in another unit")
-                                             : ConventionText::tr("in millimetres, but read in another unit");
+    return convention.kind == Kind::TimeUnit ? ConventionText::tr("in seconds, but read in a different unit")
+                                             : ConventionText::tr("in millimetres, but read in a different unit");
 }
 
 /// Returns the sentence of a convention, with %1 to %4.
