@@ -158,7 +158,7 @@ struct SolveRequest {
         } else {
             alpha2 = readCrankAcceleration(options);
         }
-        if (positions.size() == 1) { // of several, each has an initial angle of its own
+        if (positions.size() == 1) { // several positions have different initial angles
             mechanism = positions.front().mechanism;
         }
         if (format == OutputFormat::Json) {

@@ -109,13 +109,13 @@ bool isConsidered(Slip slip, const ChannelsByVerdict &channels)
     const bool isVelocityWrong = std::ranges::any_of(wrong, isOfOrder(Order::Velocity));
     const bool isAccelerationWrong = std::ranges::any_of(wrong, isOfOrder(Order::Acceleration));
     if (slip == Slip::HarmonicMotion || slip == Slip::FromOuterDeadCentre) {
-        return isSliderWrong; // in θ3 alone it is the same as CouplerAngleSign
+        return isSliderWrong; // if only θ3 is wrong, CouplerAngleSign gives the same
     }
     if (slip == Slip::TwoHarmonics) {
         return isSliderWrong || isVelocityWrong || isAccelerationWrong; // its θ3 is exact
     }
     if (slip == Slip::SecondHarmonicDouble) {
-        return isVelocityWrong; // all other values are those of TwoHarmonics
+        return isVelocityWrong; // TwoHarmonics gives the same positions and accelerations
     }
     if (slip == Slip::CouplerAngleEnd) {
         return std::ranges::count(right, kTheta3) > 0; // otherwise it may be OtherAssembly

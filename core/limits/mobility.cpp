@@ -228,9 +228,9 @@ double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, doub
 
 bool velocitiesJumpAt(const Mechanism &mechanism, double theta2)
 {
-    constexpr double kRounding = 1e-9; // of cos θ2; no double is exactly 90°
+    constexpr double kMaxCosine = 1e-9; // of a right angle: no double is exactly 90°
     const double side = mechanism.c() == 0.0 ? 0.0 : std::copysign(1.0, mechanism.c());
-    return mechanism.b() == shortestCouplerForFullTurn(mechanism) && std::abs(std::cos(theta2)) <= kRounding &&
+    return mechanism.b() == shortestCouplerForFullTurn(mechanism) && std::abs(std::cos(theta2)) <= kMaxCosine &&
            side * std::sin(theta2) <= 0.0;
 }
 

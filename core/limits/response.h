@@ -17,7 +17,7 @@ inline constexpr std::array kResponseLimits{LimitKind::Stroke, LimitKind::TimeRa
                                             LimitKind::PeakSliderAcceleration};
 using ResponseLimits = std::array<double, kResponseLimits.size()>; ///< in the order of kResponseLimits
 
-/// Returns the values of kResponseLimits, of a peak its magnitude. A value is NaN if the limit does not exist or is
+/// Returns the values of kResponseLimits; for a peak, its magnitude. A value is NaN if the limit does not exist or is
 /// unbounded.
 ResponseLimits responseLimits(const Mechanism &mechanism);
 

@@ -130,16 +130,16 @@ std::vector<StudyMethod> makeMethods()
 
     // NewtonDense has the residual and the iteration limit of the reference report. The others have a residual that is
     // independent of scale, and an iteration limit that suffices at a toggle.
-    constexpr int kLimit = kColdStartIterations;
+    constexpr int kMaxIterations = kColdStartIterations;
     constexpr ToleranceKind kRelative = ToleranceKind::Relative;
     constexpr std::pair<MethodName::Kind, NewtonOptions> kVariants[]{
         {MethodName::Kind::NewtonDense, {}},
         {MethodName::Kind::NewtonDenseTaylor,
-         {.maxIterations = kLimit, .toleranceKind = kRelative, .warmStart = WarmStart::Taylor}},
+         {.maxIterations = kMaxIterations, .toleranceKind = kRelative, .warmStart = WarmStart::Taylor}},
         {MethodName::Kind::NewtonStructured,
-         {.maxIterations = kLimit, .toleranceKind = kRelative, .elimination = Elimination::Structured}},
+         {.maxIterations = kMaxIterations, .toleranceKind = kRelative, .elimination = Elimination::Structured}},
         {MethodName::Kind::NewtonStructuredTaylor,
-         {.maxIterations = kLimit,
+         {.maxIterations = kMaxIterations,
           .toleranceKind = kRelative,
           .warmStart = WarmStart::Taylor,
           .elimination = Elimination::Structured}}};

@@ -31,9 +31,9 @@ const QString kNameSeparator = " + ";                                     // bet
 /// Returns whether the file is so long that its beginning is read first, which shows at once if it is no table.
 bool isLong(const QString &path)
 {
-    constexpr qint64 kLong = 1 << 24; // bytes
+    constexpr qint64 kMaxSizeAtOnce = 1 << 24; // bytes
     const QFileInfo file(path);
-    return file.isFile() && file.size() > kLong;
+    return file.isFile() && file.size() > kMaxSizeAtOnce;
 }
 
 std::string_view toView(const QByteArray &bytes)
@@ -235,14 +235,15 @@ std::optional<ReferenceSource> sourceOverCrankAngle(const Reference &reference)
 
 QByteArrayList readBeginnings(const QStringList &paths)
 {
-    constexpr qint64 kLimit = 1 << 20; // bytes: about 15 000 rows of seven columns, which are read in milliseconds
+    // Bytes: about 15 000 rows of seven columns, which are read in milliseconds.
+    constexpr qint64 kSizeOfBeginning = 1 << 20;
     QByteArrayList beginnings;
     for (const QString &path : paths) {
         QFile file(path);
         QByteArray lines;
         if (QFileInfo(path).isFile() && file.open(QIODevice::ReadOnly)) {
-            lines = file.read(kLimit);
-            lines += file.readLine(kLimit); // the rest of the last line
+            lines = file.read(kSizeOfBeginning);
+            lines += file.readLine(kSizeOfBeginning); // the rest of the last line
         }
         beginnings += lines;
     }

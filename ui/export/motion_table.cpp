@@ -196,13 +196,13 @@ QByteArray csvText(const std::vector<TableColumn> &columns, const std::vector<Ta
 std::optional<double> nextTime(const std::vector<double> &angles, const Mechanism &mechanism, const Sampling &sampling,
                                double t)
 {
-    constexpr double kHere = 1e-9; // rad: an angle nearer than this has been reached
+    constexpr double kMaxDistance = 1e-9; // rad: an angle nearer than this has been reached
     if (mechanism.omega2() == 0.0) {
         return std::nullopt;
     }
     const double end = sampling.start + sampling.duration;
     const double slack = 1e-9 * sampling.duration; // includes the end of the time range
-    for (const double from : {t + kHere / std::abs(mechanism.omega2()), sampling.start}) {
+    for (const double from : {t + kMaxDistance / std::abs(mechanism.omega2()), sampling.start}) {
         std::optional<double> first;
         for (const double theta2 : angles) {
             const std::optional<double> time = timeAtCrankAngle(mechanism, theta2, from);

@@ -393,7 +393,7 @@ private:
     static constexpr int kLargestLetters = 12; // px, 9 pt
     static constexpr int kSmallestLetters = 9;
     static constexpr double kMargin = 18.0 / kMmPerInch * kDotsPerInch; // px
-    static constexpr double kLayoutPart = 0.6;                          // of the whole time
+    static constexpr double kLayoutFraction = 0.6;                      // of the whole time
 
     // Each of these functions does a piece, and returns the next one.
 
@@ -409,7 +409,7 @@ private:
     Piece arrangeSection()
     {
         const bool isLeft = m_report->sections().arrangeNext();
-        m_progress = std::max(m_progress, kLayoutPart * m_report->sections().arrangedPart());
+        m_progress = std::max(m_progress, kLayoutFraction * m_report->sections().arrangedPart());
         return isLeft ? Piece::Section : chooseLetters();
     }
 
@@ -441,7 +441,7 @@ private:
         }
         m_report->print(m_painter, m_page, {kMargin, kMargin, kMargin, kMargin});
         ++m_page;
-        m_progress = kLayoutPart + (1.0 - kLayoutPart) * m_page / (m_report->pageCount() + 1);
+        m_progress = kLayoutFraction + (1.0 - kLayoutFraction) * m_page / (m_report->pageCount() + 1);
         return m_page < m_report->pageCount() ? Piece::Page : Piece::File;
     }
 

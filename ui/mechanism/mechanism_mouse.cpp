@@ -94,13 +94,13 @@ void MechanismView::mousePressEvent(QMouseEvent *event)
 
 void MechanismView::mouseMoveEvent(QMouseEvent *event)
 {
-    constexpr double kClickMoves = 3.0; // px that the pointer may move during a click
+    constexpr double kMaxMoveOfClick = 3.0; // px that the pointer may move during a click
     const QPointF pixel = event->position();
     if (!m_pressed) {
         pointAt(partUnder(pixel), event->modifiers());
         return;
     }
-    if (!m_pressed->hasMoved && (pixel - m_pressed->start).manhattanLength() < kClickMoves) {
+    if (!m_pressed->hasMoved && (pixel - m_pressed->start).manhattanLength() < kMaxMoveOfClick) {
         return;
     }
     m_pressed->hasMoved = true;

@@ -145,7 +145,7 @@ void MechanismSketch::addInstantCentre()
     addRay(LinkagePoint::A, P);
     addRay(LinkagePoint::B, P);
     if (QRectF(QPointF(), projection().size).contains(P)) {
-        const QPen pen(m_colours.errorOther, 1.4); // the colour of velocities
+        const QPen pen(m_colours.errorOther, kPathLine); // the colour of velocities
         addCircle(P, 5.0, pen);
         addLine(P - QPointF(8.0, 0.0), P + QPointF(8.0, 0.0), pen);
         addLine(P - QPointF(0.0, 8.0), P + QPointF(0.0, 8.0), pen);
@@ -240,9 +240,9 @@ void MechanismSketch::addLengths()
 {
     for (const auto &[letter, link] : {std::pair("a", QLineF(m_O2, m_A)), {"b", QLineF(m_A, m_B)}}) {
         const QPointF across(-link.dy(), link.dx());
-        constexpr double kPlace = 0.6; // fraction of the link: beside the joints and the centre of mass
-        constexpr double kGap = 7.0;   // px
-        addLabelBeside(link.pointAt(kPlace), across.y() > 0.0 ? across : -across, kGap, letter, m_ink);
+        constexpr double kFractionOfLink = 0.6; // away from the joints and the centre of mass
+        constexpr double kGap = 7.0;            // px
+        addLabelBeside(link.pointAt(kFractionOfLink), across.y() > 0.0 ? across : -across, kGap, letter, m_ink);
     }
 }
 
@@ -254,7 +254,7 @@ void MechanismSketch::addAngle(const QString &name, const QLineF &link, double a
     constexpr double kInk = 0.7;        // share of the ink in the colour of the arc
     constexpr double kBaseWidth = 2.0;  // px, where labels do not stand
     constexpr double kLabelGap = 20.0;  // px
-    constexpr double kLabelSlope = 0.5; // of the direction in which the label stands
+    constexpr double kLabelSlope = 0.5; // slope of the direction from the joint to the label
     constexpr double kDegreesPerTurn = 360.0;
     const double radius = arcRadius(link, largestRadius);
     const QLineF base(link.p1(), link.p1() + QPointF(radius + kBeyondArc, 0.0));

@@ -50,7 +50,7 @@ QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
     const Mechanism &mechanism = scene.mechanism();
     const double size = mechanism.a() + mechanism.b() + std::abs(mechanism.c());
     const double omega2 = std::abs(mechanism.omega2());
-    const double accelerationOfCrank = std::hypot(omega2 * omega2, scene.alpha2()); // of A, over a
+    const double accelerationOfCrank = std::hypot(omega2 * omega2, scene.alpha2()); // that of A, divided by a
     const PointMotion motion = scene.motion(point);
     const QString position = MechanismText::tr("position (%1; %2) %3")
                                  .arg(shownText(Measure::Length, motion.position.x, size),

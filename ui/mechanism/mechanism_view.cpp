@@ -277,7 +277,7 @@ void MechanismView::setResult(const std::shared_ptr<const Result> &result)
     }
     const bool dragsLength = m_pressed && m_pressed->drag && m_pressed->drag->length();
     if (m_pressed && m_pressed->drag && !dragsLength) {
-        endDrag(); // the drag began on another mechanism
+        endDrag(); // the drag began on a different mechanism
     }
     if (!dragsLength) { // otherwise the part would move away from the pointer
         m_frame.follow(bounds());

@@ -28,7 +28,7 @@ struct MethodText {
     const char *explanation;
     Tone tone;
     QColor SeriesColours::*colour;
-    bool isHollow; ///< of two methods of the same colour, the second one has hollow marks
+    bool isHollow; ///< its marks are hollow, because a second method has the same colour
 };
 
 struct StudyPage {

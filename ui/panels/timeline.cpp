@@ -278,8 +278,8 @@ double Timeline::revolution() const
 
 bool Timeline::isFast() const
 {
-    constexpr double kFast = 0.2; // s: five revolutions in the usual time range of a second
-    return revolution() < kFast;
+    constexpr double kFastRevolution = 0.2; // s: five revolutions in the usual time range of a second
+    return revolution() < kFastRevolution;
 }
 
 /// Returns the speed of the playback. At a chosen speed of 1, a revolution of a fast crank takes four seconds.

@@ -46,15 +46,15 @@ double columnLeft(const PlotCursor &cursor, double width, const QRectF &axes, co
     return right ? *right : left.value_or(axes.left() + kInsideAxes);
 }
 
-/// Returns how many points of the curves, and how many dots, are below a label. Dots count as many points.
+/// Returns how many points of the curves, and how many dots, are below a label. A dot counts as kPointsPerDot points.
 std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const QRectF &place, double radiusOfDot)
 {
-    constexpr std::ptrdiff_t kPointsOfDot = 10;
+    constexpr std::ptrdiff_t kPointsPerDot = 10;
     std::ptrdiff_t covered =
         std::ranges::count_if(cursor.curves, [&place](QPointF point) { return place.contains(point); });
     const QRectF around = place.adjusted(-radiusOfDot, -radiusOfDot, radiusOfDot, radiusOfDot);
     for (const PlotCursor::Label &label : cursor.labels) {
-        covered += label.dot && around.contains(*label.dot) ? kPointsOfDot : 0;
+        covered += label.dot && around.contains(*label.dot) ? kPointsPerDot : 0;
     }
     return covered;
 }

@@ -141,8 +141,8 @@ QString atLeastText(double limit)
     constexpr double kSlack = 1e-6; // fraction of the last digit: 0.1 + 0.2 equals 0.3 except for rounding
     const double shownLimit = shownValue(Measure::Length, limit, notation().units);
     const double exponent = shownLimit == 0.0 ? 0.0 : std::floor(std::log10(std::abs(shownLimit)));
-    const double perLastDigit = std::pow(10.0, kUsualDigits - 1 - exponent); // units of the last digit in 1
-    return withUnit(numberText(std::ceil(shownLimit * perLastDigit - kSlack) / perLastDigit),
+    const double lastDigitsInOne = std::pow(10.0, kUsualDigits - 1 - exponent); // 1 over a unit of the last digit
+    return withUnit(numberText(std::ceil(shownLimit * lastDigitsInOne - kSlack) / lastDigitsInOne),
                     shownUnit(Measure::Length));
 }
 

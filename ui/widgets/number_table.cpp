@@ -274,10 +274,10 @@ bool NumberTable::hasNames() const
 /// much as necessary where the numbers behind them would be cut off.
 int NumberTable::widthOfNames() const
 {
-    constexpr int kShortestNames = 12; // letters
-    constexpr double kALittle = 0.8;   // of their width
+    constexpr int kShortestNames = 12;   // letters
+    constexpr double kMinFraction = 0.8; // of their width that remains if names are shortened a little
     const int forAllColumns = viewport()->width() - (horizontalHeader()->length() - columnWidth(0));
-    if (forAllColumns >= kALittle * m_namesWidth) {
+    if (forAllColumns >= kMinFraction * m_namesWidth) {
         return std::min(forAllColumns, m_namesWidth);
     }
     const int shortest = std::min(m_namesWidth, kShortestNames * fontMetrics().averageCharWidth() + kCellMargin);

@@ -161,7 +161,7 @@ private slots:
     /// accurate only to √u if a range nearly vanishes or nearly closes.
     void rangesContainTheAssemblableAngles()
     {
-        constexpr double kBesideAnEnd = 1e-9; // of b
+        constexpr double kBesideAnEnd = 1e-9; // fraction of b
         for (const auto &[p, limits] : subjects()) {
             const std::vector<CrankRange> &ranges = limits.ranges;
             VERIFY_FOR(p, ranges.size() == rangeCount(p, limits.mobility));
@@ -310,7 +310,8 @@ private slots:
     /// Positions beyond the stroke lead to its nearer end.
     void sliderPositionsLeadBackToTheCrank()
     {
-        constexpr double kPerpendicular = 1e-3; // of b: closer to a limit, a position does not determine the angle
+        // Fraction of b. Closer to a limit, a position does not determine the angle.
+        constexpr double kPerpendicular = 1e-3;
         RandomMechanisms random(35);
         int checked = 0;
         for (int i = 0; i < 2000; ++i) {

@@ -414,7 +414,8 @@ private slots:
         constexpr double kStep = 1e-4; // s
         for (const LinkagePoint point : kLinkagePoints) {
             const auto at = [&](double time) -> QPointF {
-                const double later = time - 0.37; // s; with α₂, the crank is where it otherwise were at another time
+                // With α₂, the crank is where it would be at a different time without α₂.
+                const double later = time - 0.37; // s
                 const Pose pose = poseAt(p, time + 0.5 * alpha2 * later * later / p.omega2);
                 const QPointF A = p.a * QPointF(pose.motion.crank.cos, pose.motion.crank.sin);
                 const QPointF B(pose.motion.R4x, p.c);

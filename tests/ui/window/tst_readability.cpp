@@ -38,7 +38,7 @@ using namespace slidercrank;
 namespace tst_readability
 {
 
-constexpr QSize kSmall(800, 570); // a screen of 800×600 below a title bar
+constexpr QSize kSmallScreen(800, 570); // a screen of 800×600 below a title bar
 
 int widthOf(const QWidget &widget, const QString &text)
 {
@@ -203,10 +203,10 @@ private slots:
             QCOMPARE(writeScene(recovered, folder.filePath("recovery.json")), std::nullopt);
             openWindow();
             emit session().referenceRefused({kSample}, "The file cannot be read.");
-            m_window->resize(kSmall);
+            m_window->resize(kSmallScreen);
             const auto fits = [this](const QString &page) {
                 settle(*m_window);
-                QVERIFY2(m_window->size() == kSmall, qPrintable(page));
+                QVERIFY2(m_window->size() == kSmallScreen, qPrintable(page));
                 const QStatusBar &status = *m_window->statusBar();
                 QVERIFY(m_window->rect().contains({status.mapTo(m_window.get(), QPoint()), status.size()}));
                 QVERIFY(messages()->parentWidget()->rect().contains(messages()->geometry()));
@@ -254,7 +254,7 @@ private slots:
         const QStatusBar &status = *window.statusBar();
         QVERIFY(window.isMaximized() && available.contains({status.mapToGlobal(QPoint()), status.size()}));
         MainWindow small;
-        small.resize(kSmall - QSize(20, 60));
+        small.resize(kSmallScreen - QSize(20, 60));
         small.showWithinScreen();
         QVERIFY(!small.isMaximized());
     }
