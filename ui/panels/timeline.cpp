@@ -253,6 +253,12 @@ void Timeline::drawIcons()
     m_playButton->setAccessibleName(isPlaying() ? tr("Pause") : tr("Play"));
 }
 
+void Timeline::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitTimeRangeButton();
+}
+
 void Timeline::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
@@ -309,11 +315,21 @@ void Timeline::showSettings()
     m_steps->setValue(steps);
     m_speedBox->setValue(m_speed);
     m_oneTurn->setEnabled(revolution() <= kLargestParameter);
+    showOffer();
+    fitTimeRangeButton();
+    showTime();
+}
+
+/// Writes the duration and the speed on the button of the time range, if there is space beside the other buttons.
+void Timeline::fitTimeRangeButton()
+{
     constexpr int kDigits = 3;
+    const double duration = m_session->sampling().duration;
     m_timeRangeButton->setText(tr("%1 s · %2× ▾", "duration, playback speed")
                                    .arg(numberText(duration, kDigits), numberText(playbackSpeed(), kDigits)));
-    showOffer();
-    showTime();
+    if (layout()->minimumSize().width() > width()) {
+        m_timeRangeButton->setText("▾");
+    }
 }
 
 /// Offers one revolution if the time range has very many, or only a part of one: then the crank does not reach every

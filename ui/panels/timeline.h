@@ -51,6 +51,7 @@ public slots:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     enum Command { Play, Forward, Back, Start, End, Loop, Faster, Slower, OpenTimeRange, CommandCount };
@@ -75,6 +76,7 @@ private:
     void editSampling();
     void showSettings();
     void showOffer();
+    void fitTimeRangeButton();
     void showTime();
 
     Session *m_session;
@@ -86,7 +88,7 @@ private:
 
     std::array<QAction *, CommandCount> m_actions{};
     QToolButton *m_playButton;
-    QToolButton *m_offer; ///< offers a time range of one revolution, if very many are shown
+    QToolButton *m_offer; ///< offers a time range of one revolution, see showOffer()
     QToolButton *m_timeRangeButton;
     NumberSlider *m_slider;
     NumberBox *m_timeBox;

@@ -248,6 +248,22 @@ private slots:
         }
     }
 
+    /// In a narrow window, the offer is not cut off by the button beside it.
+    void theOfferFitsBesideTheTimeRange()
+    {
+        Bench bench({.omega2 = -628.0}, {0.0, 1.0, 200});
+        auto *offer = child<QToolButton>(bench.timeline, "oneTurnOffer");
+        auto *timeRange = child<QToolButton>(bench.timeline, "runButton");
+        bench.timeline.show();
+        for (const int width : {400, 330, 600}) {
+            bench.timeline.resize(width, bench.timeline.height());
+            QCoreApplication::processEvents();
+            QVERIFY(offer->width() >= offer->sizeHint().width());
+            QVERIFY(timeRange->width() >= timeRange->sizeHint().width());
+        }
+        QVERIFY(timeRange->text().startsWith("1 s"));
+    }
+
     void setsTheSpeed()
     {
         Bench bench({}, {0.0, 2.5, 200});
