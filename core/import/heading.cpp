@@ -64,12 +64,13 @@ bool isUnitOfNoQuantity(std::string_view content)
     return wordsOf(content).empty() || content.starts_with("×") || isAmong(content, kPixels);
 }
 
-/// Returns whether the content of round brackets, which is no known unit, is a remark: "(filtered)", "(exp)".
+/// Returns whether the content of round brackets, which is no known unit, is a remark: "(filtered)", "(exp)", "(FD)".
 bool isRemarkInBrackets(std::string_view content)
 {
     constexpr std::size_t kShortestRemark = 6; // bytes: "(bar)" is a unit
     const bool isLong = content.size() >= kShortestRemark && content.find('/') == content.npos;
-    return isLong || abbreviatesMethod(wordsOf(content));
+    const std::vector<std::string> words = wordsOf(content);
+    return isLong || abbreviatesMethod(words) || namesDifferences(words);
 }
 
 /// Returns whether brackets that begin at `begin` belong to the name: it has a meaning with them, as "x(B)", or they

@@ -401,10 +401,28 @@ bool isOverAngle(std::string_view name, const std::string &unit)
     return angle && angle->dimension == Dimension::Angle && angle->order == 0 && parseUnit(unit.substr(0, slash));
 }
 
+/// Returns the name before a remark in brackets that says that finite differences were computed: "v" of
+/// "v (num. diff.)". Returns an empty text for other names: "x (diff)" is itself a derivative.
+std::string_view nameBeforeDifferences(std::string_view name)
+{
+    const std::size_t bracket = name.rfind('(');
+    const Words remark = bracket == name.npos ? Words() : wordsOf(name.substr(bracket));
+    if (!name.ends_with(')') || !namesDifferences(remark)) {
+        return {};
+    }
+    const std::string_view before = trimmed(name.substr(0, bracket));
+    const auto differentiates = [](const std::string &word) { return isAmong(word, "diff dif"); };
+    const bool isOfPosition = meaningOf(before, {}).channel.order == Order::Position;
+    return isOfPosition && std::ranges::any_of(remark, differentiates) ? std::string_view() : before;
+}
+
 /// Returns the name of the derivative that finite differences approximate: "dx/dt" for "Δx/Δt", "diff(x, t)" for
-/// "np.gradient(x, t)". Returns nullopt for other names.
+/// "np.gradient(x, t)", "v" for "v (num. diff.)". Returns nullopt for other names.
 std::optional<std::string> derivativeOfDifferences(std::string_view name)
 {
+    if (const std::string_view before = nameBeforeDifferences(name); !before.empty()) {
+        return std::string(before);
+    }
     static const Spellings kDerivatives{{"\\Delta ", "d"}, {"\\Delta", "d"},          {"Δ", "d"},
                                         {"∆", "d"},        {"np.gradient(", "diff("}, {"gradient(", "diff("}};
     std::string derivative = kDerivatives.replacedIn(name);

@@ -92,6 +92,9 @@ constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 constexpr std::string_view kTurnsPerSecond = "rps drehfrequenz crank_frequency rotation_frequency";
 constexpr std::string_view kMethods = "num anal exp sim calc theo teo ber gem mess med fem mbs abs";
+constexpr std::string_view kDifferences = "diff dif fd differences differenzen diferencias differenze";
+constexpr std::string_view kDifferenceCompanions =
+    "finite central forward backward num numeric numerical numerisch finitas centradas finies";
 constexpr std::string_view kStatistics =
     "mean average avg media medio promedio mittelwert durchschnitt moyenne moyen gemiddelde srednia max maximum maximo "
     "massimo maksimum min minimum minimo minimal minimaal sum suma summe somme soma rms median mediana std stdev";
@@ -348,6 +351,11 @@ std::string_view unitOfRotation(const Words &words)
 bool abbreviatesMethod(const Words &words)
 {
     return areAmong(words, kMethods, "");
+}
+
+bool namesDifferences(const Words &words)
+{
+    return areAmong(words, kDifferences, kDifferenceCompanions);
 }
 
 bool namesStatistic(const Words &words)

@@ -67,6 +67,9 @@ std::string_view unitOfRotation(const std::vector<std::string> &words);
 /// Returns whether the words abbreviate how a quantity was found: "num.", "exp", "sim".
 bool abbreviatesMethod(const std::vector<std::string> &words);
 
+/// Returns whether the words say that finite differences were computed: "num. diff.", "finite differences", "FD".
+bool namesDifferences(const std::vector<std::string> &words);
+
 /// Returns whether the words name a statistic of the rows, such as a mean or maximum.
 bool namesStatistic(const std::vector<std::string> &words);
 
