@@ -9,24 +9,25 @@
 namespace slidercrank
 {
 
-// The centres of mass are the midpoints of crank and coupler. That of the coupler is h/2 above A, so that
-// R3y = (a sin θ2 + c) / 2. The function is inline so that the state is written directly to its destination: copying it
-// takes an eighth of the time of computing it.
-inline State ClosedForm::stateAt(double t) const
+/// Returns all 36 channels of a motion of the mechanism.
+///
+/// The centres of mass are the midpoints of crank and coupler. That of the coupler is h/2 above A, so that
+/// R3y = (a sin θ2 + c) / 2. The function is inline so that the state is written directly to its destination: copying
+/// it takes an eighth of the time of computing it.
+inline State stateOf(const Mechanism &mechanism, const Motion &motion)
 {
-    const Motion motion = motionAt(t);
     State state;
-    const double omega = m_mechanism.omega2();
-    const double aCos = m_mechanism.a() * motion.crank.cos;
-    const double aSin = m_mechanism.a() * motion.crank.sin;
+    const double omega = mechanism.omega2();
+    const double aCos = mechanism.a() * motion.crank.cos;
+    const double aSin = mechanism.a() * motion.crank.sin;
     setCoordinates(state.q, {.R2x = 0.5 * aCos,
                              .R2y = 0.5 * aSin,
                              .theta2 = motion.theta2,
                              .R3x = aCos + 0.5 * motion.s,
-                             .R3y = 0.5 * (aSin + m_mechanism.c()),
+                             .R3y = 0.5 * (aSin + mechanism.c()),
                              .theta3 = motion.theta3,
                              .R4x = motion.R4x,
-                             .R4y = m_mechanism.c()});
+                             .R4y = mechanism.c()});
     setCoordinates(state.qDot, {.R2x = -0.5 * aSin * omega,
                                 .R2y = 0.5 * aCos * omega,
                                 .theta2 = omega,
@@ -43,6 +44,11 @@ inline State ClosedForm::stateAt(double t) const
                                  .R4x = motion.R4xDDot});
     state.setStatus(motion.status);
     return state;
+}
+
+inline State ClosedForm::stateAt(double t) const
+{
+    return stateOf(m_mechanism, motionAt(t));
 }
 
 } // namespace slidercrank

@@ -2,7 +2,6 @@
 #include "ui/document/result.h"
 
 #include "core/limits/crank_limit.h"
-#include "core/mechanism/two_part_angle.h"
 
 #include <QElapsedTimer>
 
@@ -49,27 +48,11 @@ SolverSettings initialSolver()
     return solver;
 }
 
-/// Returns the motion at the end of the arc of a rocker, where b cos θ3 = 0.
-static Motion motionOf(const State &limit)
-{
-    const double theta2 = limit.q[Theta2];
-    return {.theta2 = theta2,
-            .crank = sinCos({theta2}),
-            .s = 0.0,
-            .theta3 = limit.q[Theta3],
-            .theta3Dot = limit.qDot[Theta3],
-            .theta3DDot = limit.qDDot[Theta3],
-            .R4x = limit.q[R4x],
-            .R4xDot = limit.qDot[R4x],
-            .R4xDDot = limit.qDDot[R4x],
-            .status = limit.status};
-}
-
 Pose poseAt(const Parameters &parameters, double seconds)
 {
     const Mechanism mechanism(parameters);
-    const std::optional<OutputState> limit = crankLimitStateAt(mechanism, motionLimits(mechanism), seconds, 0.0);
-    return {.time = seconds, .motion = limit ? motionOf(limit->state) : ClosedForm(mechanism).motionAt(seconds)};
+    const std::optional<Motion> limit = crankLimitMotionAt(mechanism, motionLimits(mechanism), seconds, 0.0);
+    return {.time = seconds, .motion = limit ? *limit : ClosedForm(mechanism).motionAt(seconds)};
 }
 
 Parameters mechanismToUse(const Identification &found)
