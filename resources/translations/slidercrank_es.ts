@@ -3850,7 +3850,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>%1 (gaps: cannot be assembled)</source>
-        <translation>%1 (sin curva: no se puede ensamblar)</translation>
+        <translation>%1 (sin curva donde no se puede ensamblar)</translation>
     </message>
 </context>
 <context>

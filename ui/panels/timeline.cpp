@@ -337,7 +337,7 @@ void Timeline::fitTimeRangeButton()
 void Timeline::showOffer()
 {
     constexpr double kManyTurns = 5.0;
-    constexpr double kWholeTurn = 0.99; // of a revolution; a speed of 6.28 rad/s is one a second
+    constexpr double kWholeTurn = 0.99; // revolutions: a second at 6.28 rad/s counts as one
     const double turns = m_session->sampling().duration / revolution();
     const bool showsMany = isFast() && turns > kManyTurns;
     const bool showsPart = turns < kWholeTurn && revolution() <= kLargestParameter;

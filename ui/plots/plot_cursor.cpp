@@ -206,7 +206,7 @@ struct Arrangement {
 
 /// Returns the possible places of a value that cover no heading and no more points of the curves than that.
 std::vector<RatedPlace> ratedPlaces(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
-                                    const QFont &font, std::ptrdiff_t mostCovered)
+                                    const QFont &font, std::ptrdiff_t maxCovered)
 {
     std::vector<RatedPlace> rated;
     std::size_t distance = 0;
@@ -215,7 +215,7 @@ std::vector<RatedPlace> ratedPlaces(const PlotCursor &cursor, const PlotCursor::
             return !other.dot && other.place.intersects(place);
         };
         const std::ptrdiff_t covered = coveredPoints(cursor, place, dotRadius(font));
-        if (covered <= mostCovered && std::ranges::none_of(cursor.labels, isCoveredHeading)) {
+        if (covered <= maxCovered && std::ranges::none_of(cursor.labels, isCoveredHeading)) {
             rated.push_back({place, covered, distance});
         }
         ++distance;
@@ -263,11 +263,11 @@ std::vector<Arrangement> continuedWith(const std::vector<RatedPlace> &places,
 /// Places values in the order of their dots, all of them together where they cover the fewest points. `values` are
 /// sorted from the highest dot to the lowest. Returns false, and changes nothing, if there is no such arrangement.
 bool placeTogether(PlotCursor &cursor, const std::vector<std::size_t> &values, const QRectF &axes, const QFont &font,
-                   std::ptrdiff_t mostCovered)
+                   std::ptrdiff_t maxCovered)
 {
     std::vector<Arrangement> best(1);
     for (const std::size_t index : values) {
-        best = continuedWith(ratedPlaces(cursor, cursor.labels[index], axes, font, mostCovered), best);
+        best = continuedWith(ratedPlaces(cursor, cursor.labels[index], axes, font, maxCovered), best);
     }
     if (best.empty()) {
         return false;

@@ -167,7 +167,7 @@ bool PlotFigure::isLogarithmic(std::size_t plot) const
     return isErrorPlot(plot) && m_settings.logarithmicError;
 }
 
-/// Returns the name of a motion, the index of which is given. Where its curves have gaps, the name says why.
+/// Returns the name of a motion in the legend, which says why its curves have gaps. `motion`: its index in m_motions.
 QString PlotFigure::nameWithGaps(const QString &name, std::size_t motion) const
 {
     constexpr std::size_t kAnyChannel = 0; // all of them have the same gaps
@@ -282,7 +282,7 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
             isSlider ? tr("difference of the slider from %1") : tr("difference of the coupler from %1");
         curve.name = name.arg(m_style.comparedWith);
     }
-    const bool isNarrow = m_style.mostColumns < kPlotColumns; // then the titles have no space for the measure
+    const bool isNarrow = m_style.maxColumns < kPlotColumns; // then the titles have no space for the measure
     if (isNarrow && m_style.error == ErrorMeasure::OfPeak) {
         curve.name += QStringLiteral(" (%1)").arg(tr("% of peak"));
     }

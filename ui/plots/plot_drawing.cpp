@@ -121,8 +121,9 @@ double NumberTicker::getTickStep(const QCPRange &range)
         m_step = std::max(1.0, m_step);
     } else if (const double step = m_step * unit; mTickCount > 1 && std::floor((range.upper - mTickOrigin) / step) <=
                                                                         std::ceil((range.lower - mTickOrigin) / step)) {
-        constexpr double kToNextSmaller = 0.4;             // 1, 2 and 5 are at least this fraction of 2, 5 and 10
-        m_step = nextRoundNumber(kToNextSmaller * m_step); // since a single tick shows no scale
+        // A single tick shows no scale. 1, 2 and 5 are at least this fraction of 2, 5 and 10.
+        constexpr double kToNextSmaller = 0.4;
+        m_step = nextRoundNumber(kToNextSmaller * m_step);
     }
     const double largest = std::max(std::abs(range.lower - mTickOrigin), std::abs(range.upper - mTickOrigin)) / unit;
     const double digits = std::ceil(std::log10(largest / m_step)) + 1.0; // not finite if the range underflows

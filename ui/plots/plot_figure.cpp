@@ -64,26 +64,26 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, const Q
 }
 
 /// Returns the number of plots side by side: two for the six plots of the motion and for four plots, whose rows are
-/// then complete, otherwise at most three. Where that many are too narrow, as many as `mostColumns`, or one if all
-/// plots would nearly be in one row.
-std::size_t columnsFor(const std::vector<std::size_t> &plots, std::size_t mostColumns)
+/// then complete, otherwise at most three. If these are more than `maxColumns`, up to three plots are one below the
+/// other, and more have that many columns.
+std::size_t columnsFor(const std::vector<std::size_t> &plots, std::size_t maxColumns)
 {
     constexpr std::size_t kPair = 2;
     const std::size_t count = plots.size();
     const bool isGridWithoutErrors = count == kPair * kPlotRows && std::ranges::none_of(plots, &isErrorPlot);
     const bool isSquare = count == kPair * kPair;
     const std::size_t columns = isSquare || isGridWithoutErrors ? kPair : std::min(count, kPlotColumns);
-    if (columns <= mostColumns) {
+    if (columns <= maxColumns) {
         return columns;
     }
-    return count <= kPlotColumns ? 1 : mostColumns;
+    return count <= kPlotColumns ? 1 : maxColumns;
 }
 
 /// Returns whether the last row of the figure has fewer plots than the others. Then every plot has numbers on its time
 /// axis, and space for them below it.
 bool isLastRowShort(const PlotStyle &style)
 {
-    return style.plots.size() % columnsFor(style.plots, style.mostColumns) != 0;
+    return style.plots.size() % columnsFor(style.plots, style.maxColumns) != 0;
 }
 
 /// Returns a name of the legend for lines of that width (px): a long name has several lines, and a word that is too
@@ -126,7 +126,7 @@ void PlotFigure::applyStyle(const PlotStyle &style)
     m_drawing->plotLayout()->clear();
     m_plots = {};
     const std::size_t count = style.plots.size();
-    const std::size_t columns = columnsFor(style.plots, style.mostColumns);
+    const std::size_t columns = columnsFor(style.plots, style.maxColumns);
     const bool hasLabelsEverywhere = isLastRowShort(style);
     for (std::size_t place = 0; place < count; ++place) {
         const std::size_t index = style.plots[place];
@@ -164,7 +164,7 @@ void PlotFigure::compose(PlotStyle style, const QSize &size)
     m_isStale = false;
     style.isOfFile = m_result->reference != nullptr;
     style.error = m_settings.error;
-    if (style.mostColumns < kPlotColumns && std::ranges::is_sorted(style.plots)) { // the order of the window
+    if (style.maxColumns < kPlotColumns && std::ranges::is_sorted(style.plots)) { // the order of the window
         std::stable_partition(style.plots.begin(), style.plots.end(),
                               [](std::size_t plot) { return !isErrorPlot(plot); });
     }
@@ -189,7 +189,7 @@ void PlotFigure::compose(PlotStyle style, const QSize &size)
     chooseTitles();
 }
 
-/// Chooses the longest titles that fit, of the same variant for all motions and for all errors.
+/// Chooses the longest variant of the titles that fits. All motions have the same variant, and so do all errors.
 void PlotFigure::chooseTitles()
 {
     const QCPAxisRect &axes = *m_plots[plots().front()].axes;
@@ -531,7 +531,7 @@ void PlotFigure::paint(QPainter &painter)
 
 std::size_t PlotFigure::columnsThatFit(int width, const QFont &font)
 {
-    constexpr int kMinLines = 10; // lines of text that are as high as a plot is wide, half of it for the numbers
+    constexpr int kMinLines = 10; // width of a plot in heights of a line of text; the numbers of its axis take half
     const int line = std::max(lineHeight(font), lineHeight(PlotFonts(font).tick));
     const auto columns = static_cast<std::size_t>(std::max(1, width / (kMinLines * line)));
     return std::min(columns, kPlotColumns);

@@ -106,10 +106,10 @@ struct PlotStyle {
     std::vector<std::size_t> plots;
     QFont font = {};
     QPalette palette = {};
-    std::size_t mostColumns = kPlotColumns; ///< plots side by side; where they are fewer, errors follow the motions
-    double detail = 1.0;                    ///< size (px) of the smallest detail that the device shows
-    QString comparedWith{}; ///< the pinned motion whose differences are shown; empty for those of a file
-    bool isOfFile = false;  ///< whether the errors are those of a file
+    std::size_t maxColumns = kPlotColumns; ///< plots side by side; where they are fewer, errors follow the motions
+    double detail = 1.0;                   ///< size (px) of the smallest detail that the device shows
+    QString comparedWith{};                ///< the pinned motion whose differences are shown; empty for those of a file
+    bool isOfFile = false;                 ///< whether the errors are those of a file
     ErrorMeasure error = ErrorMeasure::OfPeak;
     Notation notation = slidercrank::notation(); ///< of the titles and axes
     std::optional<double> cursorTime = {};       ///< s; the values at this time are written beside a line

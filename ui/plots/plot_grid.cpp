@@ -245,7 +245,7 @@ void PlotGrid::paintFigure(QPainter &painter, const FigureContent &content, cons
     compose({.plots = plots,
              .font = painter.font(),
              .palette = palette,
-             .mostColumns = columnsThatFit(size.width(), painter.font()),
+             .maxColumns = columnsThatFit(size.width(), painter.font()),
              .detail = smallestDetail(painter),
              .cursorTime = content.cursorTime},
             size);
@@ -266,9 +266,8 @@ int PlotGrid::figureHeight(const FigureContent &content, int width, const QFont 
 {
     const std::vector<std::size_t> plots = content.plots.empty() ? plotsToShow({}) : content.plots;
     const int height = heightFor(plots, width, font);
-    compose(
-        {.plots = plots, .font = font, .mostColumns = columnsThatFit(width, font), .cursorTime = content.cursorTime},
-        {width, height});
+    compose({.plots = plots, .font = font, .maxColumns = columnsThatFit(width, font), .cursorTime = content.cursorTime},
+            {width, height});
     requestRefresh(); // restores the figure for the screen
     return height + excessOfLegend();
 }
