@@ -54,6 +54,12 @@ Cells withHeadingsJoined(const Cells &cells)
     return joined;
 }
 
+/// Returns whether the cells of a line contain units alone. The s of seconds is also the symbol of a displacement.
+bool areUnits(const HeadingCandidate &line)
+{
+    return std::ranges::all_of(line.cells, [](std::string_view cell) { return cell.empty() || parseUnit(cell); });
+}
+
 /// If there are more cells than in the row, joins those into which the delimiter has split a heading. Keeps the cells
 /// if there are not as many as in the row then.
 void joinHeadings(HeadingCandidate &names, const NumberRow &row)
@@ -181,7 +187,8 @@ std::optional<HeadingCandidate> findMostNames(const std::vector<HeadingCandidate
         if (names.delimiter == ' ' && 2 * names.known() < names.cells.size()) {
             continue;
         }
-        if (names.known() > mostKnown || (best && names.known() == mostKnown && row.hasCountOf(names.cells))) {
+        const bool isTie = best && names.known() == mostKnown && !areUnits(names);
+        if (names.known() > mostKnown || (isTie && row.hasCountOf(names.cells))) {
             best = &names;
         }
     }
@@ -190,8 +197,6 @@ std::optional<HeadingCandidate> findMostNames(const std::vector<HeadingCandidate
 
 std::optional<HeadingCandidate> findUnknownHeadings(const std::vector<HeadingCandidate> &lines, const NumberRow &row)
 {
-    const auto isUnit = [](std::string_view cell) { return cell.empty() || parseUnit(cell); };
-    const auto areUnits = [&](const HeadingCandidate &line) { return std::ranges::all_of(line.cells, isUnit); };
     const auto last = std::find_if_not(lines.rbegin(), lines.rend(), areUnits);
     const bool areHeadings =
         last != lines.rend() && row.hasCountOf(last->cells) && std::ranges::none_of(last->cells, looksNumeric);

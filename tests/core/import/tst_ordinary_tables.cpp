@@ -203,6 +203,8 @@ const std::vector<Layout> kLayouts{
     {"t (s);x (exp)\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"t (s);x (abs)\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"Zeit t;Weg x;v (theor.);v (num.)\ns;mm;mm/s;mm/s\n0;85;1;1\n1;84;2;1\n2;80;3;1\n", "time R4_x - -"},
+    {"t;x (exp)\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"}, // "s" is the symbol of a displacement, too
+    {"t;x_B (filtered)\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},
     {"t;x (FD2)\ns;mm\n0;85\n1;84\n2;80\n", "time R4_x"},                             // above the unit
     {"Zeit;Kolben [mm];Winkel [\xA1]\n0;85;1\n1;84;2\n2;80;1\n", "time R4_x theta3"}, // Macintosh
     {"\xC2\xF0\xE5\xEC\xFF, \xF1;\xCF\xEE\xEB\xEE\xE6\xE5\xED\xE8\xE5 \xEF\xEE\xEB\xE7\xF3\xED\xE0, "
