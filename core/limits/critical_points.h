@@ -9,6 +9,7 @@
 // resolves the width of the peaks there, √(ε/a) rad.
 
 #include "core/mechanism/channel.h"
+#include "core/mechanism/enum_table.h"
 
 #include <array>
 #include <span>
@@ -39,7 +40,7 @@ enum class CrankFunction {
     PinX,           ///< a cos θ2
     PinY            ///< a sin θ2
 };
-inline constexpr std::size_t kCrankFunctionCount = static_cast<std::size_t>(CrankFunction::PinY) + 1;
+inline constexpr std::size_t kCrankFunctionCount = enumeratorCount<CrankFunction::PinY>();
 
 /// A function f of the crank angle, or its first or second derivative by the crank angle, f' or f''.
 struct CrankCurve {

@@ -6,6 +6,7 @@
 // angles in rad, time in s.
 
 #include "core/limits/mobility.h"
+#include "core/mechanism/enum_table.h"
 #include "core/mechanism/measure.h"
 
 #include <algorithm>
@@ -84,7 +85,7 @@ constexpr bool limitsAreDescribedInOrder()
             return false;
         }
     }
-    return static_cast<std::size_t>(LimitKind::PeakCouplerAcceleration) + 1 == kLimitKindCount;
+    return enumeratorCount<LimitKind::PeakCouplerAcceleration>() == kLimitKindCount;
 }
 static_assert(limitsAreDescribedInOrder());
 

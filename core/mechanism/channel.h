@@ -4,6 +4,7 @@
 // The 36 channels: each coordinate with its first and second time derivative, under the names that they have in files
 // (R4_x, R4_x_diff, R4_x_diff2, theta3, …). Files use mm, degrees and seconds; the core uses mm, rad and seconds.
 
+#include "core/mechanism/enum_table.h"
 #include "core/mechanism/mechanism.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ struct Channel {
     friend bool operator==(const Channel &, const Channel &) = default;
 };
 
-inline constexpr std::size_t kOrderCount = static_cast<std::size_t>(Order::Acceleration) + 1;
+inline constexpr std::size_t kOrderCount = enumeratorCount<Order::Acceleration>();
 inline constexpr std::size_t kChannelCount = kOrderCount * kCoordinateCount; // 36
 
 /// Returns the index of a channel, 0 … 35, in the order in which `solve` prints them: all of q, then q̇, then q̈.

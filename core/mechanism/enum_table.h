@@ -33,6 +33,15 @@ consteval bool isEnumerator()
     return afterCast < '0' || afterCast > '9';
 }
 
+/// Returns the number of the enumerators 0, 1, … `last`. Does not compile unless `last` is the last one.
+template <auto last>
+consteval std::size_t enumeratorCount()
+{
+    constexpr auto count = static_cast<std::size_t>(last) + 1;
+    static_assert(isEnumerator<last>() && !isEnumerator<static_cast<decltype(last)>(count)>());
+    return count;
+}
+
 /// Returns whether the table has one row for each enumerator, in their order, so that a new enumerator does not compile
 /// without a row. `last`: the last enumerator. Meant for static_assert.
 template <typename Row, std::size_t count, typename Enum>

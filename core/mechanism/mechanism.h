@@ -12,6 +12,8 @@
 // Source: A. A. Shabana, "Computational Dynamics", 3rd ed., Wiley 2009, ch. 3 (absolute coordinates);
 //         R. L. Norton, "Design of Machinery", section 4.6 (the two assemblies of the fourbar slider-crank).
 
+#include "core/mechanism/enum_table.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -60,7 +62,7 @@ inline double characteristicLength(const Parameters &parameters)
 }
 
 enum class Parameter { A, B, C, Omega2, Theta20 };
-inline constexpr std::size_t kParameterCount = static_cast<std::size_t>(Parameter::Theta20) + 1;
+inline constexpr std::size_t kParameterCount = enumeratorCount<Parameter::Theta20>();
 inline constexpr std::array<Parameter, kParameterCount> kAllParameters{Parameter::A, Parameter::B, Parameter::C,
                                                                        Parameter::Omega2, Parameter::Theta20};
 
@@ -154,7 +156,7 @@ enum class Status {
               ///< large to be resolved (kLargestDrive)
 };
 
-inline constexpr std::size_t kStatusCount = static_cast<std::size_t>(Status::NotFinite) + 1;
+inline constexpr std::size_t kStatusCount = enumeratorCount<Status::NotFinite>();
 
 /// Returns the name of a status in files and on the command line: "solved", "singular", "iteration-limit",
 /// "not-assemblable", "not-finite".

@@ -2,6 +2,7 @@
 
 // What the mouse and the keyboard do to the mechanism view.
 
+#include "core/mechanism/enum_table.h"
 #include "core/sampling/crank_time.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/text/written_number.h"
@@ -219,7 +220,7 @@ void MechanismView::pointAt(DrawnPart part, Qt::KeyboardModifiers modifiers)
 /// Points at the next part, or with -1 at the previous one, in the order of DrawnPart.
 void MechanismView::pointAtNext(int step)
 {
-    constexpr int kCount = static_cast<int>(DrawnPart::ForbiddenArc) + 1;
+    constexpr auto kCount = static_cast<int>(enumeratorCount<DrawnPart::ForbiddenArc>());
     if (!m_scene.result || m_pressed) {
         return;
     }

@@ -12,7 +12,7 @@ namespace slidercrank
 
 PointMotion MechanismScene::motion(LinkagePoint point) const
 {
-    return linkageMotion(mechanism(), pose.time, alpha2())[static_cast<std::size_t>(point)];
+    return motionOf(linkageMotion(mechanism(), pose.time, alpha2()), point);
 }
 
 QRectF MechanismScene::inFreeCorner(const QRectF &area, const QSizeF &size, const QRectF &obstacle) const

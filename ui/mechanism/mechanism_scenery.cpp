@@ -205,7 +205,7 @@ void MechanismSketch::addPath()
         QPolygonF points;
         for (const double theta2 : anglesAcross(range, kSteps)) {
             const LinkageMotion motion = linkageMotion(withCrankAt(mechanism(), theta2), 0.0);
-            const PlaneVector &centre = motion[static_cast<std::size_t>(LinkagePoint::G3)].position;
+            const PlaneVector &centre = motionOf(motion, LinkagePoint::G3).position;
             if (!std::isnan(centre.x)) {
                 points << toPixels({centre.x, centre.y});
             }

@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include <cmath>
+#include <iterator>
 #include <set>
 
 using namespace slidercrank;
@@ -167,6 +168,7 @@ private slots:
         static_assert(!isCompleteTable(kShort, Order::Acceleration), "the last row is missing");
         static_assert(!isCompleteTable(kExchanged, Order::Acceleration));
         static_assert(isTableUpTo(kShort, Order::Velocity));
+        static_assert(enumeratorCount<Order::Acceleration>() == std::size(kComplete));
         QVERIFY(rowOf(kComplete, Order::Velocity).key == Order::Velocity);
     }
 };
