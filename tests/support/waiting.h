@@ -42,7 +42,9 @@ inline void settle()
 /// Waits until all background tasks have finished and their results have been delivered.
 inline void finishBackgroundTasks()
 {
-    QVERIFY(QThreadPool::globalInstance()->waitForDone(kPatience));
+    if (auto *threads = QCoreApplication::instance()->findChild<QThreadPool *>("taskThreads")) {
+        QVERIFY(threads->waitForDone(kPatience));
+    }
     settle();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/document/background_task.h"
 
+#include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QPointer>
 #include <QTimer>
@@ -27,7 +28,25 @@ constexpr int kMaxThreads = 1000;    // a thread for each task, so that short ta
 #else
 constexpr std::chrono::milliseconds kPause{20}; // before the work, in which the window is painted
 #endif
-constexpr std::chrono::milliseconds kPieces{40}; // duration of the pieces until the window is painted again
+constexpr std::chrono::milliseconds kPaintInterval{40}; // duration of the pieces between two paintings
+
+#if QT_CONFIG(future)
+
+/// Returns the threads of all tasks. They are not those of QThreadPool::globalInstance(), with which Qt paints and
+/// whose number suits the processors. The application owns them, and waits for them before it destroys anything else.
+QThreadPool &taskThreads()
+{
+    static QPointer<QThreadPool> threads;
+    if (!threads) {
+        threads = new QThreadPool(QCoreApplication::instance());
+        threads->setObjectName("taskThreads");
+        threads->setMaxThreadCount(kMaxThreads);
+        qAddPostRoutine([] { taskThreads().waitForDone(); });
+    }
+    return *threads;
+}
+
+#endif
 
 } // namespace
 
@@ -83,10 +102,7 @@ void BackgroundTask::run(const Work &work, const std::function<void()> &done, co
             [this](int value) { emit progressed(static_cast<double>(value) / kProgressSteps); });
     connect(watcher, &QFutureWatcherBase::finished, this,
             [this, watcher, done, failed] { finish(watcher, watcher->result(), done, failed); });
-    // The application waits for this pool when it ends, and nothing else uses it, so that its limit may be raised.
-    QThreadPool *const pool = QThreadPool::globalInstance();
-    pool->setMaxThreadCount(kMaxThreads);
-    watcher->setFuture(QtConcurrent::run(pool, [work, stop = m_stop.get_token()](QPromise<QString> &promise) {
+    watcher->setFuture(QtConcurrent::run(&taskThreads(), [work, stop = m_stop.get_token()](QPromise<QString> &promise) {
         promise.setProgressRange(0, kProgressSteps);
         promise.addResult(problemOf([&] {
             work(stop, [&promise](double part) { promise.setProgressValue(static_cast<int>(part * kProgressSteps)); });
@@ -133,7 +149,7 @@ void BackgroundTask::runPiecesInGuiThread(const Pieces &pieces, const std::funct
             return;
         }
         bool isDone = false;
-        const QDeadlineTimer pause(kPieces);
+        const QDeadlineTimer pause(kPaintInterval);
         const QString problem = problemOf([&] {
             while (!isDone && !pause.hasExpired()) {
                 isDone = !pieces.advance();

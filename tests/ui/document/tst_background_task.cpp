@@ -10,6 +10,7 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QThread>
+#include <QThreadPool>
 
 #include <algorithm>
 #include <atomic>
@@ -246,6 +247,20 @@ private slots:
         shortTask.start([](const Stop &, const Progress &) { return 1; }, [&isDone](int) { isDone = true; }, kFail);
         AWAIT(isDone);
         longTasks.clear();
+        finishBackgroundTasks();
+    }
+
+    /// Qt paints with its own threads, whose number suits the processors.
+    void leavesTheThreadsOfQtAlone()
+    {
+        const WaitingWork waiting;
+        BackgroundTask task;
+        task.start(waiting, kFail, kFail);
+        waiting.started->acquire();
+        const QThreadPool &threadsOfQt = *QThreadPool::globalInstance();
+        QCOMPARE(threadsOfQt.activeThreadCount(), 0);
+        QCOMPARE(threadsOfQt.maxThreadCount(), QThread::idealThreadCount());
+        task.discard();
         finishBackgroundTasks();
     }
 };
