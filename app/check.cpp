@@ -94,7 +94,7 @@ QString valueTable(const std::vector<NamedValue> &values, const CheckResult &res
         rows.push_back({name, typed.text, exactText(typed, result.values[i])});
         verdicts += verdictText(typed, result.values[i]);
     }
-    const QStringList lines = alignedTable(rows).split('\n');
+    const QStringList lines = alignedLines(rows);
     QString table;
     for (qsizetype i = 0; i < verdicts.size(); ++i) {
         table += lines[i] + "  " + verdicts[i] + '\n';

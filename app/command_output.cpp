@@ -44,9 +44,9 @@ ExitStatus Request::write(const Streams &streams, const CommandOutput &output) c
     return bytes.isEmpty() ? output.status : moreSevere(output.status, writeOutput(streams, outputPath, bytes));
 }
 
-QString alignedTable(const std::vector<QStringList> &rows)
+QStringList alignedLines(const std::vector<QStringList> &rows)
 {
-    std::vector<QString> lines(rows.size());
+    QStringList lines(static_cast<qsizetype>(rows.size()));
     for (qsizetype column = 0; column < rows.front().size(); ++column) {
         qsizetype width = 0;
         for (const QStringList &row : rows) {
@@ -54,14 +54,19 @@ QString alignedTable(const std::vector<QStringList> &rows)
         }
         for (std::size_t i = 0; i < rows.size(); ++i) {
             const QString &cell = rows[i][column];
-            lines[i] += (column == 0 ? cell.leftJustified(width) : cell.rightJustified(width)) + "  ";
+            lines[static_cast<qsizetype>(i)] +=
+                (column == 0 ? cell.leftJustified(width) : cell.rightJustified(width)) + "  ";
         }
     }
-    QString table;
-    for (const QString &line : lines) {
-        table += line.trimmed() + '\n';
+    for (QString &line : lines) {
+        line = line.trimmed();
     }
-    return table;
+    return lines;
+}
+
+QString alignedTable(const std::vector<QStringList> &rows)
+{
+    return alignedLines(rows).join(u'\n') + u'\n';
 }
 
 QJsonValue jsonText(const QString &text)

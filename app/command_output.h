@@ -36,7 +36,10 @@ struct Request {
     ExitStatus write(const Streams &streams, const CommandOutput &output) const;
 };
 
-/// Returns the cells in columns that are as wide as their widest cell. All columns but the first are right-aligned.
+/// Returns a line for each row. Columns are as wide as their widest cell; all but the first are right-aligned.
+QStringList alignedLines(const std::vector<QStringList> &rows);
+
+/// Returns the lines of alignedLines() as one text.
 QString alignedTable(const std::vector<QStringList> &rows);
 
 /// Returns the text as a JSON string, or null if it is empty.

@@ -87,8 +87,11 @@ std::vector<Positions> readRevolution(const OptionReader &options, const Mechani
     }
     const int stepCount = static_cast<int>(std::lround(steps));
     if (mechanism.omega2() == 0.0) {
-        const Sampling angles{.start = mechanism.theta20(), .duration = kTurn, .steps = stepCount}; // rad instead of s
-        return atRest(options, mechanism, angles.timeStamps());
+        std::vector<double> crankAngles;
+        for (int i = 0; i <= stepCount; ++i) {
+            crankAngles.push_back(mechanism.theta20() + kTurn * i / stepCount);
+        }
+        return atRest(options, mechanism, crankAngles);
     }
     const Sampling revolution{
         .start = readStart(options), .duration = kTurn / std::abs(mechanism.omega2()), .steps = stepCount};

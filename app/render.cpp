@@ -326,9 +326,7 @@ RenderRequest readRequest(const OptionReader &options)
 FigureContent contentOf(const RenderRequest &request)
 {
     FigureContent content;
-    for (const QString &plot : request.figure.plots) {
-        content.plots.push_back(static_cast<std::size_t>(PlotGrid::plotNames().indexOf(plot)));
-    }
+    content.plots = PlotGrid::plotsNamed(request.figure.plots);
     const Scene &scene = request.scene;
     if (request.figure.showsCursor && scene.time != scene.sampling.start && request.subject != Subject::Report) {
         content.cursorTime = scene.time;

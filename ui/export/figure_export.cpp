@@ -66,13 +66,13 @@ struct ParameterLines {
     QRect box;
 };
 
-ParameterLines parameterLines(const QString &parameters, const QSize &figure, const QFont &font)
+ParameterLines parameterLines(const QStringList &equations, const QSize &figure, const QFont &font)
 {
     constexpr int kMargin = 3; // px, above and below
     const QFontMetrics metrics(font);
     const int widest = figure.width() - 2 * metrics.averageCharWidth(); // so that no letter touches an edge
     QStringList lines;
-    for (const QString &equation : parameters.split(", ")) {
+    for (const QString &equation : equations) {
         const QString longer = lines.isEmpty() ? equation : lines.last() + ", " + equation;
         if (!lines.isEmpty() && metrics.horizontalAdvance(longer) <= widest) {
             lines.last() = longer;
@@ -187,9 +187,9 @@ FigureSize figureSize(const FigureOptions &options, const FigureHeight &height)
 
 FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechanism, const QPalette &palette)
 {
-    return [draw, palette, parameters = mechanismText(mechanism)](QPainter &painter, const QSize &size) {
+    return [draw, palette, equations = equationTexts(mechanism.parameters())](QPainter &painter, const QSize &size) {
         const QFont font = painter.font();
-        const auto [text, box] = parameterLines(parameters, size, font);
+        const auto [text, box] = parameterLines(equations, size, font);
         const QColor background = palette.color(QPalette::Base);
         // The whole figure, because a line would be seen between two rectangles that a viewer scales and smooths.
         painter.fillRect(QRect(QPoint(), size), background);
@@ -205,9 +205,9 @@ FigureDrawing withParameters(const FigureDrawing &draw, const Mechanism &mechani
 
 FigureHeight withParameters(const FigureHeight &height, const Mechanism &mechanism)
 {
-    return [height, parameters = mechanismText(mechanism)](int width, const QFont &font) {
+    return [height, equations = equationTexts(mechanism.parameters())](int width, const QFont &font) {
         const int drawing = height(width, font);
-        return drawing + parameterLines(parameters, {width, drawing}, font).box.height();
+        return drawing + parameterLines(equations, {width, drawing}, font).box.height();
     };
 }
 

@@ -61,6 +61,8 @@ bool isAtInfinity(const InstantCentre &centre, const Mechanism &mechanism)
     return !(centre.toA <= kFarInSizes * (mechanism.a() + mechanism.b() + std::abs(mechanism.c())));
 }
 
+/// Returns the text of the legend about the instant centre, in two lines, since one would be too long for a narrow
+/// drawing.
 QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanism)
 {
     if (!std::isfinite(centre.omega3)) {
@@ -156,8 +158,8 @@ void MechanismSketch::addInstantCentre()
 /// Adds the text of the legend about the instant centre, beginning in that line.
 void MechanismSketch::addInstantCentreText(const InstantCentre &centre, int line)
 {
-    for (const QString &text : instantCentreText(centre, mechanism()).split(u'\n')) { // too long for a narrow drawing
-        addCornerLabel(line++, 0.0, text);
+    for (const QString &lineText : instantCentreText(centre, mechanism()).split(u'\n')) {
+        addCornerLabel(line++, 0.0, lineText);
         avoid(m_labels.back().box);
     }
 }

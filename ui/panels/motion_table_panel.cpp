@@ -8,6 +8,7 @@
 #include "ui/text/notation.h"
 #include "ui/text/record.h"
 #include "ui/text/subscripts.h"
+#include "ui/widgets/enum_box.h"
 #include "ui/widgets/named.h"
 #include "ui/widgets/number_box.h"
 #include "ui/widgets/paragraph.h"
@@ -81,8 +82,8 @@ QLayout *MotionTablePanel::makeControls()
     m_step->setValue(m_settings.angleStep);
     row->addWidget(m_step);
     named("tableStepKind", m_stepKind, tr("Unit of the step"));
-    m_stepKind->addItem(tr("°"), static_cast<int>(TableStep::CrankAngle));
-    m_stepKind->addItem(tr("s"), static_cast<int>(TableStep::Time));
+    addChoice(m_stepKind, TableStep::CrankAngle, tr("°"));
+    addChoice(m_stepKind, TableStep::Time, tr("s"));
     row->addWidget(m_stepKind);
     row->addWidget(m_columns);
     auto *label = new QLabel(tr("α₂"));
@@ -103,7 +104,7 @@ QLayout *MotionTablePanel::makeControls()
     });
     connect(m_stepKind, &QComboBox::activated, this, [this] {
         MotionTableSettings settings = m_settings;
-        settings.step = static_cast<TableStep>(m_stepKind->currentData().toInt());
+        settings.step = chosen<TableStep>(m_stepKind);
         setSettings(settings);
     });
     connect(m_alpha2, &NumberBox::edited, m_session, &Session::setAlpha2);
@@ -180,7 +181,7 @@ void MotionTablePanel::setSettings(const MotionTableSettings &settings)
     m_settings = settings;
     m_settings.columns = columns;
     const bool isTime = settings.step == TableStep::Time;
-    m_stepKind->setCurrentIndex(m_stepKind->findData(static_cast<int>(settings.step)));
+    choose(m_stepKind, settings.step);
     m_step->setValue(isTime ? settings.timeStep : settings.angleStep);
     m_step->setUnit(isTime ? kSecond : kDegree);
     if (hasOtherColumns) {

@@ -198,9 +198,11 @@ void PlotDrawing::paint(QPainter &painter, const QSize &size)
 void PlotDrawing::setStyle(const PlotFonts &fonts, const SeriesColours &colours)
 {
     setBackground(QBrush(colours.background));
-    constexpr double kInkOfFrame = 0.55; // fraction of the colour of text; Qt starts threads to blend transparent lines
-    constexpr int kLineWidth = 1;        // px
-    const QColor frame = mixed(colours.text, colours.background, kInkOfFrame);
+    // Fraction of the text colour in that of the frame. The colours are mixed here, because Qt starts threads to draw a
+    // transparent line, which takes longer than the line.
+    constexpr double kTextInFrame = 0.55;
+    constexpr int kLineWidth = 1; // px
+    const QColor frame = mixed(colours.text, colours.background, kTextInFrame);
     const QPen framePen(frame, kLineWidth);
     const QPen gridPen(colours.grid, kLineWidth);
     for (QCPAxisRect *rect : axisRects()) {
@@ -227,7 +229,8 @@ QCPGraph *PlotDrawing::addCurve(QCPAxisRect *axes, std::span<const CurvePoint> p
     }
     auto *curve = new SegmentedGraph(axes->axis(QCPAxis::atBottom), axes->axis(QCPAxis::atLeft));
     curve->setAdaptiveSampling(false); // it draws falling curves thicker than rising ones
-    curve->data()->set(graphData, true);
+    constexpr bool kIsSorted = true;   // by time
+    curve->data()->set(graphData, kIsSorted);
     return curve;
 }
 

@@ -64,6 +64,15 @@ QStringList PlotGrid::plotNames()
     return names;
 }
 
+std::vector<std::size_t> PlotGrid::plotsNamed(const QStringList &names)
+{
+    std::vector<std::size_t> plots;
+    for (const QString &name : names) {
+        plots.push_back(static_cast<std::size_t>(plotNames().indexOf(name)));
+    }
+    return plots;
+}
+
 void PlotGrid::setPose(const Pose &pose)
 {
     m_time = pose.time;

@@ -15,6 +15,7 @@
 #include <QWidget>
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 
@@ -35,6 +36,9 @@ public:
     /// Returns the names of the nine plots, row by row: "plot_theta3", "plot_R4_x", "plot_error_position", … The panes
     /// have these object names.
     static QStringList plotNames();
+
+    /// Returns the numbers of the plots with these names, in the same order.
+    static std::vector<std::size_t> plotsNamed(const QStringList &names);
 
     /// Paints plots with the legend, at that logical size and in the font of the painter, zoomed as on the screen. The
     /// widget need not be visible.

@@ -32,16 +32,6 @@ public:
     static_assert(isCompleteTable(kParameters, Parameter::Theta20));
 };
 
-/// Returns an equation for each parameter, and the assembly.
-QStringList equationTexts(const Parameters &parameters, int digits = kUsualDigits)
-{
-    QStringList parts;
-    for (const Parameter parameter : kAllParameters) {
-        parts << equationText(parameter, valueOf(parameters, parameter), digits);
-    }
-    return parts << assemblyPhrase(parameters.branch);
-}
-
 } // namespace
 
 QString parameterName(Parameter parameter)
@@ -102,6 +92,15 @@ QString parameterText(Parameter parameter, double value, int digits, const Notat
 QString equationText(Parameter parameter, double value, int digits, const Notation &shown)
 {
     return QStringLiteral("%1 = %2").arg(symbolText(parameter), parameterText(parameter, value, digits, shown));
+}
+
+QStringList equationTexts(const Parameters &parameters, int digits)
+{
+    QStringList equations;
+    for (const Parameter parameter : kAllParameters) {
+        equations << equationText(parameter, valueOf(parameters, parameter), digits);
+    }
+    return equations << assemblyPhrase(parameters.branch);
 }
 
 QString mechanismText(const Mechanism &mechanism, int digits)

@@ -39,6 +39,9 @@ QString equationText(Parameter parameter, double value, int digits = kUsualDigit
 /// number of significant digits; trailing zeros are omitted.
 QString parameterText(Parameter parameter, double value, int digits = kUsualDigits, const Notation &shown = notation());
 
+/// Returns an equation for each parameter, and the assembly.
+QStringList equationTexts(const Parameters &parameters, int digits = kUsualDigits);
+
 /// Returns all parameters: "a = 20 mm, b = 60 mm, c = 25 mm, ω₂ = 6.28319 rad/s, θ₂₀ = 0°, open assembly".
 QString mechanismText(const Mechanism &mechanism, int digits = kUsualDigits);
 

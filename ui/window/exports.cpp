@@ -54,9 +54,7 @@ FigureDrawing Exports::plotsDrawing(const FigureContent &content) const
 FigureContent Exports::contentOf(const FigureOptions &options) const
 {
     FigureContent content;
-    for (const QString &name : options.plots) {
-        content.plots.push_back(static_cast<std::size_t>(PlotGrid::plotNames().indexOf(name)));
-    }
+    content.plots = PlotGrid::plotsNamed(options.plots);
     if (options.showsCursor) {
         content.cursorTime = m_session->time();
     }

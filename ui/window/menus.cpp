@@ -31,11 +31,11 @@ namespace slidercrank
 namespace
 {
 
-QAction *addSwitch(QMenu *menu, const QString &text, bool on, const QKeySequence &key = {})
+/// Adds an action that can be checked, and is not checked at first.
+QAction *addSwitch(QMenu *menu, const QString &text, const QKeySequence &key = {})
 {
     QAction *action = menu->addAction(text);
     action->setCheckable(true);
-    action->setChecked(on);
     action->setShortcut(key);
     return action;
 }
@@ -54,7 +54,8 @@ QActionGroup *addChoices(QMenu *menu, const std::vector<Choice<Value>> &choices,
 {
     auto *group = new QActionGroup(menu);
     for (const auto &[value, text] : choices) {
-        QAction *action = group->addAction(addSwitch(menu, text, value == chosen));
+        QAction *action = group->addAction(addSwitch(menu, text));
+        action->setChecked(value == chosen);
         action->setData(static_cast<int>(value));
         QObject::connect(action, &QAction::triggered, menu, [choose, choice = value] { choose(choice); });
     }
@@ -181,13 +182,15 @@ void Menus::addViewMenu()
     menu->addMenu(tr("M&echanism"))->addActions(m_views.mechanism->choices());
     menu->addMenu(tr("Pl&ots"))->addActions(m_views.plots->choices());
     addNotationMenu(menu->addMenu(tr("&Notation and units")));
-    QAction *presentationSwitch = addSwitch(menu, tr("Presentation &mode"), false, Qt::Key_F11);
+    QAction *presentationSwitch = addSwitch(menu, tr("Presentation &mode"), Qt::Key_F11);
     connect(presentationSwitch, &QAction::triggered, presentation, &Presentation::setOn);
     connect(presentation, &Presentation::changed, presentationSwitch, &QAction::setChecked);
-    QAction *fold = addSwitch(menu, tr("Show the &panels below"), true, Qt::Key_F9);
+    QAction *fold = addSwitch(menu, tr("Show the &panels below"), Qt::Key_F9);
+    fold->setChecked(!tabs->isFolded());
     connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
-    QAction *ghost = addSwitch(menu, tr("Show the mo&tion of the file or the pinned one"), true);
+    QAction *ghost = addSwitch(menu, tr("Show the mo&tion of the file or the pinned one"));
+    ghost->setChecked(true);
     connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setWanted);
     enableWhile(ghost, m_window.session(), &Result::isCompared);
     menu->addSeparator();
