@@ -14,7 +14,8 @@ class QWidget;
 namespace slidercrank
 {
 
-enum class Theme { System, Light, Dark };
+/// The settings store the number of the enumerator.
+enum class Theme { System = 0, Light = 1, Dark = 2 };
 
 /// Returns a palette for the Fusion style. Theme::System returns the platform's palette.
 QPalette paletteFor(Theme theme);

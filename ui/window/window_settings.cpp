@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/window_settings.h"
 
+#include "ui/document/settings_fields.h"
 #include "ui/mechanism/mechanism_view.h"
 #include "ui/panels/motion_table_panel.h"
 #include "ui/panels/timeline.h"
@@ -10,6 +11,8 @@
 #include <QComboBox>
 #include <QDir>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QMainWindow>
 #include <QScreen>
 #include <QSettings>
@@ -35,10 +38,7 @@ const QString kSplitterState = "layout/";
 const QString kSpeed = "view/speed";
 const QString kChoice = "view/";
 
-const QString kSymbols = "notation/symbols";
-const QString kLengthUnit = "notation/length";
-const QString kAngleUnit = "notation/angle";
-const QString kCrankSpeedUnit = "notation/crankSpeed";
+const QString kNotation = "notation"; // JSON, as in a scene
 const QString kTable = "table/";
 
 const QStringList kUnitBoxes{"unit_theta20"};
@@ -80,14 +80,6 @@ void restoreTable(const QSettings &settings, MotionTablePanel &panel)
                        .isLocal = settings.value(kTable + "localSeparators", false).toBool()});
 }
 
-/// Returns a stored enumerator, by default the first one. `last` is the last enumerator of the enumeration, which
-/// limits a damaged setting.
-template <auto last>
-auto storedUpTo(const QSettings &settings, const QString &key)
-{
-    return static_cast<decltype(last)>(std::clamp(settings.value(key, 0).toInt(), 0, static_cast<int>(last)));
-}
-
 FoldingTabs &tabsIn(const QMainWindow &window)
 {
     return *window.centralWidget()->findChild<FoldingTabs *>();
@@ -122,30 +114,24 @@ QString recentFolder()
 
 Notation chosenNotation()
 {
-    const QSettings settings;
-    return {storedUpTo<Symbols::Textbook>(settings, kSymbols),
-            {storedUpTo<LengthUnit::Inch>(settings, kLengthUnit),
-             storedUpTo<AngleUnit::DegreeAndRadianPerSecond>(settings, kAngleUnit)},
-            storedUpTo<CrankSpeedUnit::TurnPerMinute>(settings, kCrankSpeedUnit)};
+    const QByteArray json = QSettings().value(kNotation).toByteArray();
+    return fromJson<Notation>(QJsonDocument::fromJson(json).object());
 }
 
 bool isNotationChosen()
 {
-    return QSettings().contains(kSymbols);
+    return QSettings().contains(kNotation);
 }
 
 void rememberNotation(const Notation &notation)
 {
-    QSettings settings;
-    settings.setValue(kSymbols, static_cast<int>(notation.symbols));
-    settings.setValue(kLengthUnit, static_cast<int>(notation.units.length));
-    settings.setValue(kAngleUnit, static_cast<int>(notation.units.angle));
-    settings.setValue(kCrankSpeedUnit, static_cast<int>(notation.crankSpeed));
+    QSettings().setValue(kNotation, QJsonDocument(toJson(notation).toObject()).toJson(QJsonDocument::Compact));
 }
 
 Theme chosenTheme()
 {
-    return storedUpTo<Theme::Dark>(QSettings(), kTheme);
+    const int last = static_cast<int>(Theme::Dark); // limits a damaged setting
+    return static_cast<Theme>(std::clamp(QSettings().value(kTheme, 0).toInt(), 0, last));
 }
 
 void rememberTheme(Theme theme)
@@ -188,8 +174,8 @@ void restoreLayout(QMainWindow &window)
     for (auto *splitter : window.findChildren<QSplitter *>()) {
         splitter->restoreState(settings.value(kSplitterState + splitter->objectName()).toByteArray());
     }
-    constexpr int kLow = 800; // px: on a lower screen the nine plots need all the space
-    tabs.setFolded(settings.value(kFolded, window.screen()->availableSize().height() < kLow).toBool());
+    constexpr int kMinHeightForTabs = 800; // px: on a lower screen the nine plots need all the space
+    tabs.setFolded(settings.value(kFolded, window.screen()->availableSize().height() < kMinHeightForTabs).toBool());
     for (QAction *choice : window.findChild<MechanismView *>()->choices()) {
         const QString name = choice->objectName();
         if (choice->isChecked() != settings.value(kChoice + name, isShownAtFirst(name)).toBool()) {
@@ -200,7 +186,7 @@ void restoreLayout(QMainWindow &window)
     for (const QString &name : kUnitBoxes) {
         auto *box = window.findChild<QComboBox *>(name);
         if (!settings.contains(kChoice + name)) {
-            continue; // the unit of the chosen notation
+            continue; // the box has the unit of the notation
         }
         box->setCurrentIndex(std::clamp(settings.value(kChoice + name).toInt(), 0, box->count() - 1));
         emit box->activated(box->currentIndex());

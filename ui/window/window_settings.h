@@ -22,10 +22,10 @@ void rememberFiles(const QStringList &paths);
 /// Returns the folder of the file opened last, or the user's documents.
 QString recentFolder();
 
-/// Returns the notation and the units that the user chose.
+/// Return and store the notation and the units that the user chose.
 Notation chosenNotation();
 void rememberNotation(const Notation &notation);
-bool isNotationChosen(); ///< whether one is remembered
+bool isNotationChosen(); ///< false as long as the user has chosen none: chosenNotation() is then the default
 
 Theme chosenTheme();
 void rememberTheme(Theme theme);

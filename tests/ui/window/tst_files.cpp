@@ -31,6 +31,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QScopeGuard>
+#include <QSettings>
 #include <QSpinBox>
 
 #include <utility>
@@ -112,6 +113,23 @@ private slots:
         QCOMPARE(writeScene(older, path("older.json")), std::nullopt);
         m_window->scene().open(path("older.json"));
         QCOMPARE(notation(), inches);
+        m_window->setNotation({});
+    }
+
+    /// The positions of enumerators would change with a new unit.
+    void theSettingsStoreTheNotationInWords()
+    {
+        const auto restore = qScopeGuard([] { setNotation({}); });
+        const Notation inches{Symbols::Textbook, {LengthUnit::Inch, AngleUnit::Radian}, CrankSpeedUnit::TurnPerMinute};
+        QVERIFY(!isNotationChosen());
+        m_window->setNotation(inches);
+        QVERIFY(isNotationChosen());
+        QCOMPARE(chosenNotation(), inches);
+        const QJsonObject stored = QJsonDocument::fromJson(QSettings().value("notation").toByteArray()).object();
+        QCOMPARE(stored["length"].toString(), QString("in"));
+        QCOMPARE(stored["crankSpeed"].toString(), QString("rpm"));
+        QSettings().setValue("notation", "damaged");
+        QCOMPARE(chosenNotation(), Notation());
         m_window->setNotation({});
     }
 
