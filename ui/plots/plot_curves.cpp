@@ -68,13 +68,13 @@ void PlotFigure::setResult(const std::shared_ptr<const Result> &result)
 {
     const Interval before = m_result ? sampledRange() : Interval();
     m_result = result;
-    m_motions.clear();
+    m_pinned.clear();
     const Interval time = sampledRange();
     for (const Parameters &parameters : result->pinned) {
-        m_motions.emplace_back(Mechanism(parameters), time);
+        m_pinned.push_back({MotionCurves(Mechanism(parameters), time)});
     }
-    m_motions.push_back(result->solver.method == Method::ClosedForm ? MotionCurves(result->mechanism, time)
-                                                                    : MotionCurves(result->trajectory));
+    const bool isExact = result->solver.method == Method::ClosedForm;
+    m_model = ShownMotion{isExact ? MotionCurves(result->mechanism, time) : MotionCurves(result->trajectory)};
     for (Plot &plot : m_plots) {
         plot.curves.clear();
     }
@@ -167,23 +167,22 @@ bool PlotFigure::isLogarithmic(std::size_t plot) const
     return isErrorPlot(plot) && m_settings.logarithmicError;
 }
 
-/// Returns the name of a motion in the legend, which says why its curves have gaps. `motion`: its index in m_motions.
-QString PlotFigure::nameWithGaps(const QString &name, std::size_t motion) const
+/// Returns the name of a motion in the legend, which says why its curves have gaps.
+QString PlotFigure::nameWithGaps(const QString &name, const ShownMotion &shown)
 {
     constexpr std::size_t kAnyChannel = 0; // all of them have the same gaps
     const auto isGap = [](const CurvePoint &point) { return std::isnan(point.value); };
-    const bool hasGaps =
-        std::ranges::any_of(m_curves[motion][kAnyChannel].points, isGap) && m_motions[motion].canHaveGaps();
+    const bool hasGaps = std::ranges::any_of(shown.curves[kAnyChannel].points, isGap) && shown.motion.canHaveGaps();
     return hasGaps ? tr("%1 (gaps: cannot be assembled)").arg(name) : name;
 }
 
 /// Returns the curve of a pinned motion. `pinned`: its index, from the oldest.
 PlotCurve PlotFigure::pinnedCurve(std::size_t pinned, std::size_t channel) const
 {
-    const MotionCurves &motion = m_motions[pinned];
-    const MotionCurves::Curve &computed = m_curves[pinned][channel];
+    const MotionCurves &motion = m_pinned[pinned].motion;
+    const MotionCurves::Curve &computed = m_pinned[pinned].curves[channel];
     PlotCurve curve;
-    curve.name = nameWithGaps(pinnedText(m_result->pinned[pinned], m_result->mechanism.parameters()), pinned);
+    curve.name = nameWithGaps(pinnedText(m_result->pinned[pinned], m_result->mechanism.parameters()), m_pinned[pinned]);
     curve.ink = kPinnedColours[pinned];
     curve.points = computed.points;
     curve.readout = [&motion, channel](const ReadTime &at) { return CurvePoint{at.t, motion.value(channel, at.t)}; };
@@ -202,11 +201,11 @@ PlotCurve PlotFigure::modelCurve(std::size_t channel) const
     const bool isNamed = m_isPresentation && !pinned.empty() && pinned.back() != parameters;
     PlotCurve curve;
     curve.name = isNamed ? pinnedText(parameters, pinned.back()) : tr("model");
-    curve.points = m_curves.back()[channel].points;
+    curve.points = m_model->curves[channel].points;
     curve.readout = [this, channel](const ReadTime &at) { return modelPoint(channel, at); };
     if (model().isExact()) {
         curve.valueAt = [this, channel](double t) { return model().value(channel, t); };
-        curve.name = nameWithGaps(curve.name, m_motions.size() - 1);
+        curve.name = nameWithGaps(curve.name, *m_model);
         return curve;
     }
     constexpr std::size_t kPixelsPerDot = 12;
@@ -217,7 +216,7 @@ PlotCurve PlotFigure::modelCurve(std::size_t channel) const
     if (!fewSamples.isEmpty() || curve.points.size() * kPixelsPerDot < m_columns) {
         curve.dots = curve.points;
     }
-    if (!fewSamples.isEmpty() && !m_curves.back()[channel].isDense) { // dense samples look like a band
+    if (!fewSamples.isEmpty() && !m_model->curves[channel].isDense) { // dense samples look like a band
         curve.points.clear();
     }
     return curve;
@@ -241,7 +240,7 @@ PlotCurve PlotFigure::fileCurve(std::size_t channel) const
 /// Returns why a curve of the channel is missing, or an empty text.
 QString PlotFigure::noteOfMotions(std::size_t channel) const
 {
-    if (!m_curves.back()[channel].values) {
+    if (!m_model->curves[channel].values) {
         return missingModel();
     }
     const Reference *file = m_result->reference.get();
@@ -251,13 +250,12 @@ QString PlotFigure::noteOfMotions(std::size_t channel) const
 /// Adds the curves of a channel, and sets the note and the range of values.
 void PlotFigure::computeMotions(Plot &plot, std::size_t channel)
 {
-    for (std::size_t i = 0; i < m_result->pinned.size(); ++i) {
+    for (std::size_t i = 0; i < m_pinned.size(); ++i) {
         plot.curves.push_back(pinnedCurve(i, channel));
+        include(plot.values, m_pinned[i].curves[channel].values);
     }
     plot.curves.push_back(modelCurve(channel));
-    for (const MotionCurves::Curves &curves : m_curves) {
-        include(plot.values, curves[channel].values);
-    }
+    include(plot.values, m_model->curves[channel].values);
     const Reference *file = m_result->reference.get();
     if (file && file->data.find(kPlottedChannels[channel])) {
         const PlotCurve &curve = plot.curves.emplace_back(fileCurve(channel));
@@ -389,7 +387,7 @@ QString PlotFigure::missingErrors(Order order) const
     if (coupler.reference.empty() && slider.reference.empty()) {
         return tr("not in the file");
     }
-    if (!m_curves.back()[channels.coupler].values) {
+    if (!m_model->curves[channels.coupler].values) {
         return missingModel();
     }
     if (!coupler.undefined.empty() || !slider.undefined.empty()) {
@@ -440,7 +438,7 @@ CurvePoint PlotFigure::filePoint(std::size_t channel, const ReadTime &time) cons
 
 double PlotFigure::lastPinnedValue(std::size_t channel, double t) const
 {
-    return lastPinned().value(channel, t);
+    return m_pinned.back().motion.value(channel, t);
 }
 
 /// Returns the difference from the file at its nearest row, or from the last pinned motion.

@@ -268,10 +268,10 @@ void PlotFigure::fill()
     const int width = std::max(1, m_plots[plots().front()].axes->width());
     m_columns = static_cast<std::size_t>(std::ceil(width / m_style.detail));
     const Interval time = timeRange();
-    m_curves.clear();
-    for (const MotionCurves &motion : m_motions) {
-        m_curves.push_back(motion.curves(time, m_columns));
+    for (ShownMotion &pinned : m_pinned) {
+        pinned.curves = pinned.motion.curves(time, m_columns);
     }
+    m_model->curves = m_model->motion.curves(time, m_columns);
     m_errors.reset();
     if (m_result->isCompared() && std::ranges::any_of(plots(), &isErrorPlot)) {
         m_errors.emplace(*m_result, m_settings, time, m_columns);

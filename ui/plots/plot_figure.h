@@ -199,22 +199,27 @@ protected:
     QSize m_legendSize;    ///< px
 
 private:
+    /// A motion with its curves for the time range and the pixels of the plots.
+    struct ShownMotion {
+        MotionCurves motion;
+        MotionCurves::Curves curves = {};
+    };
+
     Interval sampledRange() const;
     bool isOverAngle() const;
     ShownScale shownScaleOf(std::size_t plot) const;
     bool isLogarithmic(std::size_t plot) const;
     double perSecond() const; ///< numbers on the time axis per second: 1, or over the crank angle its shown speed
     double zeroTime() const;  ///< the time at which the number on the time axis is 0, s
-    const MotionCurves &model() const { return m_motions.back(); }
+    const MotionCurves &model() const { return m_model->motion; }
     std::optional<std::size_t> nearestRow(double t) const;
     CurvePoint modelPoint(std::size_t channel, const ReadTime &time) const;
     CurvePoint filePoint(std::size_t channel, const ReadTime &time) const;
     CurvePoint errorPoint(std::size_t channel, const ReadTime &time) const;
-    const MotionCurves &lastPinned() const { return m_motions[m_motions.size() - 2]; } ///< requires a pinned motion
-    double lastPinnedValue(std::size_t channel, double t) const;
+    double lastPinnedValue(std::size_t channel, double t) const; ///< requires a pinned motion
     QStringList cursorTexts(double t) const;
     void computeMotions(Plot &plot, std::size_t channel);
-    QString nameWithGaps(const QString &name, std::size_t motion) const;
+    static QString nameWithGaps(const QString &name, const ShownMotion &shown);
     PlotCurve pinnedCurve(std::size_t pinned, std::size_t channel) const;
     PlotCurve modelCurve(std::size_t channel) const;
     PlotCurve fileCurve(std::size_t channel) const;
@@ -250,11 +255,11 @@ private:
     std::shared_ptr<const Result> m_result;
     PlotSettings m_settings;
     bool m_isPresentation = false;
-    std::vector<MotionCurves> m_motions; ///< the pinned motions and, last, the model
+    std::vector<ShownMotion> m_pinned;  ///< in the order of Result::pinned
+    std::optional<ShownMotion> m_model; ///< nullopt before setResult()
 
     // Computed for the time range and the pixels of the plots.
-    std::size_t m_columns = 1;                  ///< number of columns of details (about a pixel) in a plot
-    std::vector<MotionCurves::Curves> m_curves; ///< one for each of m_motions
+    std::size_t m_columns = 1; ///< number of columns of details (about a pixel) in a plot
     std::optional<MotionErrors> m_errors;
     std::array<Plot, kPlotCount> m_plots;
 
