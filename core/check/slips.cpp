@@ -91,7 +91,7 @@ void setSlider(Calculation &hand, const QuantityMotion &motion)
 }
 
 /// Sets position, velocity and acceleration of the slider from x, dx/dθ2 and d²x/dθ2². Also sets the displacement from
-/// the outer dead centre, as for c = 0.
+/// the outer dead centre, which is at x = a + b: the formulas that lead here neglect the offset c.
 void setSlider(Calculation &hand, double x, double firstDerivative, double secondDerivative)
 {
     const double omega2 = hand.parameters.omega2;
@@ -236,13 +236,13 @@ constexpr double kRadiansPerSecondPerRpm = std::numbers::pi / 30.0;
 
 /// Where a slip is made.
 enum class Stage {
-    Input,       ///< in the given values: everything follows from it
-    Measurement, ///< in the origin or the sense from which positions are measured, and so their derivatives
-    Formula,     ///< in a formula, when θ3 is known: what follows from it may be wrong, too
-    Result       ///< in a result alone
+    Input,       ///< in a given value, from which everything is then computed
+    Measurement, ///< in the origin or the direction from which a position, and so its derivatives, are measured
+    Formula,     ///< in the formulas for the slider, or also in those for ω3 and α3; θ3 is right
+    Result       ///< in a result alone: nothing is computed from it
 };
 
-/// A way to make a slip.
+/// One way to make a slip; a slip may have several.
 struct SlipRow {
     Slip slip;
     Stage stage;

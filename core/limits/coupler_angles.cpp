@@ -29,10 +29,10 @@ struct Elevation {
 /// Returns the extremes of φ, with the crank angles at which they occur. `s` and `t`: the roots defined above.
 Elevation elevationExtremes(const MotionConstants &k, double s, double t, const std::vector<CrankEnd> &ends)
 {
-    const double nearest = k.side * kQuarterTurn; // the crank angle with x = 1
-    const AngleExtreme smallest{std::atan2(k.C - k.a, t), {nearest}};
+    const double towardsOffset = k.side * kQuarterTurn; // the crank angle with x = 1
+    const AngleExtreme smallest{std::atan2(k.C - k.a, t), {towardsOffset}};
     if (ends.empty()) { // full turns
-        return {.maximum = {std::atan2(k.C + k.a, s), {-nearest}}, .minimum = smallest};
+        return {.maximum = {std::atan2(k.C + k.a, s), {-towardsOffset}}, .minimum = smallest};
     }
     // The coupler is perpendicular to the slider's line at the ends.
     Elevation elevation{.maximum = {.angle = kQuarterTurn}, .minimum = {.angle = -kQuarterTurn}};

@@ -15,7 +15,8 @@ namespace slidercrank
 namespace
 {
 
-/// A channel as a multiple of a function of the crank angle; its position also has a constant part.
+/// A quantity of the form factor · f(θ2) + constant, where f is one of the functions of the crank angle. Its
+/// derivatives have no constant part.
 struct ScaledFunction {
     CrankFunction function = CrankFunction::CouplerAngle;
     double factor = 1.0;
@@ -215,9 +216,9 @@ std::vector<double> solutionsOf(const Mechanism &mechanism, const OutputChannel 
         .solve(criticalPointsOf(mechanism, scaled, orderOf(channel), alpha2));
 }
 
-/// Returns the solutions for the transmission angle, or a derivative of it. On either side of the position in which the
-/// coupler is parallel to the slider's line, it is π/2 minus or plus the angle φ = asin(h/b), where φ is θ3 on the open
-/// branch and π - θ3 on the crossed one.
+/// Returns the solutions for the transmission angle μ, or a derivative of it. With the angle φ = asin(h/b) of the
+/// coupler to the slider's line, which is θ3 on the open branch and π - θ3 on the crossed one, μ is π/2 - φ where φ > 0
+/// and π/2 + φ where φ < 0. So there are two searches for θ3, each of which keeps the solutions on its side.
 std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order order, double value, double alpha2)
 {
     const bool isPosition = order == Order::Position;

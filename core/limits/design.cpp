@@ -66,8 +66,8 @@ double transmissionAngleBound(double p)
     return p > 0.0 ? transmissionAngle(p, findBestRatio(p)) : 0.5 * std::numbers::pi;
 }
 
-/// Returns the largest time ratio with this minimum transmission angle, by bisection: the bound decreases with the
-/// ratio.
+/// Returns the largest time ratio that allows this minimum transmission angle, by bisection: the larger the time ratio,
+/// the smaller transmissionAngleBound().
 double largestTimeRatio(double transmissionAngle)
 {
     constexpr double kTolerance = 1e-9;
@@ -93,7 +93,7 @@ std::optional<DesignRange> findDesignRange(double timeRatio)
     if (!(range.largestRatio > 1.0)) { // the time ratio equals 3 except for rounding
         return std::nullopt;
     }
-    range.bestRatio = std::min(findBestRatio(p), kLongestCoupler);
+    range.bestRatio = std::min(findBestRatio(p), kLargestProposedRatio);
     range.bestTransmissionAngle = transmissionAngle(p, range.bestRatio);
     return range;
 }
@@ -145,7 +145,7 @@ std::variant<Lengths, DesignFault> design(const DesignRequest &request)
                                .bound = transmissionAngleBound(p),
                                .timeRatioBound = largestTimeRatio(wanted)};
         }
-        // Only a coupler longer than kLongestCoupler is sufficient. For p = 0, cos μ = 1/r.
+        // Only a coupler longer than kLargestProposedRatio is sufficient. For p = 0, cos μ = 1/r.
         ratio = p > 0.0 ? findBestRatio(p) : std::nextafter(1.0 / std::cos(wanted), kInfinity);
     }
     return findLengths(request.stroke, request.timeRatio, ratio);

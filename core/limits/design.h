@@ -28,12 +28,12 @@ struct DesignRange {
     /// range, because the transmission angle is 0 there.
     double largestRatio = 1.0;
 
-    double bestRatio = 1.0;             ///< b/a with the largest minimum transmission angle; at most kLongestCoupler
+    double bestRatio = 1.0; ///< b/a with the largest minimum transmission angle; at most kLargestProposedRatio
     double bestTransmissionAngle = 0.0; ///< rad, minimum transmission angle with bestRatio
 };
 
 /// The largest ratio b/a that is proposed. For a time ratio near 1 the best coupler would be arbitrarily long.
-inline constexpr double kLongestCoupler = 10.0;
+inline constexpr double kLargestProposedRatio = 10.0;
 
 /// Returns the range for a time ratio (slower over faster stroke, or its reciprocal), or nullopt unless it is in (1/3,
 /// 3).
@@ -66,8 +66,8 @@ struct DesignFault {
     double timeRatioBound = kTimeRatioBound;
 };
 
-/// Returns the mechanism with the largest minimum transmission angle. Its coupler is longer than kLongestCoupler only
-/// if the requested transmission angle needs it.
+/// Returns the mechanism with the largest minimum transmission angle. Its coupler is longer than kLargestProposedRatio
+/// only if the requested transmission angle needs it.
 std::variant<Lengths, DesignFault> design(const DesignRequest &request);
 
 /// Returns the mechanism with these lengths of crank and coupler (mm) whose offset c gives the time ratio; c has the

@@ -20,17 +20,17 @@ namespace slidercrank
 
 /// The kinds of limits, in the order in which tables list them.
 enum class LimitKind {
-    OuterDeadCentre, ///< R4x
-    InnerDeadCentre, ///< R4x
+    OuterDeadCentre, ///< R4x at the outer dead centre
+    InnerDeadCentre, ///< R4x at the inner dead centre
     CrankLimit,      ///< R4x where the crank of a rocker can go no further
-    Stroke,          ///< of the slider
+    Stroke,          ///< distance between the two ends of the slider's path
     ForwardAngle,    ///< crank rotation from the inner to the outer dead centre
     ForwardTime,
     MeanForwardSpeed,
     ReturnAngle, ///< crank rotation from the outer to the inner dead centre
     ReturnTime,
     MeanReturnSpeed,
-    TimeRatio, ///< slower stroke over the faster
+    TimeRatio, ///< time of the slower stroke over that of the faster one
     MinimumTransmissionAngle,
     MaximumTransmissionAngle,
     MinimumCouplerAngle, ///< θ3

@@ -23,7 +23,7 @@ std::vector<double> &columnOf(Trajectory &trajectory, const OutputChannel &chann
 /// Returns a trajectory of the time stamp t alone, at which the crank is at the end of its arc in this state.
 Trajectory limitRow(const Mechanism &mechanism, double t, const OutputState &state, const SampledChannels &channels)
 {
-    Trajectory trajectory = sample(mechanism, {t}, channels, {}); // has the columns
+    Trajectory trajectory = sample(mechanism, {t}, channels, {}); // its values are replaced below
     bool hasDerivative = false;
     for (const OutputChannel &channel : allOutputChannels()) {
         std::vector<double> &column = columnOf(trajectory, channel);
@@ -49,15 +49,15 @@ Trajectory samplePositions(const Mechanism &mechanism, const std::vector<double>
 {
     const MotionLimits limits = motionLimits(mechanism);
     Trajectory motion = sample(mechanism, {}, channels, settings);
-    auto first = times.begin(); // of those that are not in `motion` yet
+    auto next = times.begin(); // the first time stamp that `motion` does not contain yet
     for (auto time = times.begin(); time != times.end(); ++time) {
         if (const std::optional<OutputState> limit = crankLimitStateAt(mechanism, limits, *time, channels.alpha2)) {
-            motion.append(sample(mechanism, {first, time}, channels, settings));
+            motion.append(sample(mechanism, {next, time}, channels, settings));
             motion.append(limitRow(mechanism, *time, *limit, channels));
-            first = std::next(time);
+            next = std::next(time);
         }
     }
-    motion.append(sample(mechanism, {first, times.end()}, channels, settings));
+    motion.append(sample(mechanism, {next, times.end()}, channels, settings));
     return motion;
 }
 

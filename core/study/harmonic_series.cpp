@@ -39,15 +39,15 @@ HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     }
     const auto coefficient = [&waves](const std::vector<double> &positions, std::size_t n) {
         Complex sum;
-        Complex rest; // keeps the digits that the second derivative needs
+        Complex lost; // by the rounding of `sum`: the n² of the second derivative would amplify it
         for (std::size_t i = 0; i < kAngles; ++i) {
             const Complex next = positions[i] * waves[n * i % kAngles];
             const TwoPart real = twoSum(sum.real(), next.real());
             const TwoPart imaginary = twoSum(sum.imag(), next.imag());
             sum = {real.hi, imaginary.hi};
-            rest += Complex(real.lo, imaginary.lo);
+            lost += Complex(real.lo, imaginary.lo);
         }
-        return (n == 0 ? 1.0 : 2.0) / kAngles * (sum + rest);
+        return (n == 0 ? 1.0 : 2.0) / kAngles * (sum + lost);
     };
     for (std::size_t n = 0; n < m_terms.size(); ++n) {
         m_terms[n] = {coefficient(theta3, n), coefficient(R4x, n)};

@@ -208,7 +208,7 @@ StudyResult Study::result() const
     StudyResult result{state.cases, secondsSince(state.start)};
     result.complete = state.completed == state.plans.size();
     if (!result.complete && state.plans[state.completed].kind == State::Plan::Kind::WorkPrecision) {
-        result.cases.pop_back(); // it lacks the error against the cost
+        result.cases.pop_back(); // the errors of its methods are known, but not yet those against the cost
     }
     return result;
 }

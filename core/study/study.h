@@ -38,7 +38,7 @@ struct StudyRequest {
 };
 
 /// The tolerance of the reference report; the rows of newton-dense with it are the calculation of the report.
-inline constexpr double kReportsTolerance = 1e-8;
+inline constexpr double kReferenceReportTolerance = 1e-8;
 
 struct MethodName {
     enum class Kind {

@@ -92,7 +92,7 @@ void DesignForm::createControls()
     m_ratio->setMinimumWidth(kMinSliderWidth);
     m_best->setText(tr("Best transmission angle"));
     m_best->setToolTip(
-        tr("The ratio b/a with the largest minimum transmission angle, at most %1").arg(kLongestCoupler));
+        tr("The ratio b/a with the largest minimum transmission angle, at most %1").arg(kLargestProposedRatio));
     m_best->setFocusPolicy(Qt::TabFocus);
 
     form->addRow(QString(), m_best);
@@ -143,7 +143,7 @@ void DesignForm::showParameters()
     if (!turns) {
         text += u' ' + tr("The crank does not make full turns: there is no time ratio.");
     } else if (range) {
-        const double last = std::min(range->largestRatio, std::max(kLongestCoupler, ratio));
+        const double last = std::min(range->largestRatio, std::max(kLargestProposedRatio, ratio));
         const double step = nextRoundNumber((last - 1.0) / 500.0);
         const int steps = static_cast<int>(std::ceil((last - 1.0) / step));
         m_ratio->setScale(1.0, step, 1, std::max(1, steps - 1)); // both ends are excluded

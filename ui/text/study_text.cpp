@@ -117,7 +117,7 @@ QJsonObject jsonWork(const MethodResult &row)
 QString closedFormSentence(const CaseResult &result)
 {
     const MethodResult *closedForm = findRow(result, MethodName::Kind::ClosedForm, std::nullopt);
-    const MethodResult *newton = findRow(result, MethodName::Kind::NewtonDense, kReportsTolerance);
+    const MethodResult *newton = findRow(result, MethodName::Kind::NewtonDense, kReferenceReportTolerance);
     if (!closedForm || !newton) {
         return {};
     }

@@ -74,7 +74,7 @@ private slots:
         for (const double timeRatio : {1.05, 1.2, 1.5, 2.0, 2.8}) {
             const std::optional<DesignRange> range = findDesignRange(timeRatio);
             for (int i = 1; i < 1000; ++i) {
-                const double ratio = 1.0 + (std::min(range->largestRatio, kLongestCoupler) - 1.0) * i / 1000.0;
+                const double ratio = 1.0 + (std::min(range->largestRatio, kLargestProposedRatio) - 1.0) * i / 1000.0;
                 QVERIFY(transmissionAngle(findLengths(80.0, timeRatio, ratio)) <= range->bestTransmissionAngle + 1e-9);
             }
         }
