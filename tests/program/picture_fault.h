@@ -81,7 +81,8 @@ inline bool isSimilar(QRgb pixel, const QColor &colour)
 inline bool hasCurveColour(QRgb pixel)
 {
     static const SeriesColours colours = seriesColours(paletteFor(Theme::Light));
-    static const std::array<QColor, 4> curves{colours.model, colours.reference, colours.error, colours.errorOther};
+    static const std::array<QColor, 4> curves{colours.model, colours.reference, colours.couplerError,
+                                              colours.sliderError};
     if (pixel == kWhite || isGrey(pixel)) { // as most pixels
         return false;
     }

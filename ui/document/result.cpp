@@ -108,13 +108,13 @@ std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token st
 // Estimates the duration from the times per time step on a slow computer.
 bool takesLong(const Choices &choices)
 {
-    constexpr double kNoticeable = 0.05;   // s
-    constexpr double kNewton = 1e-6;       // s per time step
-    constexpr double kClosedForm = 40e-9;  // s per time step
-    constexpr double kComparison = 0.2e-6; // s per row of the reference
-    const double step = choices.solver.method == Method::Newton ? kNewton : kClosedForm;
+    constexpr double kNoticeableDelay = 0.05;   // s
+    constexpr double kTimeOfNewton = 1e-6;      // s per time step
+    constexpr double kTimeOfClosedForm = 40e-9; // s per time step
+    constexpr double kTimeToCompare = 0.2e-6;   // s per row of the reference
+    const double perStep = choices.solver.method == Method::Newton ? kTimeOfNewton : kTimeOfClosedForm;
     const double rows = choices.reference ? static_cast<double>(choices.reference->data.time.size()) : 0.0;
-    return step * (choices.sampling.steps + 1.0) + std::max(step, kComparison) * rows > kNoticeable;
+    return perStep * (choices.sampling.steps + 1.0) + std::max(perStep, kTimeToCompare) * rows > kNoticeableDelay;
 }
 
 } // namespace slidercrank

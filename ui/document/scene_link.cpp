@@ -32,7 +32,7 @@ struct SceneLinkText {
 const QStringList kSections{"mechanism", "sampling", "solver", "view"};
 
 /// The fields that every link carries, so that it can be read and changed by hand.
-const QStringList kAlways{"a", "b", "c", "omega2"};
+const QStringList kFieldsInEveryLink{"a", "b", "c", "omega2"};
 
 struct NamedUnit {
     QString name; ///< in links; empty: the unit of scene files
@@ -118,7 +118,7 @@ std::optional<QString> readNumber(const QString &field, const QString &text, QJs
     const QList<NamedUnit> units = unitsOf(field);
     const std::optional<Unit> stored = units.isEmpty() ? std::nullopt : std::optional(units.first().unit);
     const Quantity withoutUnit = readQuantity(text, {}, QLocale::c());
-    if (stored == kRadian && !withoutUnit.fault && withoutUnit.value != 0.0) { // degrees or radians?
+    if (stored == kRadian && !withoutUnit.fault && withoutUnit.value != 0.0) { // the unit could be ° or rad
         return SceneLinkText::tr("The link says %1=%2: add a unit, %2deg or %2rad.").arg(field, printableText(text));
     }
     const auto &[number, fault] = readQuantity(text, stored, QLocale::c());
@@ -206,7 +206,7 @@ QString sceneLink(const Scene &scene)
         const QJsonObject fields = object[section].toObject();
         for (const QString &field : fields.keys()) {
             const bool isInitial = fields[field] == initial[section].toObject().value(field);
-            if (isCarried(fields[field]) && (!isInitial || kAlways.contains(field))) {
+            if (isCarried(fields[field]) && (!isInitial || kFieldsInEveryLink.contains(field))) {
                 parts += field + u'=' + textInLink(field, fields[field]);
             }
         }

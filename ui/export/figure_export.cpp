@@ -175,12 +175,14 @@ FigureSize figureSize(const FigureOptions &options, const FigureHeight &height)
     const bool isInMillimetres = options.unit == FigureOptions::Unit::Millimetre;
     const double width = isInMillimetres ? options.width / kMmPerInch * kDotsPerInch : options.width;
     const double letters = options.fontSize / kPointsPerInch * kDotsPerInch;
+    // The size of a font and the width of a drawing are whole numbers of pixels. The drawing is made for rounded
+    // letters, and `paperPixel` then gives both the size that was chosen.
     FigureSize size;
     size.isInMillimetres = isInMillimetres;
     size.fontPixels = std::max(1, static_cast<int>(std::lround(letters)));
     size.size.setWidth(std::max(1, static_cast<int>(std::lround(width * size.fontPixels / letters))));
     size.size.setHeight(std::max(1, height(size.size.width(), figureFont(size.fontPixels))));
-    size.paperPixel = width / size.size.width(); // the width is exact
+    size.paperPixel = width / size.size.width();
     size.scale = size.paperPixel * (isInMillimetres ? kPrintResolution / kDotsPerInch : 1.0);
     return size;
 }

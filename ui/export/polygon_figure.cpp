@@ -207,7 +207,7 @@ private:
         const SeriesColours colours = seriesColours(m_palette);
         constexpr double kSumWidth = 2.5;  // px
         constexpr double kPartWidth = 1.6; // px
-        const QColor &partColour = m_measure == Measure::Speed ? colours.errorOther : colours.error;
+        const QColor &partColour = m_measure == Measure::Speed ? colours.sliderError : colours.couplerError;
         const QColor &colour = isSum(placed.vector) ? colours.model : partColour;
         const QLineF line(toPixels(placed.from), toPixels(placed.to));
         m_painter.setPen(QPen(colour, isSum(placed.vector) ? kSumWidth : kPartWidth, Qt::SolidLine, Qt::FlatCap));
@@ -298,12 +298,12 @@ private:
 
     void drawScale()
     {
-        constexpr double kUsualLength = 80.0; // px
-        constexpr double kMaxFraction =
-            0.36; // fraction of the width; the next round number is at most 2.5 times larger
-        const double usualLength = std::min(kUsualLength, kMaxFraction * m_area.width());
+        constexpr double kMinBarLength = 80.0; // px
+        // Fraction of the width. The bar represents the next round number, which is at most 2.5 times larger.
+        constexpr double kMaxFraction = 0.36;
+        const double minLength = std::min(kMinBarLength, kMaxFraction * m_area.width());
         const double unit = shownValue(m_measure, 1.0, notation().units);
-        const double amount = nextRoundNumber(usualLength / m_scale * unit); // in the unit that is shown
+        const double amount = nextRoundNumber(minLength / m_scale * unit); // in the unit that is shown
         const double length = amount / unit * m_scale;
         const QFontMetricsF metrics(m_painter.font());
         const double y = m_area.bottom() - 1.2 * metrics.height();

@@ -83,18 +83,18 @@ void insertDrawing(QTextDocument &document, const QString &placeholder, int type
     }
 }
 
-/// The sections that stand on the same page as a drawing.
+/// The sections after that of a drawing that are on the same page.
 enum class Followers {
-    None,     ///< only the section of the drawing
-    NextOrAll ///< all sections after it, if they leave enough space for the drawing; otherwise only the next one
+    None,
+    NextOrAll ///< all sections to the end, if they leave enough space for the drawing; otherwise only the next one
 };
 
 /// A drawing in the text whose height depends on the space on its page.
 struct FlexibleDrawing {
     DrawingObject &drawing;
-    int type = 0;          ///< object type in the document
-    double smallest = 0.0; ///< height, px
-    double largest = 0.0;
+    int type = 0;           ///< QTextFormat::objectType() of its place in the document
+    double minHeight = 0.0; ///< px
+    double maxHeight = 0.0; ///< px
     Followers followers = Followers::None;
 };
 
@@ -148,8 +148,9 @@ private:
         }
     }
 
-    /// Gives a drawing the height with which its section and the followers fill the page. They stand on a new page,
-    /// unless the drawing can have the smallest height on the page on which they begin.
+    /// Gives a drawing the height with which its section and the sections that follow it (Followers) fill a page. If
+    /// the rest of the page on which the section begins has space for the drawing with its minimum height, they remain
+    /// there; otherwise they begin a new page.
     void fillPage(const QTextBlock &heading, const FlexibleDrawing &flexible)
     {
         constexpr int kReservedHeight = 24; // px, because the space between paragraphs depends on the page
@@ -160,15 +161,15 @@ private:
         if (flexible.followers == Followers::NextOrAll) {
             const QTextBlock next = headingAfter(heading);
             const double withAll = heightUntil(boxOf(m_document.lastBlock()).bottom());
-            const bool isSpaceForAll = m_page.height() - withAll >= flexible.smallest;
+            const bool isSpaceForAll = m_page.height() - withAll >= flexible.minHeight;
             others = isSpaceForAll ? withAll : heightUntil(bottomOf(next.isValid() ? next : heading));
         }
         double space = m_page.height() - others;
-        if (space - spaceBefore >= flexible.smallest) {
+        if (space - spaceBefore >= flexible.minHeight) {
             setPageBreak(heading, QTextFormat::PageBreak_Auto);
             space -= spaceBefore;
         }
-        flexible.drawing.setHeight(static_cast<int>(std::min(flexible.largest, space)));
+        flexible.drawing.setHeight(static_cast<int>(std::min(flexible.maxHeight, space)));
         layOut();
     }
 
@@ -288,23 +289,23 @@ public:
         constexpr int kFigureType = QTextFormat::UserObject + 2;
         const QString html = reportHtml(content);
         setText(m_document, font, html);
-        insertDrawing(m_document, kMechanismPlace, kMechanismType, m_mechanism);
-        insertDrawing(m_document, kPolygonsPlace, kPolygonType, m_polygons);
-        insertDrawing(m_document, kFigurePlace, kFigureType, m_figure);
+        insertDrawing(m_document, kMechanismPlaceholder, kMechanismType, m_mechanism);
+        insertDrawing(m_document, kPolygonsPlaceholder, kPolygonType, m_polygons);
+        insertDrawing(m_document, kFigurePlaceholder, kFigureType, m_figure);
         m_document.setPageSize(page);
         const double minPolygons = minimumPolygonHeight(font);
-        m_sections.emplace(m_document,
-                           std::vector<FlexibleDrawing>{
-                               {.drawing = m_polygons,
-                                .type = kPolygonType,
-                                .smallest = minPolygons,
-                                .largest = kMaxPolygonRatio * page.width(),
-                                .followers = html.contains(kFigurePlace) ? Followers::None : Followers::NextOrAll},
-                               {.drawing = m_figure,
-                                .type = kFigureType,
-                                .smallest = kMinFigure * page.height(),
-                                .largest = kMaxFigureRatio * page.width(),
-                                .followers = Followers::NextOrAll}});
+        m_sections.emplace(
+            m_document, std::vector<FlexibleDrawing>{
+                            {.drawing = m_polygons,
+                             .type = kPolygonType,
+                             .minHeight = minPolygons,
+                             .maxHeight = kMaxPolygonRatio * page.width(),
+                             .followers = html.contains(kFigurePlaceholder) ? Followers::None : Followers::NextOrAll},
+                            {.drawing = m_figure,
+                             .type = kFigureType,
+                             .minHeight = kMinFigure * page.height(),
+                             .maxHeight = kMaxFigureRatio * page.width(),
+                             .followers = Followers::NextOrAll}});
     }
 
     Pages &sections() { return *m_sections; }

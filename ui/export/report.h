@@ -43,10 +43,10 @@ struct ReportContent {
 /// range, also of motions that are compared.
 std::optional<Interval> plottedTime(const Result &result, const PlotZoom &zoom);
 
-/// The paragraphs that stand for the drawings in the text of a report.
-inline constexpr const char *kMechanismPlace = "[mechanism]";
-inline constexpr const char *kPolygonsPlace = "[polygons]";
-inline constexpr const char *kFigurePlace = "[figure]";
+/// The texts in reportHtml() that the drawings replace.
+inline constexpr const char *kMechanismPlaceholder = "[mechanism]";
+inline constexpr const char *kPolygonsPlaceholder = "[polygons]";
+inline constexpr const char *kFigurePlaceholder = "[figure]";
 
 /// Returns the table of the parameters of the model as HTML. The mechanism is drawn beside it.
 QString parameterTable(const ReportContent &content);

@@ -293,7 +293,7 @@ QString polygonSection(const ReportContent &content)
         return {};
     }
     return heading(Report::tr("Velocity and acceleration polygons")) +
-           note(Report::tr("At %1").arg(crankText(content))) + QStringLiteral("<p>%1</p>").arg(kPolygonsPlace);
+           note(Report::tr("At %1").arg(crankText(content))) + QStringLiteral("<p>%1</p>").arg(kPolygonsPlaceholder);
 }
 
 QString pinnedText(const Result &result)
@@ -388,7 +388,7 @@ QString plotSection(const ReportContent &content)
         shown = Report::tr("The plots show t = %1 s to %2 s.").arg(numberText(time->lower), numberText(time->upper));
     }
     return heading(Report::tr("Motion")) + paragraph(shown) + paragraph(pinnedText(result)) +
-           QStringLiteral("<p>%1</p>").arg(kFigurePlace);
+           QStringLiteral("<p>%1</p>").arg(kFigurePlaceholder);
 }
 
 QString methodText(const Result &result)
@@ -471,7 +471,7 @@ QString reportHtml(const ReportContent &content)
            note(Report::tr("%1, by %2 %3")
                     .arg(textLocale().toString(content.timeOfWriting.toLocalTime(), Report::tr("d MMMM yyyy, HH:mm")),
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
-           sideBySide(parameterTable(content), kMechanismPlace) + note(caption) +
+           sideBySide(parameterTable(content), kMechanismPlaceholder) + note(caption) +
            heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) + derivedValues(content) +
            jumpNote(content) + accelerationNote(content) + limitSection(result) + motionTable(content) +
            polygonSection(content) + plotSection(content) + heading(Report::tr("Method")) +

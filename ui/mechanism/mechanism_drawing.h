@@ -32,8 +32,8 @@ inline constexpr double kForbiddenLine = 3.0; // the angles that the crank does 
 /// How much of its colour a body is filled with.
 inline constexpr double kBodyFill = 0.15;
 
-/// Half the width and the height of the support of O2, px.
-inline constexpr double kPivot = 17.0;
+/// Half the width of the support of O2, and its height, px.
+inline constexpr double kSupportSize = 17.0;
 
 /// The parts at which the user can point.
 enum class DrawnPart {

@@ -52,7 +52,7 @@ void MechanismSketch::addLinkage()
         addNames();
     }
     addGhost();
-    addMarked();
+    addMarkedPose();
     if (!m_exists) {
         addMissingCoupler();
         if (!hasProblemInLegend()) {
@@ -67,10 +67,11 @@ void MechanismSketch::avoidScenery()
 {
     constexpr double kHeightOfGround = 24.0; // px, with the hatching
     constexpr double kUsualLegendWidth = 240.0;
-    constexpr double kLetterOfOffset = 24.0; // px, beside its dimension
-    avoid(QRectF(m_O2 - QPointF(kPivot, 0.0), QSizeF(2.0 * kPivot, kHeightOfGround)));
+    constexpr double kBesideOffset = 24.0; // px, for the letter c beside the dimension of the offset
+    avoid(QRectF(m_O2 - QPointF(kSupportSize, 0.0), QSizeF(2.0 * kSupportSize, kHeightOfGround)));
     avoid(rail());
-    // One rectangle for each mark, as for each text: a label rather crosses a mark than two texts.
+    // The marks are rectangles of their own: where there is no free place, a label crosses a mark, which is thin,
+    // rather than a text.
     for (const DeadCentreMark &mark : deadCentreMarks()) {
         avoid(QRectF(mark.line.p1(), mark.line.p2()).adjusted(-1.0, 0.0, 1.0, 0.0));
     }
@@ -78,7 +79,7 @@ void MechanismSketch::avoidScenery()
         avoid(QRectF(0.0, 0.0, kUsualLegendWidth, cornerLineTop(cornerLineCount())));
     }
     if (m_scene->settings.dimensions) {
-        avoid(offsetDimension(), kLetterOfOffset);
+        avoid(offsetDimension(), kBesideOffset);
     }
     for (const auto &[name, box] : deadCentreCaptions()) { // over the coupler, which may pass them and stays visible
         m_labels.push_back({.text = name, .box = box, .ink = m_muted, .paper = Qt::transparent, .isSmall = true});
@@ -185,15 +186,15 @@ QString MechanismSketch::problemText() const
 /// Adds the reason why the mechanism cannot be assembled, in a box that hides what is below it.
 void MechanismSketch::addAssemblyProblem()
 {
-    constexpr double kMargin = 17.0;         // px, from the edges of the drawing
-    constexpr double kPadding = 9.0;         // px, around the text
-    constexpr double kRoundedCorner = 4.0;   // px
-    constexpr double kOpacity = 0.93;        // of the box
+    constexpr double kMargin = 17.0;       // px, from the edges of the drawing
+    constexpr double kPadding = 9.0;       // px, around the text
+    constexpr double kRoundedCorner = 4.0; // px
+    constexpr double kBoxOpacity = 0.93;
     constexpr double kMinWidth = 160.0;      // px
-    constexpr double kShareOfDrawing = 0.45; // of its width
+    constexpr double kWidthFraction = 0.45;  // width of the text over that of the drawing
     constexpr double kUnlimitedHeight = 1e4; // px
     const QString text = problemText();
-    const double width = std::max(kMinWidth, kShareOfDrawing * projection().size.width());
+    const double width = std::max(kMinWidth, kWidthFraction * projection().size.width());
     const QRectF available(0.0, 0.0, width, kUnlimitedHeight);
     const QSizeF extent = QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, text).size();
     const double heightOfGridNumbers = textSize({}).height(); // along the lower edge
@@ -207,7 +208,7 @@ void MechanismSketch::addAssemblyProblem()
     QPainterPath frame;
     frame.addRoundedRect(box.marginsAdded({kPadding, kPadding, kPadding, kPadding}), kRoundedCorner, kRoundedCorner);
     std::erase_if(m_labels, [&frame](const Label &label) { return frame.intersects(label.box); });
-    add(frame, QPen(m_colours.warning, kHairline), withAlpha(m_paper, kOpacity));
+    add(frame, QPen(m_colours.warning, kHairline), withAlpha(m_paper, kBoxOpacity));
     m_labels.push_back({.text = text,
                         .box = box.adjusted(0.0, 0.0, 1.0, 1.0),
                         .ink = m_ink,
@@ -227,11 +228,11 @@ QLineF MechanismSketch::addOutline(const ReferencePose &pose, const QPen &pen)
     return coupler;
 }
 
-/// Adds the position that a row of a table refers to.
-void MechanismSketch::addMarked()
+/// Adds the linkage in the position that a row of a table refers to.
+void MechanismSketch::addMarkedPose()
 {
-    if (m_scene->marked.exists) {
-        addOutline(m_scene->marked, QPen(m_colours.cursor, kPathLine, Qt::DashLine));
+    if (m_scene->markedPose.exists) {
+        addOutline(m_scene->markedPose, QPen(m_colours.cursor, kPathLine, Qt::DashLine));
     }
 }
 

@@ -30,8 +30,8 @@ struct ArrowScale {
 struct MechanismScene {
     std::shared_ptr<const Result> result; ///< null if nothing is to be drawn
     Pose pose;
-    ReferencePose ghost;  ///< the linkage of the reference or of the pinned motion
-    ReferencePose marked; ///< the linkage in a position that a table refers to
+    ReferencePose ghost;      ///< the linkage of the reference or of the pinned motion
+    ReferencePose markedPose; ///< the linkage in a position that a table refers to
     MechanismSettings settings;
     QRectF button; ///< px of the drawing, which the button for the assembly covers in the window; empty in pictures
 

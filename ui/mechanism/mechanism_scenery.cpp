@@ -116,11 +116,11 @@ void MechanismSketch::addCrankCircle()
 QRectF MechanismSketch::rail() const
 {
     constexpr double kOverhang = 23.0;   // px that the rail is longer than the stroke, at either end
-    constexpr double kOutOfSight = 20.0; // px
+    constexpr double kBeyondEdge = 20.0; // px: a longer rail ends so far outside the drawing
     const auto [left, right] = sliderTravel(mechanism(), limits());
-    const QPointF from(std::max(toPixels({left, 0.0}).x() - kOverhang, -kOutOfSight),
+    const QPointF from(std::max(toPixels({left, 0.0}).x() - kOverhang, -kBeyondEdge),
                        toPixels({0.0, mechanism().c()}).y() + kBelowLine);
-    const double to = std::min(toPixels({right, 0.0}).x() + kOverhang, projection().size.width() + kOutOfSight);
+    const double to = std::min(toPixels({right, 0.0}).x() + kOverhang, projection().size.width() + kBeyondEdge);
     return {from, QSizeF(to - from.x(), kHatch)};
 }
 
@@ -170,7 +170,7 @@ std::vector<MechanismSketch::Caption> MechanismSketch::deadCentreCaptions() cons
     };
     const double numbers = textSize({}, TextSize::Small).height(); // of the grid, along the lower edge
     const QRectF inside = QRectF(QPointF(), projection().size).adjusted(0.0, 0.0, 0.0, -numbers);
-    const QRectF pivot(m_O2 - QPointF(kPivot, 0.0), QSizeF(2.0 * kPivot, kPivot + kHatch));
+    const QRectF pivot(m_O2 - QPointF(kSupportSize, 0.0), QSizeF(2.0 * kSupportSize, kSupportSize + kHatch));
     const auto fits = [&](const QRectF &box) { return inside.contains(box) && !box.intersects(pivot); };
     const auto allFit = [&](const std::vector<Caption> &captions) {
         const bool areApart = captions.size() < 2 || !captions.front().box.intersects(captions.back().box);
@@ -219,8 +219,8 @@ void MechanismSketch::addPath()
 void MechanismSketch::addPivot()
 {
     constexpr double kHalfFoot = 11.0; // px, of the bracket
-    const QPointF foot = m_O2 + QPointF(0.0, kPivot);
-    addGround(foot - QPointF(kPivot, 0.0), foot.x() + kPivot, Ground);
+    const QPointF foot = m_O2 + QPointF(0.0, kSupportSize);
+    addGround(foot - QPointF(kSupportSize, 0.0), foot.x() + kSupportSize, Ground);
     QPainterPath bracket;
     bracket.addPolygon(QPolygonF{m_O2, foot - QPointF(kHalfFoot, 0.0), foot + QPointF(kHalfFoot, 0.0), m_O2});
     add(bracket, QPen(m_ink, kPathLine), faded(m_ink, kBodyFill), Ground);

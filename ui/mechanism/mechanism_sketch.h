@@ -94,7 +94,7 @@ private:
     QRectF problemInLegend() const; ///< px, where the legend states the reason
     void addGhost();
     void addCouplerAngle();
-    void addMarked();
+    void addMarkedPose();
     QLineF addOutline(const ReferencePose &pose, const QPen &pen);
 
     void addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, Qt::PenStyle line);

@@ -337,9 +337,9 @@ void MechanismView::setGhostBounds(const QRectF &ghostBounds)
     }
 }
 
-void MechanismView::setMarked(const ReferencePose &marked)
+void MechanismView::setMarkedPose(const ReferencePose &pose)
 {
-    m_scene.marked = marked;
+    m_scene.markedPose = pose;
     update();
 }
 
@@ -438,7 +438,7 @@ void MechanismView::paintEvent(QPaintEvent *)
     const QColor colour = palette().color(QPalette::Highlight);
     for (const MechanismSketch *sketch : {&m_scenery, &linkage}) {
         sketch->paintHighlight(painter, m_pointed, colour);
-        sketch->paintHighlight(painter, m_highlighted, sketch->colours().error);
+        sketch->paintHighlight(painter, m_highlighted, sketch->colours().couplerError);
     }
     if (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)) {
         constexpr double kFocusFrame = 2.0; // px

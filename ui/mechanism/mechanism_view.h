@@ -72,8 +72,8 @@ public slots:
     /// Sets the rectangle (mm) in which the ghost moves, so that it stays in view. A null rectangle means no ghost.
     void setGhostBounds(const QRectF &bounds);
 
-    /// Marks a position of the linkage. Removes the mark if `marked.exists` is false.
-    void setMarked(const slidercrank::ReferencePose &marked);
+    /// Marks a position of the linkage. Removes the mark if `pose.exists` is false.
+    void setMarkedPose(const slidercrank::ReferencePose &pose);
 
     /// Highlights the part that an equation or a coordinate refers to.
     void highlight(slidercrank::MechanismPart part);

@@ -264,12 +264,13 @@ Page errorPage(const Result &result, const ReferenceIdentification *identificati
         return ErrorPage::pinnedPage(result);
     }
     Page page;
-    page.findings = {openFileFinding(ErrorPage::tr("There is nothing to compare with: no file is open and no motion is "
-                                                   "pinned. Edit > Pin this motion keeps the present curves."))};
+    page.findings = {
+        missingFileFinding(ErrorPage::tr("There is nothing to compare with: no file is open and no motion is "
+                                         "pinned. Edit > Pin this motion keeps the present curves."))};
     return page;
 }
 
-Finding openFileFinding(const QString &sentence)
+Finding missingFileFinding(const QString &sentence)
 {
     return {.sentence = sentence, .remedy = Remedy::OpenFile, .remedyText = ErrorPage::tr("Open a CSV…")};
 }

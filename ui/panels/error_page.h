@@ -24,8 +24,8 @@ QString errorTitle(const Result &result);
 /// parameters.
 bool belongsToCurrentFile(const ReferenceIdentification *identification, const Result &result);
 
-/// Returns the sentence of a page that is empty without a file, with the remedy to open one.
-Finding openFileFinding(const QString &sentence);
+/// Returns the finding of a page that is empty because no file is open: the sentence, and a button that opens a file.
+Finding missingFileFinding(const QString &sentence);
 
 /// Adds the remedy to use the mechanism that was found, with the conventions of the file, unless it is the given one.
 void offerMechanism(Finding &finding, const Identification &found, const Parameters &given);

@@ -58,7 +58,7 @@ FindLine::FindLine(Session *session, QWidget *parent)
     row->addWidget(next);
     row->addWidget(m_useAsSpeed);
     row->addStretch(1);
-    connect(m_quantity, &QComboBox::activated, this, &FindLine::showWantedUnit);
+    connect(m_quantity, &QComboBox::activated, this, &FindLine::showUnitOfQuantity);
     connect(m_value, &NumberBox::edited, this, [this] { emit answered({}); });
     connect(m_value, &NumberBox::enterPressed, this, &FindLine::goToNext);
     connect(next, &QToolButton::clicked, this, &FindLine::goToNext);
@@ -75,7 +75,7 @@ void FindLine::refreshNotation()
         m_quantity->setItemData(m_quantity->count() - 1, nameText(channel), Qt::ToolTipRole);
     }
     m_quantity->setCurrentIndex(chosen);
-    showWantedUnit();
+    showUnitOfQuantity();
 }
 
 OutputChannel FindLine::wantedChannel() const
@@ -90,7 +90,7 @@ double FindLine::wantedValue() const
     return scale.inFileUnit(m_value->value()) / toFileUnit(measureOf(channel), 1.0);
 }
 
-void FindLine::showWantedUnit()
+void FindLine::showUnitOfQuantity()
 {
     const OutputChannel channel = wantedChannel();
     const Measure measure = measureOf(channel);

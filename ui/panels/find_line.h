@@ -28,12 +28,12 @@ public:
 
 signals:
     void timeRequested(double seconds);
-    void answered(const QString &text); ///< HTML; empty if there is nothing to say, or no longer
+    void answered(const QString &text); ///< HTML; empty: a message that was emitted before no longer applies
 
 private:
     OutputChannel wantedChannel() const;
     double wantedValue() const; ///< in the core's unit: mm, rad, s
-    void showWantedUnit();
+    void showUnitOfQuantity();  ///< gives the box of the value the unit of the chosen quantity
     void goToNext();
     QString noPosition() const; ///< the answer if no position has the wanted value
     void useAsCrankSpeed();

@@ -274,7 +274,7 @@ void MotionTablePanel::connectTables()
 {
     connect(m_currentRowTable, &NumberTable::typed, this, [this](int column, const QString &text) {
         const OutputChannel channel = m_settings.columns[static_cast<std::size_t>(column - kFirstChannelColumn)];
-        m_myValues.type(currentPlace().theta2, channel, text.trimmed());
+        m_myValues.setText(currentPlace().theta2, channel, text.trimmed());
         QMetaObject::invokeMethod(this, &MotionTablePanel::showCurrentPosition,
                                   Qt::QueuedConnection); // after the cell is closed
     });
@@ -328,10 +328,10 @@ void MotionTablePanel::showCurrentPosition()
         row.cells.front().tone = Tone::Normal; // the time is no link here
         row.time.reset();                      // the row would link to its own time
         const CrankPosition position{withCrankAt(mechanism, currentPlace().theta2), m_session->alpha2()};
-        const MyValues::Judgement judgement = m_myValues.judge(position, m_settings.columns);
-        m_currentRowTable->setRows({row, judgement.row});
-        m_judgement->setVisible(!judgement.conclusion.isEmpty());
-        m_judgement->setText(subscriptHtml(judgement.conclusion));
+        const MyValues::CheckedRow checked = m_myValues.check(position, m_settings.columns);
+        m_currentRowTable->setRows({row, checked.row});
+        m_judgement->setVisible(!checked.conclusion.isEmpty());
+        m_judgement->setText(subscriptHtml(checked.conclusion));
         alignColumns();
         deselectOtherPosition();
     }

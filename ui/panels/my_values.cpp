@@ -82,7 +82,7 @@ bool isSamePosition(double x, double y)
     return std::abs(wrapToPi(x - y)) < kRounding;
 }
 
-void MyValues::type(double theta2, const OutputChannel &channel, const QString &text)
+void MyValues::setText(double theta2, const OutputChannel &channel, const QString &text)
 {
     auto here = std::ranges::find_if(
         m_positions, [theta2](const TypedTexts &typed) { return isSamePosition(typed.theta2, theta2); });
@@ -115,7 +115,7 @@ QString MyValues::positionsOfValues() const
     return angles.isEmpty() ? QString() : tr("Your values are shown again at %1.").arg(listed(angles));
 }
 
-MyValues::Judgement MyValues::judge(const CrankPosition &position, const std::vector<OutputChannel> &channels) const
+MyValues::CheckedRow MyValues::check(const CrankPosition &position, const std::vector<OutputChannel> &channels) const
 {
     const double theta2 = position.mechanism.theta20();
     const TypedTexts *typedHere = textsAt(theta2);

@@ -25,18 +25,18 @@ class MyValues
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MyValues)
 
 public:
-    /// What is shown of the values at a position.
-    struct Judgement {
+    /// What the table shows about the values that were typed at a position.
+    struct CheckedRow {
         TableRow row;       ///< the typed texts, with the verdicts as colours
-        QString conclusion; ///< empty if there is nothing to say
+        QString conclusion; ///< the sentence below the table; empty if there is nothing to say
     };
 
-    /// Keeps the text of a value at the position of the crank; an empty text removes the value.
-    void type(double theta2, const OutputChannel &channel, const QString &text);
+    /// Keeps the text of a value at the crank angle theta2 (rad); an empty text removes the value.
+    void setText(double theta2, const OutputChannel &channel, const QString &text);
 
     /// Compares the values that were typed at a position with the exact ones. `channels`: the columns of the table
     /// after t and θ₂.
-    Judgement judge(const CrankPosition &position, const std::vector<OutputChannel> &channels) const;
+    CheckedRow check(const CrankPosition &position, const std::vector<OutputChannel> &channels) const;
 
 private:
     /// The values of one position, as they were typed. They belong to its crank angle: a length or a speed may still be

@@ -92,7 +92,7 @@ QString withUnbrokenSlashes(QString title)
 /// Returns the range of the finite values of a limit, without the steep rise of a peak towards infinity.
 Interval valueRange(const Response &response, std::size_t limit)
 {
-    constexpr double kSteep = 3.0; // times the median
+    constexpr double kSteepRise = 3.0; // over the median of the values
     std::vector<double> values;
     for (const LimitValues &limits : response.limits) {
         if (const double value = limits[limit]; std::isfinite(value)) {
@@ -103,8 +103,8 @@ Interval valueRange(const Response &response, std::size_t limit)
         return {};
     }
     std::ranges::sort(values);
-    const double steep = std::max(kSteep * values[values.size() / 2], values.front());
-    return {values.front(), peakChannel(kResponseLimits[limit]) ? std::min(values.back(), steep) : values.back()};
+    const double beginOfRise = std::max(kSteepRise * values[values.size() / 2], values.front());
+    return {values.front(), peakChannel(kResponseLimits[limit]) ? std::min(values.back(), beginOfRise) : values.back()};
 }
 
 /// How the charts are arranged in a figure of that width (px).
@@ -238,7 +238,7 @@ void ResponseView::showResponse()
 {
     const LimitValues currentLimits = limitValues(Mechanism(m_response.parameters));
     m_sentence->setText(withUnbrokenUnits(fullTurnText(m_response.parameter, m_response.range) + u' ' +
-                                            tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter))));
+                                          tr("Drag a dot to change %1.").arg(symbolText(m_response.parameter))));
     for (std::size_t i = 0; i < kResponseLimits.size(); ++i) {
         const QString title = tr("%1: %2").arg(chartName(i), shortNumber(currentLimits[i]));
         m_titles[i]->setText(withUnbrokenSlashes(title));

@@ -52,15 +52,15 @@ public:
         {NewtonStructuredTaylor, QT_TR_NOOP("structured, Taylor start"), kTaylorStart, Tone::Model,
          &SeriesColours::model, kHollow},
         {ClosedForm, QT_TR_NOOP("closed form"), QT_TR_NOOP("The exact formulas, one time step after the other"),
-         Tone::Good, &SeriesColours::errorOther, kFilled},
+         Tone::Good, &SeriesColours::sliderError, kFilled},
         {ClosedFormBatch, QT_TR_NOOP("closed form, batch"),
          QT_TR_NOOP("The exact formulas for several time steps at once (vector instructions)"), Tone::Good,
-         &SeriesColours::errorOther, kHollow},
+         &SeriesColours::sliderError, kHollow},
         {FiniteDifference, QT_TR_NOOP("finite differences"),
          QT_TR_NOOP("Velocity and acceleration as central differences of exact positions"), Tone::Bad,
-         &SeriesColours::error, kFilled},
+         &SeriesColours::couplerError, kFilled},
         {Harmonics, QT_TR_NOOP("Fourier series"), QT_TR_NOOP("The motion as a Fourier series"), Tone::Bad,
-         &SeriesColours::error, kHollow}};
+         &SeriesColours::couplerError, kHollow}};
     static_assert(isCompleteTable(kMethods, Harmonics));
 
     static const MethodText &textOf(const MethodResult &row) { return slidercrank::rowOf(kMethods, row.method.kind); }

@@ -14,9 +14,10 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the band of a motion that makes a whole turn within each pixel column: vertical lines over the values of
-/// `turn`, one for each part of it between two gaps.
-std::vector<CurvePoint> strokes(const std::vector<CurvePoint> &turn, const Interval &range, std::size_t columns)
+/// Returns the curve of a crank so fast that it makes a whole turn within each pixel column: in each column a vertical
+/// line from the smallest to the largest value of `turn`, the motion during one turn. If gaps divide `turn`, each part
+/// has a line of its own.
+std::vector<CurvePoint> bandOf(const std::vector<CurvePoint> &turn, const Interval &range, std::size_t columns)
 {
     std::vector<Interval> bands;
     bool isOpen = false;
@@ -132,7 +133,7 @@ MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t col
     const auto critical = findCriticalPoints(m_mechanism);
     for (std::size_t channel = 0; channel < curves.size(); ++channel) {
         const std::vector<CurvePoint> points = exactPoints(channel, samples, critical[channel]);
-        curves[channel] = {.points = isBand ? strokes(points, shown, columns) : points,
+        curves[channel] = {.points = isBand ? bandOf(points, shown, columns) : points,
                            .values = usualRange(points, {samples.time.front(), samples.time.back()}),
                            .isDense = isBand};
     }

@@ -342,10 +342,11 @@ void placeHeadings(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 /// Places the labels of one cursor.
 void placeLabelsOf(PlotCursor &cursor, const QRectF &wholeAxes, const QFont &font, CrowdedLabelPolicy policy)
 {
-    // Beside the left edge, where the axis has its numbers, a value looks like one of them. A figure has little space.
-    constexpr double kBesideNumbers = 3.0; // px
+    // Close to the left edge, a value could be taken for one of the numbers of the axis. In a figure, which has little
+    // space, it may be there nevertheless.
+    constexpr double kGapToNumbers = 3.0; // px
     const bool isFigure = policy == CrowdedLabelPolicy::LeaveOut;
-    const QRectF axes = isFigure ? wholeAxes : wholeAxes.adjusted(kBesideNumbers, 0.0, 0.0, 0.0);
+    const QRectF axes = isFigure ? wholeAxes : wholeAxes.adjusted(kGapToNumbers, 0.0, 0.0, 0.0);
     std::ranges::stable_sort(cursor.labels, {}, [&cursor](const PlotCursor::Label &label) {
         return label.dot ? anchorOf(cursor, label).y() : 0.0;
     });
@@ -423,11 +424,11 @@ void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFo
 
 void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before)
 {
-    constexpr double kMaxDistance = 20.0; // px from frame to frame; a click may move the cursor farther
+    constexpr double kMaxMoveOfFrame = 20.0; // px; a click may move the cursor farther
     for (PlotCursor &cursor : cursors) {
         const auto old = std::ranges::find(before, cursor.isLight, &PlotCursor::isLight);
         const double distance = old == before.end() ? 0.0 : std::abs(cursor.x - old->x);
-        if (distance == 0.0 || distance > kMaxDistance) { // other curves at the same time have other places
+        if (distance == 0.0 || distance > kMaxMoveOfFrame) { // at the same time only the curves have changed
             continue;
         }
         for (PlotCursor::Label &label : cursor.labels) {

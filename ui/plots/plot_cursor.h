@@ -56,7 +56,8 @@ double curveSpacing(const QFont &font);
 /// Returns the radius (px) of a dot beside text in the font.
 double dotRadius(const QFont &font);
 
-/// Sets Label::lastPlace of each cursor that has moved a little, so that values do not jump in an animation.
+/// Sets Label::lastPlace of the cursors that have moved by at most kMaxMoveOfFrame, as from frame to frame of an
+/// animation, so that their values do not jump from one side of the line to the other.
 void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before);
 
 /// The treatment of a value that would cover a curve in every place near its dot.

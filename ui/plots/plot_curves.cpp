@@ -43,7 +43,7 @@ const std::array<QVector<double>, kMaxPinned> kPinnedDashes{{{}, {13.0, 4.0}, {5
 /// Returns the colour of the errors of a channel.
 Ink errorInk(std::size_t channel)
 {
-    return kPlottedChannels[channel].coordinate == R4x ? &SeriesColours::errorOther : &SeriesColours::error;
+    return kPlottedChannels[channel].coordinate == R4x ? &SeriesColours::sliderError : &SeriesColours::couplerError;
 }
 
 /// Extends the range so that it contains the added one. Either of them may not exist.

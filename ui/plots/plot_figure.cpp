@@ -42,7 +42,7 @@ int lineHeight(const QFont &font)
 /// and removes the points that make no visible difference. The curve is then off by less than a third of the detail.
 void fit(PlotCurve &curve, const Interval &time, const Interval &values, const QSize &axes, double detail)
 {
-    constexpr double kScreenDetail = 1.0;    // px: for details of this size the samples of a curve suffice
+    constexpr double kScreenDetail = 1.0; // px: a curve has points for details of this size, but not for smaller ones
     constexpr double kInsertTolerance = 0.1; // details
     constexpr double kRemoveTolerance = 0.2; // details
     constexpr double kBelowEdge = 3.0;       // px

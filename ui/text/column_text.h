@@ -43,8 +43,8 @@ QString meaningText(const FileColumn &column);
 /// Returns the unit of a column: "rad/s", or "° (none given)" if the file does not state it.
 QString unitText(const FileColumn &column);
 
-/// Returns the reason for the meaning of a column, as a clause. The version without a layout names no other
-/// column.
+/// Returns the reason for the meaning of a column, as a clause. For finite differences, the version with a layout also
+/// says which kind they are.
 QString reasonText(ColumnReason reason);
 QString reasonText(const FileLayout &layout, std::size_t column);
 

@@ -28,10 +28,10 @@ struct SeriesColours {
     QColor pinnedOther;
     QColor pinnedThird;
     QColor pinnedFourth;
-    QColor error;      ///< angle errors
-    QColor errorOther; ///< length errors, drawn in the same axes
-    QColor cursor;     ///< the current time
-    QColor warning;    ///< crank angles at which the mechanism cannot be assembled, and warnings
+    QColor couplerError; ///< errors of the coupler; accelerations in the drawing and in a polygon
+    QColor sliderError;  ///< errors of the slider, in the same axes; velocities
+    QColor cursor;       ///< the current time
+    QColor warning;      ///< crank angles at which the mechanism cannot be assembled, and warnings
     QColor grid;
     QColor text;
     QColor background;

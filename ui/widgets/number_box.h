@@ -40,7 +40,7 @@ public:
     /// With 0 decimals, only whole numbers are accepted, and the step is 1.
     void setFixedDecimals(int decimals);
 
-    /// The number for which the box has space, "-000.000" by default.
+    /// Makes the box wide enough for a number with these characters; by default, for "-000.000".
     void setWidestNumber(const QString &number);
 
     /// Sets the change per arrow key. The default is a tenth of the number's power of ten.

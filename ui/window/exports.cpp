@@ -198,7 +198,7 @@ void Exports::writeReport(const QString &path, PaperSize paper)
         }
         content.found = identification->found;
     }
-    const auto plots = std::make_shared<PlotGrid>(); // shows the motion of now while the window goes on
+    const auto plots = std::make_shared<PlotGrid>(); // keeps the present motion while that of the window may change
     plots->setPresentation(m_views.plots->isPresentation());
     plots->setSettings(m_views.plots->settings());
     plots->setResult(content.result);

@@ -49,8 +49,8 @@ public:
     void chooseData();
     void writeData(const QString &path, const ChannelSet &channels);
 
-    /// Write the report as PDF in the background, as the window shows the motion now. It is not written while the
-    /// mechanism of the reference is being identified.
+    /// Write the report of the present motion as PDF, in the background. Write none, and say why, while the mechanism
+    /// of the reference is still being identified.
     void chooseReport();
     void writeReport(const QString &path, PaperSize paper = PaperSize::A4);
 

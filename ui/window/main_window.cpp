@@ -133,7 +133,7 @@ MainWindow::MainWindow(QWidget *parent)
         QApplication::setPalette(paletteFor(chosenTheme()));
     }
     slidercrank::setNotation(chosenNotation());
-    auto *page = new QWidget; // the messages lie over it
+    auto *page = new QWidget; // with the message bar over it
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     setCentralWidget(page);
@@ -267,8 +267,8 @@ QWidget *MainWindow::makeMotionTable()
     // While the window is destroyed, the table is hidden and reports that no row is hovered. That does not use
     // `session`.
     const auto mark = [session = m_session, view = m_views.mechanism](const std::optional<double> &theta2) {
-        view->setMarked(theta2 ? referencePoseAt(withCrankAt(Mechanism(session->parameters()), *theta2), 0.0)
-                               : ReferencePose());
+        view->setMarkedPose(theta2 ? referencePoseAt(withCrankAt(Mechanism(session->parameters()), *theta2), 0.0)
+                                   : ReferencePose());
     };
     connect(table, &MotionTablePanel::placeHovered, m_views.mechanism, mark);
     return scrollable(table); // otherwise a window on a small screen would become higher than the screen

@@ -23,7 +23,7 @@ namespace
 
 constexpr std::chrono::seconds kRest{2};
 
-constexpr int kMaxCopies = 100; // so that a folder that cannot be written ends the search
+constexpr int kMaxCopies = 100; // names that are tried: in a folder that cannot be written none of them is free
 
 const QString kMessage = "recovery";
 

@@ -602,7 +602,8 @@ private slots:
         view.show();
         letTimePass(view);
         const QImage picture = view.grab().toImage().convertToFormat(QImage::Format_RGB32);
-        const QRgb colour = seriesColours(view.palette()).error.rgb(); // of the parts of the acceleration polygon
+        const QRgb colour =
+            seriesColours(view.palette()).couplerError.rgb(); // of the parts of the acceleration polygon
         int top = picture.height();
         int bottom = 0;
         for (int y = 0; y < picture.height(); ++y) {

@@ -57,13 +57,13 @@ std::ptrdiff_t gapsIn(const std::vector<CurvePoint> &points)
     return std::ranges::count_if(points, [](const CurvePoint &point) { return std::isnan(point.value); });
 }
 
-/// Returns a curve of an error plot: the coupler's has the colour `error`, the slider's `errorOther`.
+/// Returns a curve of an error plot: the coupler's has the colour `couplerError`, the slider's `sliderError`.
 const PlotCurve &curveIn(const Plot &plot, Ink ink)
 {
     return *std::ranges::find(plot.curves, ink, &PlotCurve::ink);
 }
 
-constexpr std::array<Ink, 2> kErrorInks{&SeriesColours::error, &SeriesColours::errorOther};
+constexpr std::array<Ink, 2> kErrorInks{&SeriesColours::couplerError, &SeriesColours::sliderError};
 
 PlotSettings settingsWith(ErrorMeasure measure)
 {
@@ -256,7 +256,7 @@ private slots:
         }
         const Plot &errors = plotOf(figure, kPositionErrors);
         QVERIFY2(errors.titles.front().text().contains("b = 75 mm"), qPrintable(errors.titles.front().text()));
-        QVERIFY(curveIn(errors, &SeriesColours::error).name.contains("b = 75 mm"));
+        QVERIFY(curveIn(errors, &SeriesColours::couplerError).name.contains("b = 75 mm"));
     }
 
     /// A former defect: the note hid the peak of the curve.

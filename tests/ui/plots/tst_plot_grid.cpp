@@ -140,8 +140,8 @@ private slots:
             for (const QString &name : PlotGrid::plotNames()) {
                 const bool isError = name.contains("error");
                 const QImage image = shown.grid.grab(shown.pane(name).geometry()).toImage();
-                QVERIFY2(pixelsLike(image, isError ? colours.errorOther : colours.model) > 50, qPrintable(name));
-                QVERIFY2(pixelsLike(image, isError ? colours.error : colours.reference) > 50, qPrintable(name));
+                QVERIFY2(pixelsLike(image, isError ? colours.sliderError : colours.model) > 50, qPrintable(name));
+                QVERIFY2(pixelsLike(image, isError ? colours.couplerError : colours.reference) > 50, qPrintable(name));
                 QCOMPARE(image.pixelColor(1, 1), colours.background);
                 QVERIFY(!shown.pane(name).accessibleName().isEmpty());
                 QVERIFY(!shown.pane(name).accessibleDescription().isEmpty());

@@ -94,8 +94,8 @@ private slots:
             };
             const std::array<Curve, 4> curves{{{colours.model, Axes::Motion},
                                                {colours.reference, Axes::Motion},
-                                               {colours.error, Axes::Errors},
-                                               {colours.errorOther, Axes::Errors}}};
+                                               {colours.couplerError, Axes::Errors},
+                                               {colours.sliderError, Axes::Errors}}};
             for (const Matrix &vision : {kNormal, kProtanopia, kDeuteranopia}) {
                 for (std::size_t i = 0; i < curves.size(); ++i) {
                     for (std::size_t j = 0; j < i; ++j) {
@@ -115,14 +115,14 @@ private slots:
         for (const Theme theme : {Theme::Light, Theme::Dark}) {
             const QPalette palette = paletteFor(theme);
             const SeriesColours colours = seriesColours(palette);
-            for (const QColor &curve : {colours.model, colours.reference, colours.error, colours.errorOther,
+            for (const QColor &curve : {colours.model, colours.reference, colours.couplerError, colours.sliderError,
                                         colours.cursor, colours.warning}) {
                 QVERIFY2(contrast(curve, colours.background) > kGraphics, qPrintable(curve.name()));
             }
             // Sentences have the colour of warnings; values have the colours of errors.
             QVERIFY(contrast(colours.warning, palette.color(QPalette::Window)) > kText);
-            QVERIFY(contrast(colours.error, colours.background) > kText);
-            QVERIFY(contrast(colours.errorOther, colours.background) > kText);
+            QVERIFY(contrast(colours.couplerError, colours.background) > kText);
+            QVERIFY(contrast(colours.sliderError, colours.background) > kText);
             using Roles = std::pair<QPalette::ColorRole, QPalette::ColorRole>;
             for (const auto &[text, under] :
                  {Roles{QPalette::WindowText, QPalette::Window}, Roles{QPalette::Text, QPalette::Base},
