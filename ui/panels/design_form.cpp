@@ -105,23 +105,29 @@ void DesignForm::createControls()
     rows->addStretch(1);
 }
 
+/// Makes the stroke and the time ratio of a mechanism the request.
+void DesignForm::takeRequestFrom(const Parameters &parameters)
+{
+    const MotionLimits limits = motionLimits(Mechanism(parameters));
+    m_parameters = parameters;
+    m_request.stroke = limits.stroke.value_or(0.0) > 0.0 ? *limits.stroke : m_request.stroke;
+    const double timeRatio = limits.timeRatio.value_or(1.0);
+    m_request.timeRatio = parameters.c < 0.0 ? 1.0 / timeRatio : timeRatio;
+    m_refusal->clear();
+}
+
 void DesignForm::showParameters()
 {
     if (!isVisible()) {
         return;
     }
-    const MotionLimits limits = motionLimits(Mechanism(m_session->parameters()));
     // As long as the parameters are those that the form has set, the request stays as it was typed, without rounding
     // errors.
     if (m_session->parameters() != m_parameters || m_request.stroke == 0.0) {
-        m_parameters = m_session->parameters();
-        m_request.stroke = limits.stroke.value_or(0.0) > 0.0 ? *limits.stroke : m_request.stroke;
-        const double timeRatio = limits.timeRatio.value_or(1.0);
-        m_request.timeRatio = m_parameters.c < 0.0 ? 1.0 / timeRatio : timeRatio;
-        m_refusal->clear();
+        takeRequestFrom(m_session->parameters());
     }
+    const MotionLimits limits = motionLimits(Mechanism(m_parameters));
     const bool turns = limits.mobility == Mobility::FullTurn;
-    const double ratio = m_parameters.b / m_parameters.a;
     const std::optional<DesignRange> range = findDesignRange(m_request.timeRatio);
     const double best = range ? range->bestTransmissionAngle : 0.0; // rad
     const Units &units = notation().units;
@@ -137,10 +143,18 @@ void DesignForm::showParameters()
         shownValue(Measure::Angle, turns ? limits.coupler.minimumTransmissionAngle.angle : best, units));
     m_ratio->setEnabled(turns && range);
     m_best->setEnabled(range.has_value());
+    showLengths(turns ? range : std::nullopt);
+}
+
+/// Shows the ratio b/a on the slider and as text. `range`: that of the time ratio; nullopt if the crank makes no full
+/// turns, or if no mechanism has the time ratio.
+void DesignForm::showLengths(const std::optional<DesignRange> &range)
+{
     constexpr int kDigits = 5;
     const auto number = [](double value) { return numberText(value, kDigits); };
+    const double ratio = m_parameters.b / m_parameters.a;
     QString text = tr("b/a = %1.").arg(number(ratio));
-    if (!turns) {
+    if (motionLimits(Mechanism(m_parameters)).mobility != Mobility::FullTurn) {
         text += u' ' + tr("The crank does not make full turns: there is no time ratio.");
     } else if (range) {
         const double last = std::min(range->largestRatio, std::max(kLargestProposedRatio, ratio));
@@ -148,7 +162,8 @@ void DesignForm::showParameters()
         const int steps = static_cast<int>(std::ceil((last - 1.0) / step));
         m_ratio->setScale(1.0, step, 1, std::max(1, steps - 1)); // both ends are excluded
         m_ratio->setNumber(ratio);
-        const QString angle = withUnit(number(shownValue(Measure::Angle, best, units)), shownUnit(Measure::Angle));
+        const double best = shownValue(Measure::Angle, range->bestTransmissionAngle, notation().units);
+        const QString angle = withUnit(number(best), shownUnit(Measure::Angle));
         text += u' ' + tr("With this time ratio the minimum transmission angle is largest, %1, for b/a = %2.")
                            .arg(angle, number(range->bestRatio));
     }

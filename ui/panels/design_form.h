@@ -40,11 +40,16 @@ private:
     void apply(const Lengths &lengths);
     void refuse(const QString &sentence);
     void showParameters();
+    void takeRequestFrom(const Parameters &parameters);
+    void showLengths(const std::optional<DesignRange> &range);
 
     Session *m_session;
     Parameters m_parameters; ///< the mechanism whose stroke and time ratio are in m_request
-    DesignRequest
-        m_request; ///< the time ratio is below 1 if c < 0; the stroke is 0 before the first mechanism with one
+
+    /// What the form shows and changes. The time ratio is below 1 if c < 0. The stroke is 0 as long as no mechanism had
+    /// one.
+    DesignRequest m_request;
+
     NumberBox *m_stroke;
     NumberBox *m_timeRatio;
     NumberBox *m_transmissionAngle;
