@@ -41,7 +41,7 @@ ExitStatus runCommand(const QStringList &arguments, const Streams &streams)
     }
     const CommandDescription *named = findCommand(name);
     if (!named && !name.isEmpty() && !name.startsWith('-')) {
-        requireFile(name); // the window would refuse the options of a misspelt command first
+        requireFile(name); // reports a misspelt command as such, before its options are refused as those of the window
     }
     const CommandDescription &command = named ? *named : windowDescription();
     OptionReader options(command, arguments.mid(named ? 2 : 1));

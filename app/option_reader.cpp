@@ -65,7 +65,7 @@ static QStringList optionsDescribedBy(const std::vector<OptionDescription> &opti
 /// returns the options whose description contains it.
 static QStringList similarOptions(const std::vector<OptionDescription> &options, const QString &name)
 {
-    constexpr qsizetype kShortestPart = 3; // "to" begins too many parts
+    constexpr qsizetype kMinLetters = 3; // of a name that is compared with parts: too many of them begin like "to"
     QStringList similar;
     QStringList names;
     for (const OptionDescription &option : options) {
@@ -74,7 +74,7 @@ static QStringList similarOptions(const std::vector<OptionDescription> &options,
         const QStringList parts = known.split('-');
         const bool isLikePart =
             std::ranges::any_of(parts, [&name](const QString &part) { return sharesBeginning(name, part); });
-        if (sharesBeginning(name, known) || (isLikePart && name.size() >= kShortestPart)) {
+        if (sharesBeginning(name, known) || (isLikePart && name.size() >= kMinLetters)) {
             similar += "--" + known;
         } else if (QString(option.value).split('|').contains(name)) {
             similar += QStringLiteral("--%1 %2").arg(known, name);

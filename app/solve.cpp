@@ -158,7 +158,7 @@ struct SolveRequest {
         } else {
             alpha2 = readCrankAcceleration(options);
         }
-        if (positions.size() == 1) { // several positions have different initial angles
+        if (positions.size() == 1) { // several elements have a mechanism each, with different initial angles
             mechanism = positions.front().mechanism;
         }
         if (format == OutputFormat::Json) {
