@@ -160,7 +160,7 @@ private slots:
         constexpr double kAllowed = 0.02; // mm
         QFETCH(const QStringList, options);
         QFETCH(const double, b);
-        const Channel channel{Coordinate::Theta3, options[1] == u"theta3" ? Order::Position : Order::Velocity};
+        const Channel channel{Coordinate::Theta3, options.contains("theta3") ? Order::Position : Order::Velocity};
         const QStringList command = QStringList{"render", "--b", QString::number(b)} + options;
         QCOMPARE(run(command + QStringList{"-o", path("x.svg")}).status, 0);
         QCOMPARE(run(command + QStringList{"-o", path("x.pdf")}).status, 0);

@@ -100,6 +100,7 @@ struct ReportText {
     }
 
     bool has(const QString &words) const { return text.contains(words); }
+    bool hasPolygons() const { return text.contains("polygons", Qt::CaseInsensitive); } ///< or words about them
     bool has(const QStringList &list) const
     {
         return std::ranges::all_of(list, [this](const QString &words) { return has(words); });
@@ -379,7 +380,7 @@ private slots:
         QVERIFY2(report.has({"65 mm", "60.0", " ± ", "identified in this file", "coupler angle θ³", "stroke",
                              "inventor_sample.csv, t = 0 … 1 s, 201 rows", "± is one standard error"}),
                  qPrintable(report.text));
-        QVERIFY(!report.has("Table") && !report.has("olygons")); // exercises, of no use in a comparison
+        QVERIFY(!report.has("Table") && !report.hasPolygons()); // exercises, of no use in a comparison
         const ReportText alone(contentWith(65.0, nullptr));
         QVERIFY(!alone.has("eference") && !alone.has("found in"));
         QVERIFY(ReportText(contentWith(60.0, referenceIn({kSample}))).has("within the rounding of the file"));
@@ -412,13 +413,13 @@ private slots:
         Session session;
         session.setParameter(Parameter::Omega2, 0.0);
         ReportContent content{session.result(), {}};
-        QVERIFY(ReportText(content).has("Table, every 15°") && !ReportText(content).has("olygons"));
+        QVERIFY(ReportText(content).has("Table, every 15°") && !ReportText(content).hasPolygons());
         QVERIFY(ReportText(content).has("angles that the crank does not reach"));
         content.alpha2 = 5.0;
-        QVERIFY(ReportText(content).has("olygons"));
+        QVERIFY(ReportText(content).hasPolygons());
         session.setParameters({.b = 4.0}); // cannot be assembled
         const ReportText impossible({session.result(), {}});
-        QVERIFY2(!impossible.has("Table") && !impossible.has("olygons") && !impossible.has("[figure]"),
+        QVERIFY2(!impossible.has("Table") && !impossible.hasPolygons() && !impossible.has("[figure]"),
                  qPrintable(impossible.text));
     }
 
@@ -473,7 +474,7 @@ private slots:
         const ReportText report(content);
         QVERIFY2(report.has({"v⁴ = –", "a⁴ = –", "the velocities jump: just before", "velocities do not exist."}),
                  qPrintable(report.text));
-        QVERIFY(!report.has("olygons"));
+        QVERIFY(!report.hasPolygons());
         content.time = 0.7;
         QVERIFY(!ReportText(content).has("v⁴ = –") && !ReportText(content).has("just before"));
     }
