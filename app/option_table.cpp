@@ -257,7 +257,8 @@ public:
            QT_TR_NOOP("write to this file instead of standard output (-)"), "o"}}},
         {QT_TR_NOOP("Other"),
          {{"window", "reset-settings", nullptr,
-           QT_TR_NOOP("remove the window's settings: layout, recent files, language, theme, meanings of columns")},
+           QT_TR_NOOP("remove all settings that the window has stored: layout, recent files, language, notation, "
+                      "meanings of columns …")},
           {kEveryCommand, "help", nullptr, QT_TR_NOOP("show this text"), "h"},
           {kEveryCommand, "version", nullptr, QT_TR_NOOP("show the version of the program and of its libraries")}}},
     };

@@ -35,9 +35,7 @@ ExitStatus resetSettings(const Streams &streams)
         streams.report(CommandLine::tr("Cannot write the settings in %1: remove that file.").arg(settings.fileName()));
         return ExitStatus::FileError;
     }
-    return writeOutput(
-        streams, {},
-        CommandLine::tr("Removed: layout, recent files, language, theme, meanings of columns.").toUtf8() + '\n');
+    return writeOutput(streams, {}, CommandLine::tr("All settings of the window are removed.").toUtf8() + '\n');
 }
 
 /// Replaces the window whenever another language is chosen in it.

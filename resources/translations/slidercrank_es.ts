@@ -845,8 +845,8 @@
         <translation>necesario: un nombre que termine en .png, .svg o .pdf; para frames el nombre de una carpeta nueva, o de un vídeo que termine en .mp4, .webm o .gif (necesita ffmpeg)</translation>
     </message>
     <message>
-        <source>remove the window&apos;s settings: layout, recent files, language, theme, meanings of columns</source>
-        <translation>borra los ajustes de la ventana: disposición, archivos recientes, idioma, tema, significados de columnas</translation>
+        <source>remove all settings that the window has stored: layout, recent files, language, notation, meanings of columns …</source>
+        <translation>borra todos los ajustes que la ventana ha guardado: disposición, archivos recientes, idioma, notación, significados de columnas…</translation>
     </message>
     <message>
         <source>show this text</source>
@@ -893,8 +893,8 @@
         <translation>No se pueden escribir los ajustes en %1: borre ese archivo.</translation>
     </message>
     <message>
-        <source>Removed: layout, recent files, language, theme, meanings of columns.</source>
-        <translation>Borrado: disposición, archivos recientes, idioma, tema, significados de columnas.</translation>
+        <source>All settings of the window are removed.</source>
+        <translation>Se han borrado todos los ajustes de la ventana.</translation>
     </message>
     <message>
         <source>--reset-settings opens no window: remove the other arguments.</source>
