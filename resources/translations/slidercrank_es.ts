@@ -722,11 +722,11 @@
     </message>
     <message>
         <source>Reads CSV files of simulations (time,R4_x,theta3_diff,…) and prints how far each column is from the model at the file&apos;s own time stamps. A value is uncertain by half a unit of its last digit and by the motion within half a unit of its time stamp. A column agrees if at least 95 % of its errors are within that bound and none exceeds ten times the bound; it is close if none exceeds a hundred times the bound; otherwise it differs. Moreover, no error of a column that agrees may exceed its bound by more than 0.5 % of half the range of the motion, and none of a close one by more than 1 %. For a file that differs, the program says what would explain the difference. A file that cannot be read is reported, and the others are still compared. FILE may be - for standard input.</source>
-        <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. Un valor es incierto en media unidad de su última cifra y en lo que el mecanismo se mueve en media unidad de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; casi coincide (close) si ninguno supera cien veces la cota; en otro caso difiere. Además, ningún error de una columna que coincide puede superar su cota en más de un 0.5 % de la mitad del recorrido del movimiento, ni uno de una que casi coincide en más de un 1 %. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. FILE puede ser - para la entrada estándar.</translation>
+        <translation>Lee archivos CSV de simulaciones (time,R4_x,theta3_diff,…) e indica cuánto se aparta cada columna del modelo en los instantes del propio archivo. La incertidumbre de un valor es media unidad de su última cifra más el movimiento durante media unidad de la última cifra de su instante. Una columna coincide si al menos el 95 % de sus errores está dentro de esa cota y ninguno supera diez veces la cota; casi coincide (close) si ninguno supera cien veces la cota; en otro caso difiere. Además, ningún error de una columna que coincide puede superar su cota en más de un 0.5 % de la mitad del recorrido del movimiento, ni uno de una que casi coincide en más de un 1 %. Si un archivo difiere, el programa dice qué explicaría la diferencia. Un archivo que no se puede leer se notifica, y los demás se comparan igualmente. FILE puede ser - para la entrada estándar.</translation>
     </message>
     <message>
         <source>Times every method on the same time stamps and measures its error against the exact motion in 115 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run. With several cases (--cases), a table of the methods over all cases comes first: largest error, median time, and how many time steps were solved. The tables of the cases follow; --format csv has their rows, too.</source>
-        <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 115 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición. Con varios casos (--cases), primero viene una tabla de los métodos para todos los casos: error mayor, tiempo mediano y cuántos instantes se resolvieron. Siguen las tablas de los casos; --format csv también da sus filas.</translation>
+        <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 115 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición. Con varios casos (--cases), primero viene una tabla de los métodos para todos los casos: el error máximo, la mediana del tiempo y cuántos instantes se resolvieron. Siguen las tablas de los casos; --format csv también da sus filas.</translation>
     </message>
     <message>
         <source>Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene) also supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa and error measure. Without --start, --duration and --scene, the plots of a fast crank show its first revolution.</source>
@@ -882,11 +882,11 @@
     </message>
     <message>
         <source>The crank angle is not a finite number at %1: choose a smaller --omega2, or times nearer to 0.</source>
-        <translation>El ángulo de la manivela no es un número finito en %1: elija un --omega2 menor, o instantes más cercanos a 0.</translation>
+        <translation>El ángulo de la manivela no es un número finito en %1: elija un valor menor de --omega2, o instantes más cercanos a 0.</translation>
     </message>
     <message>
         <source>The crank angle is too large for Newton-Raphson at %1, because its θ₂ has 16 digits: choose --method closed-form, a smaller --omega2, or times nearer to 0.</source>
-        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson en %1, porque su θ₂ tiene 16 cifras: elija --method closed-form, un --omega2 menor, o instantes más cercanos a 0.</translation>
+        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson en %1, porque su θ₂ tiene 16 cifras: elija --method closed-form, un valor menor de --omega2, o instantes más cercanos a 0.</translation>
     </message>
     <message>
         <source>Cannot write the settings in %1: remove that file.</source>
@@ -905,7 +905,7 @@
 They are measured against a computation with 115 digits.
 Machine: %1. Time: %2 s.
 </source>
-        <translation>Los errores son los mayores de los seis canales representados, relativos al máximo del canal, en los pasos de tiempo que un método resuelve.
+        <translation>Los errores son los mayores de los seis canales representados, relativos al máximo del canal, en los instantes que un método resuelve.
 Se miden respecto a un cálculo con 115 cifras.
 Equipo: %1. Tiempo: %2 s.
 </translation>
@@ -1299,7 +1299,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>--tolerance: &quot;%1&quot; is not one of the lengths a, b and c.</source>
-        <translation>--tolerance: &quot;%1&quot; no es ninguna de las longitudes a, b y c.</translation>
+        <translation>--tolerance: «%1» no es ninguna de las longitudes a, b y c.</translation>
     </message>
     <message>
         <source>--tolerance gives %1 twice: keep one of them.</source>
@@ -1307,7 +1307,7 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>--vary: &quot;%1&quot; is no parameter: choose a, b, c, omega2 or theta20.</source>
-        <translation>--vary: &quot;%1&quot; no es un parámetro: elija a, b, c, omega2 o theta20.</translation>
+        <translation>--vary: «%1» no es un parámetro: elija a, b, c, omega2 o theta20.</translation>
     </message>
     <message>
         <source>Only a report, polygons and a scene with arrows of acceleration show an acceleration of the crank, and everything else is for a constant crank speed: remove %1.</source>
@@ -2022,11 +2022,11 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation>rms</translation>
+        <translation>RMS</translation>
     </message>
     <message>
         <source>% of peak</source>
-        <translation>% del valor máx.</translation>
+        <translation>% del máximo</translation>
     </message>
     <message>
         <source>rounding step</source>
@@ -2307,7 +2307,7 @@ difiere: lo demás</translation>
     </message>
     <message>
         <source>The columns deviate from its motion by up to %1 % of the range of %2, more than by rounding; ± holds if these errors are independent.</source>
-        <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2, más que por redondeo; ± es válido si estos errores son independientes.</translation>
+        <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2, más de lo que explica el redondeo; ± es válido si estos errores son independientes.</translation>
     </message>
     <message>
         <source>The data do not determine %1. Kept as given: %2.</source>
@@ -3213,7 +3213,7 @@ PA = %4, PB = %5</translation>
     </message>
     <message>
         <source>The crank angle is too large for Newton-Raphson, because its θ₂ has 16 digits: choose the closed form, a smaller ω₂, or times nearer to 0.</source>
-        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson, porque su θ₂ tiene 16 cifras: elija la forma cerrada, un ω₂ menor o instantes más cercanos a 0.</translation>
+        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson, porque su θ₂ tiene 16 cifras: elija la forma cerrada, una ω₂ menor o instantes más cercanos a 0.</translation>
     </message>
 </context>
 <context>
@@ -4417,7 +4417,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation>rms</translation>
+        <translation>RMS</translation>
     </message>
     <message>
         <source>% of peak</source>
