@@ -148,7 +148,7 @@ LengthTolerances readTolerances(const OptionReader &options, const Mechanism &me
     struct Length {
         const char *name;
         double LengthTolerances::*tolerance;
-        double bound; ///< mm, of the tolerance: the crank and the coupler must not vanish
+        double bound; ///< mm: the tolerance must be smaller, because a crank or a coupler of length 0 is no link
     };
     const Length lengths[] = {{"a", &LengthTolerances::a, mechanism.a()},
                               {"b", &LengthTolerances::b, mechanism.b()},

@@ -17,7 +17,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kDigits = 10; // of a value that a message repeats
+constexpr int kDigits = 10; // significant digits of the values in messages
 
 /// A channel with a value, as in "R4_x=60", "theta3=10deg" or "R4_x_diff=8m/s".
 struct ChannelValue {

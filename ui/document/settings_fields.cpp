@@ -108,7 +108,7 @@ void readOrWrite(Convention &convention, JsonNode &node)
     convention.kind = conventionNamed(kind).value_or(convention.kind);
     node("channels", convention.channels);
     if (convention.kind == Kind::SwappedColumns) {
-        convention.channels.resize(2); // the two that are swapped
+        convention.channels.resize(2); // it needs two channels, also if a damaged file names fewer
     }
     const bool changesUnit =
         convention.kind == Kind::AngleUnit || convention.kind == Kind::LengthUnit || convention.kind == Kind::TimeUnit;

@@ -172,7 +172,7 @@ QString machineText()
     if (const int threads = QThread::idealThreadCount(); threads > 1) {
         parts += StudyText::tr("%1 threads").arg(threads);
     }
-    parts += QString(BOOST_COMPILER).remove(" version"); // "GNU C++ 12.2.0" needs no translation
+    parts += QString(BOOST_COMPILER).remove(" version"); // the word would have to be translated
 #ifndef NDEBUG
     parts += StudyText::tr("not optimized");
 #endif

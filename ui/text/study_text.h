@@ -21,7 +21,7 @@ QString caseText(const std::string &name);
 /// an empty string if one of the two was not measured.
 QString closedFormSentence(const CaseResult &result);
 
-/// Describes the machine and the compiler: "x86_64, 8 threads, GNU C++ version 12.2.0".
+/// Describes the machine and the compiler: "x86_64, 8 threads, GNU C++ 12.2.0".
 QString machineText();
 
 /// Returns the results as JSON.
