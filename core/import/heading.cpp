@@ -237,13 +237,17 @@ std::string withoutEnclosure(std::string text)
     return isOfPandas ? kPandasSeparators.replacedIn(text.substr(2, text.size() - 4)) : text;
 }
 
-/// Returns the text without the number of the measurement that PASCO writes behind a heading: " Run #1".
-std::string withoutRun(std::string text)
+/// Returns the text without the number of a measurement or curve that programs write behind a heading: " Run #1" of
+/// PASCO and " - Plot 0" of LabVIEW.
+std::string withoutNumberOfCurve(std::string text)
 {
-    constexpr std::string_view kRun = " Run #";
-    const std::size_t run = text.rfind(kRun);
-    const bool isAtEnd = run != text.npos && isDigits(text.substr(run + kRun.size()));
-    return isAtEnd ? std::string(trimmed(text.substr(0, text.find_last_not_of(" ,", run) + 1))) : text;
+    for (const std::string_view label : {" Run #", " - Plot "}) {
+        const std::size_t at = text.rfind(label);
+        if (at != text.npos && isDigits(text.substr(at + label.size()))) {
+            return std::string(trimmed(text.substr(0, text.find_last_not_of(" ,", at) + 1)));
+        }
+    }
+    return text;
 }
 
 /// Sets name and unit of a heading that is only a unit: "millis", "Degrees", "Inches from TDC". Returns false for
@@ -271,7 +275,7 @@ Heading parseHeading(std::string_view cell)
                                    {"}{d", "/d"},  {"（", "("},      {"）", ")"},    {"［", "["},     {"］", "]"},
                                    {"／", "/"},    {"“", ""},        {"”", ""}};
     Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
-    const std::string text = withoutRun(withoutEnclosure(kMarkup.replacedIn(heading.use.heading)));
+    const std::string text = withoutNumberOfCurve(withoutEnclosure(kMarkup.replacedIn(heading.use.heading)));
     heading.name = text;
     if (text.size() > kLongestName) {
         return heading;

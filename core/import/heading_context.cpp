@@ -32,14 +32,16 @@ std::string lastPartOf(const RawColumn &column)
     return path.parts.empty() ? std::string() : std::string(path.parts.back());
 }
 
-/// Returns whether the name is a symbol with the mark of a second derivative, such as "xpp" or "d2x". "a" and
+/// Returns whether the name is a symbol with the mark of a second derivative, such as "xpp" or "d2x". "a", "α" and
 /// "acceleration" have none: beside them, "xp" may still be anything.
 bool isSecondDerivative(const RawColumn &column)
 {
     const NameMeaning &meaning = column.meaning;
     const Words words = wordsOf(lastPartOf(column));
     const bool isAcceleration = meaning.channel.order == Order::Acceleration && meaning.kind >= Kind::Quantity;
-    const bool isMarked = !words.empty() && !findWord(words[0], WordUse::Word) && words[0] != "a";
+    const WordMeaning *const symbol = words.empty() ? nullptr : findWord(words[0], WordUse::Symbol);
+    const bool isItself = symbol && symbol->order == Order::Acceleration;
+    const bool isMarked = !words.empty() && !findWord(words[0], WordUse::Word) && !isItself;
     return isAcceleration && isMarked && meaning.doubt == Doubt::None;
 }
 

@@ -534,7 +534,7 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
 std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second)
 {
     const auto evidenceOf = [](const NameMeaning &meaning) {
-        return std::tuple(meaning.kind, !meaning.hasUnknownWords, !meaning.isAtB);
+        return std::tuple(meaning.kind, !meaning.hasUnknownWords, !meaning.isAtB, meaning.namesAxis);
     };
     return evidenceOf(first) <=> evidenceOf(second);
 }

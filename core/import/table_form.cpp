@@ -110,11 +110,24 @@ void readUnitsInCells(const NumberRow &row, std::size_t line, std::vector<Headin
     }
 }
 
+/// Returns how many empty headings at the end of a line have cells below them: one in "Time,,Slider," above
+/// "0,s,85,mm".
+std::size_t countEmptyHeadings(Lines lines, const HeadingCandidate &header, const NumberRow &row)
+{
+    const bool isLastLine = header.line + 1 == lines.size();
+    const Cells below =
+        row.isFound() || isLastLine ? row.cells : splitCells(lines[header.line + 1].text, header.delimiter);
+    const bool haveSeparators =
+        header.delimiter != ' ' && countCells(lines[header.line].text, header.delimiter) >= below.size();
+    return haveSeparators && below.size() > header.cells.size() ? below.size() - header.cells.size() : 0;
+}
+
 /// Reads a line of headings with the lines of units and further headings above and below it.
 TableTop readTop(Lines lines, const HeadingCandidate &header, const NumberRow &row)
 {
     TableTop top{.firstRow = header.line + 1, .delimiter = row.isFound() ? row.delimiter : header.delimiter};
     std::ranges::transform(headingsBeforeRemark(header.cells), std::back_inserter(top.headings), parseHeading);
+    top.headings.resize(top.headings.size() + countEmptyHeadings(lines, header, row));
     if (header.line > 0) {
         readLineAbove(lines[header.line - 1], top.delimiter, top.headings);
     }

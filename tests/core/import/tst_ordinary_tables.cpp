@@ -237,6 +237,8 @@ const std::vector<Layout> kLayouts{
     // Several points with the same headings: the slider is the one whose y does not change.
     {"t\tx\ty\tx\ty\n0\t40\t0\t85\t5\n1\t0\t40\t84\t5\n2\t-40\t0\t80\t5\n", "time - - R4_x R4_y"},
     {"t;x;y;v_x;x;y;v_x\n0;85;5;0;40;0;0\n1;84;5;-3;0;40;9\n2;80;5;-2;-40;0;0\n", "time R4_x R4_y R4_x_diff - - -"},
+    // Units in cells of their own, the last of which has no heading.
+    {"Time,,Slider,\n0,s,85,mm\n1,s,84,mm\n2,s,80,mm\n", "time - R4_x -"},
     // Headings that contain the delimiter.
     {"Time, s,Piston position, x (mm)\n0,85\n1,84\n2,80\n", "time R4_x"},
     {"Crank angle (deg, CW),Slider (mm)\n0,85\n90,84\n180,80\n", "angle R4_x"},
