@@ -423,7 +423,7 @@ std::optional<std::string> derivativeOfDifferences(std::string_view name)
     if (const std::string_view before = nameBeforeDifferences(name); !before.empty()) {
         return std::string(before);
     }
-    static const Spellings kDerivatives{{"\\Delta ", "d"}, {"\\Delta", "d"},          {"Δ", "d"},
+    static const Spellings kDerivatives{{"\\Delta ", "d"}, {"\\Delta\\", "d"},        {"\\Delta", "d"},      {"Δ", "d"},
                                         {"∆", "d"},        {"np.gradient(", "diff("}, {"gradient(", "diff("}};
     std::string derivative = kDerivatives.replacedIn(name);
     const bool isCall = derivative.starts_with("diff(");

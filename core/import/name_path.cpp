@@ -17,9 +17,9 @@ namespace
 using Words = std::vector<std::string>;
 
 /// Parts of names that programs with m, rad and s give: OpenSim, MuJoCo, Gazebo and ROS.
-constexpr std::array<std::string_view, 10> kNamesInSi{"_tx",           "qpos",        "qvel",       "qacc",
-                                                      "_joint_pos",    "_joint_vel",  "_joint_acc", "joint_states",
-                                                      "pose.position", "twist.linear"};
+constexpr std::array<std::string_view, 11> kNamesInSi{"_tx",           "qpos",         "qvel",       "qacc",
+                                                      "_joint_pos",    "_joint_vel",   "_joint_acc", "joint_states",
+                                                      "pose.position", "twist.linear", "field."};
 
 /// Returns whether a part of a path only says which quantity follows: "position", "linear".
 bool isOfQuantity(std::string_view part)
@@ -30,43 +30,12 @@ bool isOfQuantity(std::string_view part)
     });
 }
 
-/// Returns whether a text is only the symbol of a quantity: the "s" of "Displacement: s".
-bool isSymbol(std::string_view text)
+/// Returns whether a part of a path names a quantity, by a word or by nothing but its symbol: the "s" of
+/// "Displacement: s".
+bool mayBeQuantity(std::string_view part)
 {
-    const Words words = wordsOf(text);
-    return words.size() == 1 && findWord(words[0], WordUse::Symbol);
-}
-
-/// Returns the mark between a quantity and its owner: "@", a hyphen, or a colon behind the quantity, as in
-/// "slider_pos:MECHANISM" of Creo.
-std::string_view markOfOwner(std::string_view name)
-{
-    if (name.find('@') != name.npos) {
-        return "@";
-    }
-    const std::size_t colon = name.find(':');
-    const bool isBehindQuantity = colon != name.npos && namesQuantity(wordsOf(name.substr(0, colon))) &&
-                                  !namesQuantity(wordsOf(name.substr(colon + 1))) && !isSymbol(name.substr(colon + 1));
-    return isBehindQuantity ? ":" : " - ";
-}
-
-/// Splits a name whose owner follows after "@", a hyphen or a colon, "Pos_TX@Slider" or "Position - Cart", or is before
-/// the hyphen, "Slider - X". Returns nullopt for other names.
-std::optional<NamePath> splitAtOwner(std::string_view name)
-{
-    const bool isOfRecurDyn = name.starts_with("Y:"); // "Y:Pos_TX-Slider"
-    name.remove_prefix(isOfRecurDyn ? 2 : 0);
-    const std::string_view mark = isOfRecurDyn ? "-" : markOfOwner(name);
-    const std::size_t at = name.find(mark);
-    if (at == name.npos || at == 0) {
-        return std::nullopt;
-    }
-    const std::string_view before = name.substr(0, at);
-    const std::string_view after = name.substr(at + mark.size()); // "Slider@Model1"
-    if (mark == " - " && !namesQuantity(wordsOf(before)) && namesQuantity(wordsOf(after))) {
-        return NamePath{{before, after}, std::string(before)};
-    }
-    return NamePath{{after.substr(0, after.find('@')), before}, std::string(after)};
+    const Words words = wordsOf(part);
+    return namesQuantity(words) || (words.size() == 1 && findWord(words[0], WordUse::Symbol));
 }
 
 /// Returns whether the full stop at `at` is before an index, as Mathcad writes it: "x.B", "θ.2". A part of a path, as
@@ -89,7 +58,9 @@ bool isSeparator(std::string_view name, std::size_t at)
     switch (name[at]) {
     case '/': return isBeforeName || !isBehindBlank; // "Motor current / A" has a unit
     case ':':
+    case '@': // "Pos_TX@Slider"
     case '|': return true;
+    case '-': return isBehindBlank && !isBeforeName; // "Position - Cart"
     case '.': return (!hasBlank || isBeforeName) && !isBeforeIndex(name, at);
     case '\\': return !isLatex;
     case ',': return at > 1 && at + 3 < name.size() && name[at + 1] == ' '; // "Slider, X Displacement"
@@ -97,15 +68,25 @@ bool isSeparator(std::string_view name, std::size_t at)
     }
 }
 
+/// Moves the part that names the time, or else the last one that names a quantity, behind its owner: "Pos_TX@Slider",
+/// "Time - Position".
+void moveQuantityToEnd(std::vector<std::string_view> &parts)
+{
+    const auto isTimeItself = [](std::string_view part) { return isTime(wordsOf(part)); };
+    const auto time = std::find_if(parts.rbegin(), parts.rend(), isTimeItself);
+    const auto quantity = time != parts.rend() ? time : std::find_if(parts.rbegin(), parts.rend(), mayBeQuantity);
+    if (quantity != parts.rend()) {
+        std::rotate(quantity.base() - 1, quantity.base(), parts.end());
+    }
+}
+
 } // namespace
 
 NamePath splitPath(std::string_view name)
 {
-    if (const std::optional<NamePath> path = splitAtOwner(name)) {
-        return *path;
-    }
     NamePath path;
-    std::string_view owner; // of the part that begins
+    name.remove_prefix(name.starts_with("Y:") ? 2 : 0);        // RecurDyn's mark of values
+    name = name.substr(0, name.find('@', name.find('@') + 1)); // "Pos_TX@Slider@Model1" without the model
     std::size_t begin = 0;
     char lastSeparator = ' ';
     for (std::size_t i = 0; i <= name.size(); ++i) {
@@ -114,9 +95,7 @@ NamePath splitPath(std::string_view name)
             continue;
         }
         if (i > begin) {
-            path.owner = owner;
-            path.parts.push_back(name.substr(begin, i - begin));
-            owner = isOfQuantity(path.parts.back()) ? owner : name.substr(0, i);
+            path.parts.push_back(trimmed(name.substr(begin, i - begin)));
         }
         begin = i + 1;
         lastSeparator = isEnd ? lastSeparator : name[i];
@@ -128,6 +107,12 @@ NamePath splitPath(std::string_view name)
                         findWord('.' + std::string(path.parts.back()), WordUse::Symbol);
     path.isInSi = path.isOfModelica || (path.parts.size() > 1 && name.starts_with('/')) ||
                   std::ranges::any_of(kNamesInSi, [&](std::string_view part) { return name.find(part) != name.npos; });
+    if (!path.isOfModelica) {
+        moveQuantityToEnd(path.parts);
+    }
+    for (std::size_t i = 0; i + 1 < path.parts.size(); ++i) {
+        path.owner += isOfQuantity(path.parts[i]) ? "" : '/' + std::string(path.parts[i]);
+    }
     return path;
 }
 
