@@ -174,12 +174,14 @@ std::string ownerOf(const NameReading &name, const NamePath &path)
     return path.owner + name.joints;
 }
 
-/// Returns whether the quantity of a name can be a channel: the crank and the coupler have no lengths except those of
-/// their centres of mass.
+/// Returns whether the quantity of a name can be a channel: the slider has no angle, and the crank and the coupler have
+/// no lengths except those of their centres of mass.
 bool mayBeChannel(const NameReading &name, bool isAngle)
 {
-    const bool isOfTurningBody = name.body == Body::Crank || name.body == Body::Coupler;
-    return isAngle || !isOfTurningBody || (name.isCentre && name.axis != ' ');
+    if (!name.body || *name.body == Body::Slider) {
+        return !name.body || !isAngle;
+    }
+    return isAngle || (name.isCentre && name.axis != ' ');
 }
 
 /// Returns the channel or quantity of a name. Where no word is known, the unit tells the quantity.
@@ -197,8 +199,10 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     const std::optional<int> derivatives =
         saysQuantity(name, unit, path.parts.size() > 2) ? derivativesOf(name, unit) : std::nullopt;
     if (!derivatives || *derivatives > static_cast<int>(Order::Acceleration) || !mayBeChannel(name, isAngle)) {
-        const bool isOfUnknownBody = name.unknown.isAny() && name.order && !unit;
-        return {.reason = isOfUnknownBody ? ColumnReason::UnknownBody : ColumnReason::UnknownName};
+        const bool isOfUnknownBody = name.unknown.isAny() && name.order && !unit && !name.body;
+        const bool isOfCrankPin = name.body == Body::Crank && name.axis != ' ';
+        const ColumnReason known = isOfCrankPin ? ColumnReason::CrankPin : ColumnReason::UnknownName;
+        return {.reason = isOfUnknownBody ? ColumnReason::UnknownBody : known};
     }
     const auto order = static_cast<Order>(*derivatives);
     const bool isOfUnknown = isOfUnknownPoint(name, isAngle);
@@ -323,50 +327,40 @@ bool namesZ(const std::string &word)
     return word == "z" || (word.size() == 2 && word[1] == 'z' && findWord(word.substr(0, 1), WordUse::Symbol));
 }
 
-/// Returns whether a name begins with the crank pin A before its x or y: "A vx", "A x (mm)", or "A_x_diff", which is
-/// differentiated once. "A x" alone may also be an acceleration, as "A x (mm/s²)" is.
-bool beginsWithPointA(const Words &words, int derivatives, const std::optional<Unit> &unit)
+/// Returns whether a name begins with the letter of a point before its quantity: "A vx", "B x", "C velocity". A is a
+/// point only where it is no acceleration: before a velocity, a length such as "A x (mm)", and a derivative
+/// ("A_x_diff").
+bool beginsWithPoint(const Words &words, int derivatives, const std::optional<Unit> &unit)
 {
-    const bool isPosition = unit && unit->dimension == Dimension::Length && unit->order == 0;
-    return words.size() > 1 && words[0] == "a" &&
-           (isAmong(words[1], "vx vy") || ((isPosition || derivatives > 0) && isAmong(words[1], "x y")));
+    if (words.size() < 2 || !isAmong(words[0], "a b c")) {
+        return false;
+    }
+    const std::string &quantity = words[1];
+    if (words[0] == "a") {
+        const bool isLength = unit && unit->dimension == Dimension::Length && unit->order == 0;
+        return isAmong(quantity, "vx vy") || ((isLength || derivatives > 0) && isAmong(quantity, "x y"));
+    }
+    const WordMeaning *const word = findWord(quantity, WordUse::Word);
+    const bool hasAxis = quantity.size() == 2 && isAmong(quantity.substr(1), "x y");
+    const bool isSymbol = findWord(quantity.substr(0, 1), WordUse::Symbol) && (quantity.size() == 1 || hasAxis);
+    return isSymbol || (word && word->order && !word->body);
 }
 
-/// Splits the wrist pin B or C from the coordinate behind it: "Bx", "Cvy", but not "by hand".
-void splitJoint(Words &words, std::string_view name)
+/// Puts the letter of a point at the beginning of a name behind the quantity: "x B" for "B x" and "Bx". But "by hand"
+/// has no point.
+void putPointBehindQuantity(Words &words, std::string_view name, int derivatives, const std::optional<Unit> &unit)
 {
     const bool isWord = words.size() > 1 || !name.starts_with('B');
     if (words.empty() || (isWord && words[0] == "by")) {
         return;
     }
     if (isAmong(words[0].substr(0, 1), "b c") && isAmong(words[0].substr(1), "x y vx vy ax ay")) {
-        words.insert(words.begin(), words[0].substr(0, 1));
-        words[1].erase(0, 1);
+        words.insert(words.begin() + 1, words[0].substr(1));
+        words[0].resize(1);
     }
-}
-
-/// Returns whether the crank pin A with its x or y is the index of a symbol: "v_Ax", "p_A x".
-bool hasIndexA(const Words &words)
-{
-    for (std::size_t i = 1; i < words.size(); ++i) {
-        const bool isBeforeAxis = words[i] == "a" && i + 1 < words.size() && isAmong(words[i + 1], "x y");
-        if ((isBeforeAxis || isAmong(words[i], "ax ay")) && findWord(words[i - 1], WordUse::Symbol)) {
-            return true;
-        }
+    if (beginsWithPoint(words, derivatives, unit)) {
+        std::swap(words[0], words[1]);
     }
-    return false;
-}
-
-/// Returns whether a name without another meaning is that of x or y of the crank: "crank pin x".
-bool isOfCrankEnd(std::string_view name)
-{
-    const Words words = wordsOf(name);
-    const auto isOfCrank = [](const std::string &word) {
-        const WordMeaning *const entry = findWord(word, WordUse::Word);
-        return word == "crankpin" || (entry && entry->body == Body::Crank);
-    };
-    return std::ranges::any_of(words, isOfCrank) &&
-           std::ranges::any_of(words, [](const std::string &word) { return word == "x" || word == "y"; });
 }
 
 /// Returns the meaning of the name of a time or of a row number; nullopt if it is neither.
@@ -445,7 +439,7 @@ NameMeaning meaningOfWords(std::string_view name, const NamePath &path, int deri
     std::optional<NameReading> reading = readName(path, derivatives, words);
     const bool isAboutZ = std::ranges::any_of(wordsOf(name), namesZ); // the motion is in x and y, and z is only an axis
     if (!reading || (isAboutZ && reading->dimension != Dimension::Angle)) {
-        return {.reason = isOfCrankEnd(name) ? ColumnReason::CrankPin : ColumnReason::UnknownName};
+        return {};
     }
     if (isAboutZ && !reading->body && unit.empty()) { // "Z_AngVel", of any body
         reading->isUnknownBody = true;
@@ -484,10 +478,7 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
     if (words.size() == 3 && isAmong(words[0], "omega w") && words[1] == "2" && words[2] == "t") { // "ω₂t (deg)"
         words.erase(words.begin() + 1);
     }
-    splitJoint(words, lastPart);
-    if (beginsWithPointA(words, derivatives, parseUnit(unit)) || hasIndexA(words)) {
-        return {.reason = ColumnReason::CrankPin};
-    }
+    putPointBehindQuantity(words, lastPart, derivatives, parseUnit(unit));
     return meaningOfWords(name, path, derivatives, words, unit);
 }
 

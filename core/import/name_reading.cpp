@@ -83,23 +83,9 @@ bool isOfOrder(const WordMeaning &symbol, const NameReading &before)
 bool includeJoint(NameReading &reading, std::string_view letter)
 {
     const WordMeaning *const index = findWord(letter, WordUse::Index);
-    reading.isUnknownBody = reading.isUnknownBody || !index;
+    reading.isUnknownBody = reading.isUnknownBody || !index || !index->body;
     reading.joints = letter;
     return !index || merge(reading, *index);
-}
-
-/// Returns whether a name begins with a joint before a symbol or quantity: "B vx", "C_x", "B velocity". A is the crank
-/// pin, see name_meaning.h.
-bool beginsWithJoint(const Words &words)
-{
-    if (words.size() < 2 || !isAmong(words[0], "b c")) {
-        return false;
-    }
-    const std::string_view second = words[1];
-    const WordMeaning *const word = findWord(second, WordUse::Word);
-    const bool hasAxis = second.ends_with('x') || second.ends_with('y');
-    const bool isSymbol = findWord(second.substr(0, 1), WordUse::Symbol) && second.size() <= (hasAxis ? 2U : 1U);
-    return isSymbol || (word && word->order && !word->body);
 }
 
 /// Includes the joint after "at": "velocity at B", but an angle there is that of the coupler, "θ3 at B".
@@ -145,7 +131,9 @@ bool mayBeIndex(const NameReading &before, std::string_view index)
 bool includeIndex(NameReading &reading, std::string_view word, const WordMeaning &index)
 {
     const bool isOfSlider = index.body == Body::Slider && reading.dimension == Dimension::Angle; // θ_c, θ_b
-    reading.isUnknownBody = reading.isUnknownBody || (isOfSlider && !reading.body); // but "connecting rod ω_c"
+    const bool isOtherPoint = word.size() == 1 && !index.body;                                   // x_A
+    // But "connecting rod ω_c" is of a known body.
+    reading.isUnknownBody = reading.isUnknownBody || ((isOfSlider || isOtherPoint) && !reading.body);
     if (reading.hasIndex) {
         return false;
     }
@@ -180,14 +168,15 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
     if (followsLabel && word.size() == 1 && !isAmong(word, "x y")) {
         return includeJoint(reading, word);
     }
+    const bool isOfBody = entries == Entries::WithoutSymbols; // a part of a path that names the body
     const WordMeaning *const index = findWord(word, WordUse::Index);
-    if (index && (followsLabel || mayBeIndex(reading, word))) { // "link BC angle", "ω_BC"
+    const bool isFrame = isOfBody && word == "a";                             // the frame_a of Modelica
+    if (index && (followsLabel || (!isFrame && mayBeIndex(reading, word)))) { // "link BC angle", "ω_BC"
         return includeIndex(reading, word, *index);
     }
     if (const WordMeaning *const filler = findWord(word, WordUse::Filler)) {
         return merge(reading, *filler);
     }
-    const bool isOfBody = entries == Entries::WithoutSymbols; // a part of a path that names the body
     if (reading.expectsJoint || (isOfBody && (isLabel || isAmong(word, "px py pz")))) {
         return true; // "Crank_Joint.Rz.q", and the prismatic joint of "Slider Joint.Px.v"
     }
@@ -341,8 +330,6 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
         if (isNameOfElement(words, i)) {
             reading.unknown.point = words[i] + words[i + 1];
             ++i;
-        } else if (i == 0 && entries == Entries::All && !isPair && beginsWithJoint(words)) {
-            isIncluded = includeJoint(reading, words[0]);
         } else if (isPlace(words, i)) {
             isIncluded = includePlace(reading, words[++i]);
         } else if (const std::optional<std::size_t> joint = findJoint(reading, words, i)) {
@@ -378,14 +365,13 @@ void setBodyOfLink(NameReading &reading)
     }
 }
 
-/// Sets the dimension to that of the body: the crank has an angle and the slider a length, but the coupler and a centre
-/// of mass have both. Returns false if the name denotes the other one.
-bool setDimensionOfBody(NameReading &reading)
+/// Sets the dimension, if it is unknown, to that of the body: the crank has an angle and the slider a length, but the
+/// coupler and a centre of mass have both.
+void setDimensionOfBody(NameReading &reading)
 {
-    if (!reading.body || reading.body == Body::Coupler || reading.isCentre) {
-        return true;
+    if (!reading.dimension && reading.body && reading.body != Body::Coupler && !reading.isCentre) {
+        reading.dimension = reading.body == Body::Crank ? Dimension::Angle : Dimension::Length;
     }
-    return merge(reading.dimension, std::optional(reading.body == Body::Crank ? Dimension::Angle : Dimension::Length));
 }
 
 } // namespace
@@ -408,7 +394,8 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
         }
     }
     setBodyOfLink(reading);
-    return setDimensionOfBody(reading) ? std::optional(reading) : std::nullopt;
+    setDimensionOfBody(reading);
+    return reading;
 }
 
 } // namespace slidercrank

@@ -163,7 +163,7 @@ constexpr auto kRows = std::to_array<WordMeaning>(
      {Word, kTurnsPerSecond, Angle, Velocity, Crank},
      // Bodies. A wheel with a pin is a crank.
      {Word,
-      "crank motor moteur motore shaft welle eccentric excentrica exzenter input entrada entree antrieb "
+      "crank crankpin motor moteur motore shaft welle eccentric excentrica exzenter input entrada entree antrieb "
       "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
       "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
       "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
@@ -213,8 +213,9 @@ constexpr auto kRows = std::to_array<WordMeaning>(
      {Symbol, ".r_0[2] .r[2]", Length, Position, kOpen, 'y'},
      {Symbol, ".v_0[1] .v[1]", Length, Velocity, kOpen, 'x'},
      {Symbol, ".a_0[1] .a[1]", Length, Acceleration, kOpen, 'x'},
-     // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider.
+     // Indices: the wrist pin is called B or C, or P, K and S after the piston, Kolben and slider; A is the crank pin.
      {Index, "b c k s", kOpen, kOpen, Slider},
+     {Index, "a"},
      {Index, "oa ob oc ao bo co", kOpen, kOpen, Crank},
      {Index, "ab ba ac ca ap pa bc cb bd db bp pb cd dc cp pc"},
      // Centres of mass.
