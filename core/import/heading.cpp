@@ -309,9 +309,6 @@ bool beginsWithSymbol(std::string_view name)
 {
     std::vector<std::string> words = wordsOf(name);
     takeDerivatives(words);
-    if (!words.empty() && words[0].ends_with("dot")) { // "xdot", "xddot"
-        words[0].resize(words[0].find_last_not_of("dot") + 1);
-    }
     return !words.empty() && (findWord(words[0], WordUse::Symbol) || words[0] == "t");
 }
 

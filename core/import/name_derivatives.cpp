@@ -13,48 +13,52 @@ namespace
 
 using Words = std::vector<std::string>;
 
-/// Removes the differentials of "dx/dt" and "Acceleration d^2x/dt^2", whose words are "dxdt" and "acceleration", "d",
-/// "2", "xdt", "2". Returns the number of derivatives.
-int takeDifferentials(Words &words)
+/// Returns whether the vocabulary contains a word of more than one letter, which is no symbol.
+bool isKnown(const std::string &word)
 {
-    const auto mayBeDifferential = [](const std::string &word) {
-        return word.starts_with('d') && !findWord(word, WordUse::Word) && !findWord(word, WordUse::Filler) &&
-               !findWord(word, WordUse::Derivative);
-    };
-    const auto endsWithTime = [](const std::string &word) { return word.ends_with("dt"); };
-    const auto first = std::ranges::find_if(words, mayBeDifferential);
-    const auto quotient = std::find_if(first, words.end(), endsWithTime);
-    const bool isQuotient = quotient != words.end();
-    const auto length = words.end() - first;
-    if (length == 0 || (length == 1 && first->size() <= 3)) { // "dt" is no quotient
-        return 0;
-    }
-    const bool isSecond = length > 2 && *first == "d" && *(first + 1) == "2" && (isQuotient || first == words.begin());
-    if (isQuotient) {
-        quotient->resize(quotient->size() - 2);
-        if (const auto power = quotient + 1; power != words.end() && *power == "2") {
-            words.erase(power);
+    return findWord(word, WordUse::Word) || findWord(word, WordUse::Filler) || findWord(word, WordUse::Derivative);
+}
+
+/// Splits the marks of derivatives from the words that end with them: "xddot", "dxdt".
+void splitMarks(Words &words)
+{
+    for (const std::string_view mark : {"ddot", "dot", "dt"}) {
+        for (std::size_t i = words.size(); i-- > 0;) {
+            while (words[i].ends_with(mark) && words[i] != mark && !isKnown(words[i])) {
+                words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::string(mark));
+                words[i].resize(words[i].size() - mark.size());
+            }
         }
     }
-    if (isSecond) {
+}
+
+/// Removes the differential of "dx/dt", "d^2x/dt^2" and "d2x", whose words are "dx", "dt" and "d", "2", "x". Returns
+/// the number of derivatives that no other word tells: 2 for "d2x".
+int takeDifferential(Words &words)
+{
+    const auto mayBeDifferential = [](const std::string &word) { return word.starts_with('d') && !isKnown(word); };
+    const auto first = std::ranges::find_if(words, mayBeDifferential);
+    const bool isQuotient = words.size() > 1 && std::ranges::count(words, "dt") > 0;
+    const bool isSecond = words.end() - first > 2 && *first == "d" && *(first + 1) == "2";
+    if (isSecond && (isQuotient || first == words.begin())) {
         words.erase(first, first + 2);
-    } else if (isQuotient) {
+        return isQuotient ? 0 : 2;
+    }
+    if (isQuotient && first != words.end()) {
         first->erase(0, 1);
+        std::erase(words, std::string());
     }
-    std::erase(words, std::string());
-    if (isSecond) {
-        return 2;
-    }
-    return isQuotient ? 1 : 0;
+    return 0;
 }
 
 } // namespace
 
 int takeDerivatives(Words &words)
 {
-    int count = takeDifferentials(words);
-    if (words == Words{"ddot"} || words == Words{"dddot"}) { // of the distance d
-        words = {"d", words[0].substr(1)};
+    splitMarks(words);
+    int count = takeDifferential(words);
+    if (words == Words{"ddot"}) { // of the distance d
+        words = {"d", "dot"};
     }
     for (std::size_t i = 0; i < words.size();) {
         const WordMeaning *const two = findWord(pairAt(words, i), WordUse::Derivative);

@@ -231,9 +231,9 @@ constexpr auto kRows = std::to_array<WordMeaning>(
       "first_derivative st_derivative st_deriv dt",
       kOpen, Velocity},
      {Derivative,
-      "ddot dotdot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
+      "ddot diff_2 ddiff double_dot double_prime dos_puntos 2_puntos dois_pontos 2_punkt "
       "zwei_punkt zweipunkt 2_punten doble_punto point_point deux_points second_derivative "
-      "nd_derivative nd_deriv segunda_derivada zweite_ableitung dd pp dtdt dt_2",
+      "nd_derivative nd_deriv segunda_derivada zweite_ableitung dd pp dt_2",
       kOpen, Acceleration},
      {AmbiguousLetter, "d p point", kOpen, Velocity},
      {Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
