@@ -57,7 +57,7 @@ bool makesTurn(const RawColumn &column)
 {
     const std::optional<Unit> unit = parseUnit(column.use.unit);
     const bool isAngle = unit && unit->dimension == Dimension::Angle && unit->order == 0;
-    return isAngle && isTurningAngle(column) && unit->toDefault(rangeOf(column.values).width()) > kLargestSwing;
+    return isAngle && isTurningAngle(column) && makesHalfTurn(column);
 }
 
 /// Returns the quantity that a column probably is:

@@ -319,6 +319,14 @@ bool isNameOfElement(const Words &words, std::size_t at)
            namesQuantity(Words(words.begin() + static_cast<std::ptrdiff_t>(at) + 2, words.end()));
 }
 
+/// Returns whether the digits at `at` only count columns, as in "Linear Velocity1" and "X Component1": they are behind
+/// a word, and not behind a symbol.
+bool countsColumns(const Words &words, std::size_t at)
+{
+    return at > 0 && isDigits(words[at]) &&
+           (findWord(words[at - 1], WordUse::Word) || findWord(words[at - 1], WordUse::Filler));
+}
+
 /// Includes the words of one part of a path. Returns false if they contradict each other or those before.
 bool includeWords(NameReading &reading, const Words &words, Entries entries)
 {
@@ -327,6 +335,9 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
         const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler) || // "link 3", "O2", "r1"
                             (entries == Entries::All && findWord(two, WordUse::Symbol));
         bool isIncluded = true;
+        if (countsColumns(words, i)) {
+            continue;
+        }
         if (isNameOfElement(words, i)) {
             reading.unknown.point = words[i] + words[i + 1];
             ++i;
