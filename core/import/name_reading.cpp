@@ -79,20 +79,29 @@ bool isOfOrder(const WordMeaning &symbol, const NameReading &before)
     return !order || !symbol.order || symbol.order == order || (isAlpha && order == Order::Position) || isDerivative;
 }
 
-/// Includes the letter of a joint: "joint B", "velocity of B".
-bool includeJoint(NameReading &reading, std::string_view letter)
+/// Includes the letters of a point or of the ends of a link: the index of "x_s" and "ω_BC", the joint of "joint B" and
+/// "velocity of B". Returns false if it is the second one, or contradicts the words before.
+bool includePoint(NameReading &reading, std::string_view letters)
 {
-    const WordMeaning *const index = findWord(letter, WordUse::Index);
-    reading.isUnknownBody = reading.isUnknownBody || !index || !index->body;
-    reading.joints = letter;
-    return !index || merge(reading, *index);
+    const WordMeaning *const index = findWord(letters, WordUse::Index);
+    const bool isOfSlider = index && index->body == Body::Slider;
+    const bool isPinOfAngle = isOfSlider && reading.dimension == Dimension::Angle; // θ_c, θ_b
+    const bool isOtherPoint = !index || (letters.size() == 1 && !index->body);     // x_A, "joint D"
+    // But "connecting rod ω_c" is of a known body.
+    reading.isUnknownBody = reading.isUnknownBody || ((isPinOfAngle || isOtherPoint) && !reading.body);
+    if (reading.hasIndex) {
+        return false;
+    }
+    reading.hasIndex = true;
+    reading.joints = letters;
+    return !index || isPinOfAngle || merge(reading, *index);
 }
 
 /// Includes the joint after "at": "velocity at B", but an angle there is that of the coupler, "θ3 at B".
 bool includePlace(NameReading &reading, std::string_view joint)
 {
     if (reading.dimension != Dimension::Angle) {
-        return includeJoint(reading, joint);
+        return includePoint(reading, joint);
     }
     reading.isAtB = joint == "b";
     reading.isBodyNamed = true;
@@ -105,17 +114,14 @@ bool isPlace(const Words &words, std::size_t at)
     return isAmong(words[at], "at en bei in an") && at + 1 < words.size() && isAmong(words[at + 1], "a b");
 }
 
-/// Returns where the letter of a joint stands whose name begins at that word: "of point B", "del punto B", and behind a
-/// quantity "point B". Directly behind a symbol, as in "x punto B", such a word is a derivative. Returns nullopt if
-/// there is none.
-std::optional<std::size_t> findJoint(const NameReading &before, const Words &words, std::size_t at)
+/// Returns whether the letter of a joint may follow a label: after "joint" and "velocity of", and after "x of" and "x
+/// of point". Directly behind a symbol, as in "x punto B", such a word is a derivative, but not in "position x punto
+/// B".
+bool mayPrecedeJoint(const NameReading &before, std::string_view label)
 {
-    const bool hasPreposition = isAmong(words[at], "of de del von du di do");
-    const std::size_t label = hasPreposition ? at + 1 : at;
-    const bool isJoint = label + 1 < words.size() && findWord(words[label], WordUse::Label) &&
-                         words[label + 1].size() == 1 &&
-                         (hasPreposition || (before.isOrderNamed && findWord(words[label + 1], WordUse::Index)));
-    return isJoint ? std::optional(label + 1) : std::nullopt;
+    const bool isPreposition = isAmong(label, "of de del von du di do");
+    return findWord(label, WordUse::Label) &&
+           (!before.hasSymbol || before.expectsJoint || before.isOrderNamed || isPreposition);
 }
 
 /// Returns whether an index may belong to the symbol or quantity before it: "x_s", "velocity B", "ω_BC", but not the Bp
@@ -125,21 +131,6 @@ bool mayBeIndex(const NameReading &before, std::string_view index)
     const bool isOfLink = index.size() > 1 && before.dimension == Dimension::Angle;
     const bool mayFollow = before.hasSymbol || isOfLink || (before.order && isAmong(index, "b c"));
     return mayFollow && (index.size() == 1 || isOfLink);
-}
-
-/// Includes an index. Returns false if it is the second one, or contradicts the words before.
-bool includeIndex(NameReading &reading, std::string_view word, const WordMeaning &index)
-{
-    const bool isOfSlider = index.body == Body::Slider && reading.dimension == Dimension::Angle; // θ_c, θ_b
-    const bool isOtherPoint = word.size() == 1 && !index.body;                                   // x_A
-    // But "connecting rod ω_c" is of a known body.
-    reading.isUnknownBody = reading.isUnknownBody || ((isOfSlider || isOtherPoint) && !reading.body);
-    if (reading.hasIndex) {
-        return false;
-    }
-    reading.hasIndex = true;
-    reading.joints = word;
-    return isOfSlider || merge(reading, index);
 }
 
 /// Includes a symbol. A word before it, such as "velocity", decides the order.
@@ -164,15 +155,15 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
         return merge(reading, *entry);
     }
     const bool isLabel = findWord(word, WordUse::Label);
-    const bool followsLabel = std::exchange(reading.expectsJoint, !reading.hasSymbol && isLabel);
+    const bool followsLabel = std::exchange(reading.expectsJoint, mayPrecedeJoint(reading, word));
     if (followsLabel && word.size() == 1 && !isAmong(word, "x y")) {
-        return includeJoint(reading, word);
+        return includePoint(reading, word);
     }
     const bool isOfBody = entries == Entries::WithoutSymbols; // a part of a path that names the body
     const WordMeaning *const index = findWord(word, WordUse::Index);
     const bool isFrame = isOfBody && word == "a";                             // the frame_a of Modelica
     if (index && (followsLabel || (!isFrame && mayBeIndex(reading, word)))) { // "link BC angle", "ω_BC"
-        return includeIndex(reading, word, *index);
+        return includePoint(reading, word);
     }
     if (const WordMeaning *const filler = findWord(word, WordUse::Filler)) {
         return merge(reading, *filler);
@@ -343,9 +334,6 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
             ++i;
         } else if (isPlace(words, i)) {
             isIncluded = includePlace(reading, words[++i]);
-        } else if (const std::optional<std::size_t> joint = findJoint(reading, words, i)) {
-            i = *joint;
-            isIncluded = includeJoint(reading, words[i]);
         } else if (isNumberOfPoint(reading, words, i)) {
             reading.unknown.point = reading.unknown.point.empty() ? words[i - 1] + words[i] : reading.unknown.point;
         } else if (includeWord(reading, isPair ? two : words[i], entries)) {
