@@ -17,8 +17,9 @@ namespace
 
 using Kind = NameMeaning::Kind;
 
-/// Units that are also words, symbols or primes: "min" is a minimum, r1 a length.
-constexpr std::string_view kAlsoWords = "min h r r1 u g gr ' '' ?";
+/// Units that are also words, symbols or primes: "min" is a minimum, r1 a length, and μ, which a unit may have instead
+/// of u, the transmission angle.
+constexpr std::string_view kAlsoWords = "min h r r1 u μ µ g gr ' '' ?";
 
 constexpr std::string_view kPixels = "px pixel pixels";
 

@@ -259,10 +259,11 @@ std::string_view withoutVariable(std::string_view name)
     if (bracket == name.npos || bracket == 0 || name.find_first_of(")]", bracket) + 1 != name.size()) {
         return name;
     }
-    const Words variable = wordsOf(name.substr(bracket));
+    const std::string_view inner = name.substr(bracket + 1, name.size() - bracket - 2);
+    const Words variable = wordsOf(inner);
     const WordMeaning *const symbol = variable.empty() ? nullptr : findWord(variable[0], WordUse::Symbol);
     const bool isAngle = symbol && symbol->dimension == Dimension::Angle && !symbol->order;
-    const bool isNumberOfSample = variable == Words{"n"} || variable == Words{"i"};
+    const bool isNumberOfSample = inner == "n" || inner == "i"; // but "R (N)" is a force
     return isTime(variable) || isAngle || isNumberOfSample ? name.substr(0, bracket) : name;
 }
 
@@ -305,8 +306,15 @@ bool isRelative(std::string_view name)
            isAmong(name.substr(slash + 1), "A B C O A} B}") && lowerCase(name[slash - 1]) != name[slash - 1];
 }
 
-/// Returns whether a name is the ratio of two quantities with the same symbol, "omega3/omega2", "t/T", or of a length
-/// to that of a link, "x/a".
+/// Returns whether a word is a symbol, also with an index: "v", "vb", "t".
+bool isSymbol(const std::string &word)
+{
+    const bool hasIndex = findWord(word.substr(0, 1), WordUse::Symbol) && findWord(word.substr(1), WordUse::Index);
+    return hasIndex || findWord(word, WordUse::Symbol) || word == "t";
+}
+
+/// Returns whether a name is the ratio of two quantities with the same symbol, "omega3/omega2", "t/T", of a quantity to
+/// the crank speed, "v_B/ω2", or of a length to that of a link, "x_B/a".
 bool isRatio(std::string_view name)
 {
     const std::size_t slash = std::min(name.find('/'), name.size());
@@ -315,10 +323,11 @@ bool isRatio(std::string_view name)
     if (numerator.empty() || denominator.empty()) {
         return false;
     }
-    const bool areAlike = numerator[0] == denominator[0];
-    const bool isToLink = numerator.size() == 1 && isAmong(numerator[0], "x s d") && denominator.size() == 1 &&
-                          isAmong(denominator[0], "a b l r");
-    return isToLink || (areAlike && (findWord(numerator[0], WordUse::Symbol) || numerator[0] == "t"));
+    const bool isToAlike = numerator[0] == denominator[0] || denominator[0] == "omega";
+    const bool isLength =
+        isAmong(numerator[0], "x s d") && (numerator.size() == 1 || findWord(numerator[1], WordUse::Index));
+    const bool isToLink = isLength && denominator.size() == 1 && isAmong(denominator[0], "a b l r");
+    return isToLink || (isToAlike && isSymbol(numerator[0]));
 }
 
 /// Returns whether a word names the z axis, as in "z", "vz" and "pz".
