@@ -318,6 +318,13 @@ bool countsColumns(const Words &words, std::size_t at)
            (findWord(words[at - 1], WordUse::Word) || findWord(words[at - 1], WordUse::Filler));
 }
 
+/// Returns whether the word at `at` is "by" between other words, as in "distance moved by the slider" and "x by ruler".
+/// At the end of a name, as in "v_By", it is the y of point B; and at its beginning, the Spanish "par" is a torque.
+bool isBy(const Words &words, std::size_t at)
+{
+    return at > 0 && at + 1 < words.size() && isAmong(words[at], "by par");
+}
+
 /// Includes the words of one part of a path. Returns false if they contradict each other or those before.
 bool includeWords(NameReading &reading, const Words &words, Entries entries)
 {
@@ -326,7 +333,7 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
         const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler) || // "link 3", "O2", "r1"
                             (entries == Entries::All && findWord(two, WordUse::Symbol));
         bool isIncluded = true;
-        if (countsColumns(words, i)) {
+        if (countsColumns(words, i) || isBy(words, i)) {
             continue;
         }
         if (isNameOfElement(words, i)) {
