@@ -90,7 +90,7 @@ bool isCrankPinOfSolve(const RawColumn &column, std::span<const RawColumn> row)
 void resolveDerivatives(std::span<RawColumn> row)
 {
     const auto isNamed = [&](const std::string &name) {
-        return std::ranges::any_of(row, [&](const RawColumn &column) { return lowered(column.name) == name; });
+        return std::ranges::any_of(row, [&](const RawColumn &column) { return lowered(lastPartOf(column)) == name; });
     };
     const auto mayBeOfPiston = [](const RawColumn &column) {
         return column.meaning.doubt == Doubt::IsPistonsIndex && !isAngle(column.meaning.channel.coordinate);
@@ -102,10 +102,9 @@ void resolveDerivatives(std::span<RawColumn> row)
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
             continue;
         }
-        std::string symbol = lowered(column.name); // the "x" of "x_p" and "xp_dot"
-        symbol.resize(std::min(symbol.rfind('p'), symbol.size()));
-        const bool isApart = symbol.ends_with('_') || symbol.ends_with('(');
-        symbol.erase(symbol.find_last_not_of("_(") + 1);
+        const Words words = wordsOf(lastPartOf(column));
+        const bool isApart = std::ranges::count(words, "p") > 0; // "x_p", but not "xp" and "xp_dot"
+        const std::string symbol = isApart ? words[0] : words[0].substr(0, words[0].rfind('p'));
         const bool isOfPiston = mayBeOfPiston(column) && (isApart || areSeveral) && !isNamed(symbol);
         if (isDisplacement(column, row)) {
             meaning.doubt = Doubt::None;
