@@ -54,7 +54,8 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
 {
     constexpr double kRelativeTolerance = 1e-3; // to the rounding step: rounding makes time stamps far more uneven
     constexpr double kMaxUlps = 4.0; // rounding errors of two differences: four time stamps, plus the unit conversion
-    constexpr std::size_t kMinTimeStamps = 10; // fewer may be evenly spaced by chance
+    constexpr double kMaxMissingFraction = 0.2; // of the time stamps: more are not missing at even distances by chance
+    constexpr std::size_t kMinTimeStamps = 10;  // fewer may be evenly spaced by chance
     Clock clock;
     if (time.empty()) {
         return clock;
@@ -69,7 +70,12 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
     for (std::size_t i = 1; mayBeGrid && i < time.size(); ++i) {
         spacing.include((time[i] - time[i - 1]) / (numbers[i] - numbers[i - 1]));
     }
-    clock.even = time.size() == 1 || (mayBeGrid && spacing.width() <= slack);
+    // 0, 0.01, 0.03, 0.04, 0.06: rather 0, 0.014, 0.028, 0.042, 0.056 than a grid of 0.01 that lacks every third one.
+    const double missing = numbers.empty() ? 0.0 : numbers.back() + 1.0 - static_cast<double>(time.size());
+    const bool isRatherRounded = missing > kMaxMissingFraction * static_cast<double>(time.size()) &&
+                                 time.size() >= kMinTimeStamps &&
+                                 isStraight(time, numbersWithoutGaps(time.size()), clock.printedStep);
+    clock.even = time.size() == 1 || (mayBeGrid && spacing.width() <= slack && !isRatherRounded);
     clock.printedStep = clock.even ? rounding.finestStep() : clock.printedStep;
     if (clock.even || time.size() < kMinTimeStamps) {
         return clock;

@@ -47,6 +47,7 @@ private slots:
             {"30 Hz, 2 decimals", printed(61, frame, 'f', 2), "s", 1e-2, false, true},
             {"30 Hz, 2 decimals, a gap", printed(30, frame, 'f', 2) + printed(30, frame, 'f', 2, 33 * frame), "s", 1e-2,
              false, true},
+            {"72 Hz, 2 decimals, as if some were missing", printed(73, 1.0 / 72.0, 'f', 2), "s", 1e-2, false, true},
             {"whole seconds with a gap", printed(8, 1.0, 'f', 0) + printed(8, 1.0, 'f', 0, 10.0), "s", 1.0, true,
              false},
             {"30 Hz, all digits", printed(61, frame, 'g', 17), "s", 1e-18, true, false},
