@@ -167,6 +167,27 @@ struct ComparedModel {
     FittedMechanism fitted{};
 };
 
+/// Returns half the rounding step of a value.
+double halfStepOf(const ReferenceSeries &series, std::size_t row, const Scale &scale)
+{
+    return 0.5 * std::max(series.rounding.stepAt(series.values[row]), scale.smallestStep);
+}
+
+/// Returns the largest bound that rounding gives an error in the column if all values have `largestHalfStep`. `models`:
+/// the motion in each row. `effect`: null if the time stamps are exact.
+double largestRoundingBound(const ReferenceSeries &series, std::span<const double> models, const Scale &scale,
+                            double largestHalfStep, const RoundedTimeEffect *effect)
+{
+    double largestDrift = 0.0;
+    for (std::size_t i = 0; effect != nullptr && i < models.size(); ++i) {
+        const double drift = effect->drift(series.channel, i, models[i], scale.halfRange);
+        if (std::isfinite(series.values[i]) && std::isfinite(drift)) {
+            largestDrift = std::max(largestDrift, drift);
+        }
+    }
+    return largestHalfStep + kUlpSlack * scale.peak + largestDrift;
+}
+
 /// Compares the column `series` of the reference. `effect`: null if the time stamps are exact.
 ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceData &reference,
                                 const ReferenceSeries &series, const RoundedTimeEffect *effect)
@@ -181,7 +202,11 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
     result.peak = scale.peak;
     result.rms = rmsError(series, models, scale.size);
     const double largestHalfStep = 0.5 * std::max(series.rounding.stepAt(scale.peak), scale.smallestStep);
-    const double errorOfFit = fitted.unknowns > 0 ? fitted.errorOf(result.rms.value_or(0.0)) : 0.0;
+    double errorOfFit = 0.0;
+    if (fitted.unknowns > 0) {
+        errorOfFit = std::min(fitted.errorOf(result.rms.value_or(0.0)),
+                              largestRoundingBound(series, models, scale, largestHalfStep, effect));
+    }
     double largestStep = 0.0;
     for (std::size_t i = 0; i < models.size(); ++i) {
         const double value = series.values[i];
@@ -189,8 +214,7 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
         if (!std::isfinite(value)) {
             continue;
         }
-        const double step = series.rounding.stepAt(value);
-        largestStep = std::max(largestStep, step);
+        largestStep = std::max(largestStep, series.rounding.stepAt(value));
         if (!std::isfinite(model)) {
             const bool isExplained = effect != nullptr && effect->isMotionPossible(channel, i);
             result.missingModel += isExplained ? 0 : 1;
@@ -199,13 +223,13 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
         ++result.count;
         const double magnitude = std::abs(value);
         const double error = errorOf(channel, model, value);
-        const double halfStep = 0.5 * std::max(step, scale.smallestStep);
+        const double halfStep = halfStepOf(series, i, scale);
         updateLargestErrors(result, reference.time[i], error, magnitude, magnitude <= halfStep);
         double bound = halfStep + kUlpSlack * magnitude;
         if (effect != nullptr && error > bound) {
             bound += effect->drift(channel, i, model, scale.halfRange);
         }
-        bound += std::min(bound + largestHalfStep - halfStep, errorOfFit);
+        bound += errorOfFit;
         updateVerdictMeasures(result, error, bound, scale.halfRange);
     }
     result.verdict = verdictOf(result);

@@ -97,8 +97,9 @@ struct FittedMechanism {
     std::size_t unknowns = 0; ///< 0: the mechanism was not fitted
     double values = 1.0;      ///< number of values that were fitted
 
-    /// Returns three standard errors of the motion in a column, from the rms of its errors. It enlarges a bound at most
-    /// to twice its size, because the fit of rounded values is no worse than the values.
+    /// Returns three standard errors of the motion in a column, from the rms of its errors. They enlarge the bounds of
+    /// the column, but at most by the largest of these, because a fit of rounded values is no less exact than the least
+    /// exact of them.
     double errorOf(double rms) const { return 3.0 * rms * std::sqrt(static_cast<double>(unknowns) / values); }
 };
 

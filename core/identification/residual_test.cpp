@@ -39,10 +39,10 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index pl
 {
     const ObservedColumn &column = observations.columns[fit.columns[place]];
     Values bound = roundingBounds(observations, fit, place);
-    // Each bound grows by the error of the fitted mechanism, but at most by the bound that the value would have with
-    // the largest rounding step of the column: a fit of many values is no less exact than the least exact of them.
-    const Values boundAtLargestStep = bound + (column.halfSteps.maxCoeff() - column.halfSteps);
-    bound += boundAtLargestStep.min(fit.fittedMechanism().errorOf(fit.rms[place]));
+    // Each bound grows by the error of the fitted mechanism, but at most by the largest bound of the column with its
+    // largest rounding step: a fit of many values is no less exact than the least exact of them.
+    const double largestBound = (bound - column.halfSteps).maxCoeff() + column.halfSteps.maxCoeff();
+    bound += std::min(largestBound, fit.fittedMechanism().errorOf(fit.rms[place]));
     const Values errors = gapsAsZeros(fit.residuals.col(place)).abs();
     const double within = fit.counts[place] - static_cast<double>((errors > bound).count());
     return 100.0 * within >= static_cast<double>(kPercentWithinBound) * fit.counts[place] &&
