@@ -32,7 +32,7 @@ Values roundingBounds(const Observations &observations, const Fit &fit, Index pl
 double columnSize(const Observations &observations, const Fit &fit, Index place)
 {
     const ObservedColumn &column = observations.columns[fit.columns[place]];
-    return column.channel == kSliderLine ? fit.model.mechanism.a : column.range;
+    return column.channel == kSliderLine ? 2.0 * fit.model.mechanism.a : column.range;
 }
 
 bool isWithinRounding(const Observations &observations, const Fit &fit, Index place)

@@ -19,8 +19,8 @@ inline constexpr double kLargestSystematicResidual = 0.007;
 /// motion during half a rounding step of the abscissa.
 Values roundingBounds(const Observations &observations, const Fit &fit, Index place);
 
-/// The size with which the residuals of fit.columns[place] are compared: the range of the column; for R4_y, which is
-/// constant, the length of the crank.
+/// The size with which the residuals of fit.columns[place] are compared: the range of the column. R4_y is constant; its
+/// size is twice the length of the crank, about the range of R4_x.
 double columnSize(const Observations &observations, const Fit &fit, Index place);
 
 /// Whether at least 95 % of the residuals of fit.columns[place] are within a bound, none is beyond ten bounds, and none
