@@ -73,15 +73,36 @@ Indices excludeOutliers(Observations &observations, const Fit &fit)
     return rows;
 }
 
-/// The standard errors of the speed and the angle of the crank because of rounded time stamps, whose start and duration
-/// may be anywhere within their margins.
-ParameterErrors errorsOfClock(const Observations &observations, const Model &model)
+/// The lowest order (position, velocity or acceleration) of the lengths that a fit uses; Position if there are none.
+Order lowestOrderOfLengths(const Observations &observations, const Fit &fit)
+{
+    Order lowest = Order::Acceleration;
+    bool containsLengths = false;
+    for (const Index k : fit.columns) {
+        if (!observations.columns[k].containsAngles()) {
+            lowest = std::min(lowest, observations.columns[k].channel.order);
+            containsLengths = true;
+        }
+    }
+    return containsLengths ? lowest : Order::Position;
+}
+
+/// The standard errors because of rounded time stamps, whose start and duration may be anywhere within their margins:
+/// those of the speed and the angle of the crank, and of the lengths if n-th derivatives determine them, which are
+/// proportional to a ω2ⁿ.
+ParameterErrors errorsOfClock(const Observations &observations, const Fit &fit)
 {
     ParameterErrors errors{};
-    if (!model.followsAngle) {
-        const double speed = std::abs(model.mechanism.omega2) / std::numbers::sqrt3; // √3: of an even distribution
+    if (!fit.model.followsAngle) {
+        const Parameters &m = fit.model.mechanism;
+        const double speed = std::abs(m.omega2) / std::numbers::sqrt3; // √3: of an even distribution
         errors[indexOf(Parameter::Theta20)] = speed * observations.startMargin;
         errors[indexOf(Parameter::Omega2)] = speed * observations.durationMargin / observations.span();
+        const double relativeError = errors[indexOf(Parameter::Omega2)] / std::abs(m.omega2);
+        for (const Parameter length : kLengths) {
+            const double order = static_cast<double>(lowestOrderOfLengths(observations, fit));
+            errors[indexOf(length)] = order * relativeError * std::abs(valueOf(m, length));
+        }
     }
     return errors;
 }
@@ -91,7 +112,7 @@ ParameterErrors errorsOfClock(const Observations &observations, const Model &mod
 /// not make if it ended early. The standard errors also contain those of the clock, which change nothing in the fit.
 void computeErrors(LastFit &result, const ParameterErrors &possibleErrors)
 {
-    const ParameterErrors clockErrors = errorsOfClock(result.observations, result.fit.model);
+    const ParameterErrors clockErrors = errorsOfClock(result.observations, result.fit);
     const Fit &fit = result.fit;
     Eigen::MatrixXd &covariance = result.covariance;
     covariance = result.dependence * computeCovariance(fit);

@@ -404,6 +404,27 @@ private slots:
         QVERIFY(std::abs(found.parameters.omega2 - kSpeed) < 3.0 * errorOfSpeed && errorOfSpeed < 0.01 * kSpeed);
     }
 
+    /// A former defect: the duration of coarse time stamps is uncertain, and so is the crank, whose length a velocity
+    /// shows only as a product with the speed. Its standard error did not say so.
+    void statesTheErrorOfLengthsFromVelocitiesAtCoarseTimeStamps()
+    {
+        constexpr double kSpeed = 4.7124; // rad/s
+        std::string text = "t [s],v [mm/s]\n";
+        for (int i = 0; i <= 50; ++i) {
+            const double angle = kSpeed * 0.0133 * i;
+            const double x = sliderPosition(39.0, 120.0, 0.0, angle);
+            const double v = -39.0 * kSpeed * std::sin(angle) * x / (x - 39.0 * std::cos(angle));
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%.2f,%.3f\n", 0.0133 * i, v);
+            text += line.data();
+        }
+        const Identification found =
+            identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(Parameters()));
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(std::abs(found.parameters.a - 39.0) < 3.0 * found.standardError[indexOf(Parameter::A)]);
+        QVERIFY(found.standardError[indexOf(Parameter::A)] < 0.01 * found.parameters.a);
+    }
+
     void findsThatTheOffsetIsZero()
     {
         const Identification found = identifyFile("c_of_1e-12");
