@@ -131,8 +131,9 @@ struct Identification {
     bool hasSystematicResiduals = false;
 
     /// The possible magnitudes of ω2 (rad/s) if the derivatives in a table over the crank angle do not show in which
-    /// unit of angles they are: if "1/s" may mean rad/s or °/s, 360 rad/s and 360 °/s = 2π rad/s are possible. Empty if
-    /// ω2 is determined or the table has no derivatives.
+    /// unit of angles they are: if "1/s" may mean rad/s or °/s, 360 rad/s and 360 °/s = 2π rad/s are possible. So are a
+    /// tenth of the given ω2 and that itself, if the values may be in cm although their heading says mm. Empty if ω2 is
+    /// determined or the table has no derivatives.
     std::vector<double> possibleSpeeds{};
 
     // These belong to Identified and Approximate only.

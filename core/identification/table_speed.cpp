@@ -199,6 +199,13 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
             bestSpeeds.push_back(support.speed);
         }
     }
+    // A tenth of the given speed: the values of a single velocity may be in cm/s under a heading that says mm/s.
+    const Vote &vote = votes.front();
+    const bool isVelocityOfLength = vote.isVelocity && !observations.columns[vote.column].containsAngles();
+    if (bestSpeeds.size() == 1 && bestRank.first == 1 && isVelocityOfLength &&
+        isGivenSpeed(10.0 * bestSpeeds[0], givenSpeed)) {
+        bestSpeeds.push_back(10.0 * bestSpeeds[0]);
+    }
     return bestSpeeds;
 }
 

@@ -2314,8 +2314,8 @@ difiere: lo demás</translation>
         <translation>Los datos no determinan %1. Se conserva el valor dado: %2.</translation>
     </message>
     <message>
-        <source>The derivatives allow ω₂ = %1 rad/s, because their unit is unknown (radians or degrees?): state it in the headings.</source>
-        <translation>Las derivadas admiten ω₂ = %1 rad/s, porque no se conoce su unidad (¿radianes o grados?): indíquela en los encabezados.</translation>
+        <source>The derivatives allow ω₂ = %1 rad/s, because their unit is uncertain (radians or degrees, mm or cm?): state it in the headings.</source>
+        <translation>Las derivadas admiten ω₂ = %1 rad/s, porque su unidad es dudosa (¿radianes o grados, mm o cm?): indíquela en los encabezados.</translation>
     </message>
     <message>
         <source>Outliers that were excluded: %1 (lines %2).</source>

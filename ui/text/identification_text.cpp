@@ -199,7 +199,8 @@ QString possibleSpeedText(const Identification &found)
     }
     return speeds.isEmpty() ? QString()
                             : IdentificationText::tr("The derivatives allow ω₂ = %1 rad/s, because their unit is "
-                                                     "unknown (radians or degrees?): state it in the headings.")
+                                                     "uncertain (radians or degrees, mm or cm?): state it in the "
+                                                     "headings.")
                                   .arg(anyOf(speeds));
 }
 

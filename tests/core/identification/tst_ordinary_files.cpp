@@ -169,6 +169,26 @@ private slots:
         QVERIFY(hasLengths(found, 40.0, 120.0, 10.0, 0.02));
     }
 
+    /// A former defect: a tenth of the given speed was found in velocities in cm/s under a heading that says mm/s.
+    void doubtsATenthOfTheGivenSpeed()
+    {
+        std::string text = "theta2 [deg],R4_x [mm],v [mm/s]\n";
+        for (int degrees = 0; degrees <= 360; degrees += 10) {
+            const double angle = degrees * kDegree;
+            const double x = sliderPosition(40.0, 120.0, 0.0, angle);
+            const double v = -40.0 * kTurnPerSecond * std::sin(angle) * x / (x - 40.0 * std::cos(angle));
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%d,%.2f,%.2f\n", degrees, x, v / 10.0);
+            text += line.data();
+        }
+        const Identification found =
+            identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(Parameters()));
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(!determines(found, Parameter::Omega2));
+        QCOMPARE(found.possibleSpeeds.size(), 2U);
+        QVERIFY(std::abs(found.possibleSpeeds[1] / kTurnPerSecond - 1.0) < 1e-3);
+    }
+
     /// A former defect: the rounding of the angles bent the curve, so that the lengths were wrong by more than their
     /// standard errors, or the mechanism only approximate.
     void findsTheAnglesBeforeTheirRounding_data()

@@ -150,8 +150,8 @@ private slots:
             {[](Identification &found) {
                  found.possibleSpeeds = {2.0 * std::numbers::pi, 360.0};
              },
-             "The derivatives allow ω₂ = 6.28319 or 360 rad/s, because their unit is unknown (radians or degrees?): "
-             "state it in the headings."},
+             "The derivatives allow ω₂ = 6.28319 or 360 rad/s, because their unit is uncertain (radians or "
+             "degrees, mm or cm?): state it in the headings."},
             {[](Identification &found) {
                  found.leftOut = {{kSliderSpeed, Reason::FiniteDifferences, 1.25}, {kTheta3, Reason::Unknown, 3.0}};
              },
