@@ -135,21 +135,6 @@ IdentifiedTable identifyTable(const ReferenceData &file, const std::optional<Con
     return table;
 }
 
-/// Identifies the mechanism of a table without a row that may contain a typing error, and adds this row to the excluded
-/// ones. Returns nullopt if the row does not contradict the mechanism.
-std::optional<Identification> identifyWithoutRow(const ReferenceData &data, std::size_t row, const Parameters &given,
-                                                 const std::stop_token &stop)
-{
-    IdentifiedTable table = identifyTable(withoutRow(data, row), std::nullopt, findBestGeometry, given, stop);
-    if (!table.result.hasMechanism() || !isRowContradicted(table.result, data, row, table.findings)) {
-        return std::nullopt;
-    }
-    std::vector<std::size_t> &excluded = table.result.excludedRows;
-    const std::size_t line = data.lineOfRow(row);
-    excluded.insert(std::ranges::lower_bound(excluded, line), line);
-    return std::move(table.result);
-}
-
 /// Whether a result is preferred to another one: by the outcome, then by the number of columns that are left out, then
 /// by the number of conventions, then by a constant speed.
 bool isBetter(const Identification &result, const Identification &other)
@@ -177,16 +162,61 @@ std::optional<Identification> identifyRotated(const ReferenceData &data, const P
     return best;
 }
 
-/// Tries unlikely readings of a table. Returns the best result of one that explains everything exactly, or `asInFile`,
-/// the result for the table as it is in the file, if that is as good.
-Identification tryUnlikelyReadings(Identification asInFile, const ReferenceData &data, const Parameters &given,
+/// Whether a mechanism explains all columns exactly.
+bool explainsAll(const Identification &result)
+{
+    return result.outcome == Identification::Outcome::Identified && result.leftOut.empty();
+}
+
+/// Adds rows without which a mechanism was found to the excluded ones. Returns nullopt if a row does not contradict the
+/// mechanism. `data`: the table with all rows.
+std::optional<Identification> withExcludedRows(IdentifiedTable table, const ReferenceData &data,
+                                               const std::vector<std::size_t> &rows)
+{
+    std::vector<std::size_t> &excluded = table.result.excludedRows;
+    for (const std::size_t row : rows) {
+        if (!isRowContradicted(table.result, data, row, table.findings)) {
+            return std::nullopt;
+        }
+        const std::size_t line = data.lineOfRow(row);
+        excluded.insert(std::ranges::lower_bound(excluded, line), line);
+    }
+    return std::move(table.result);
+}
+
+/// Identifies the mechanism of a table without the rows that may contain typing errors: one after the other, the most
+/// suspicious row is left out until a mechanism explains the others exactly. Returns nullopt if there is no such
+/// mechanism, or if it also explains a row that was left out. `table`: the result for all rows.
+std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table, const ReferenceData &data,
+                                                          const Parameters &given, const std::stop_token &stop)
+{
+    ReferenceData remaining = data;
+    std::vector<std::size_t> rows;
+    while (rows.size() < maxTypingErrors(data)) {
+        std::optional<std::size_t> row = findSuspiciousRow(remaining);
+        if (!row) {
+            row = findRowWithLargestResidual(table.findings.lastFit);
+        }
+        if (!row) {
+            return std::nullopt;
+        }
+        rows.push_back(*row);
+        remaining = withoutRow(std::move(remaining), *row);
+        table = identifyTable(remaining, std::nullopt, findBestGeometry, given, stop);
+        if (explainsAll(table.result)) {
+            return withExcludedRows(std::move(table), data, rows);
+        }
+    }
+    return std::nullopt;
+}
+
+/// Tries unlikely readings of a table. Returns the best result of one that explains everything exactly, or that of
+/// `asInFile`, the table as it is in the file, if that is as good.
+Identification tryUnlikelyReadings(IdentifiedTable asInFile, const ReferenceData &data, const Parameters &given,
                                    const std::stop_token &stop)
 {
-    const auto explainsAll = [](const Identification &result) {
-        return result.outcome == Identification::Outcome::Identified && result.leftOut.empty();
-    };
-    const std::vector<Convention> conventions = possibleTableConventions(data, asInFile);
-    Identification best = std::move(asInFile);
+    const std::vector<Convention> conventions = possibleTableConventions(data, asInFile.result);
+    Identification best = asInFile.result;
     const auto tryResult = [&](Identification result) {
         if (explainsAll(result) && isBetter(result, best)) {
             best = std::move(result);
@@ -200,8 +230,7 @@ Identification tryUnlikelyReadings(Identification asInFile, const ReferenceData 
         tryResult(identifyTable(data, convention, findBestGeometry, given, stop).result);
     }
     if (!explainsAll(best) || !best.conventions.empty() || best.drive) { // a wrong θ2 looks like an uneven speed
-        const std::optional<std::size_t> row = findSuspiciousRow(data);
-        if (std::optional<Identification> result = row ? identifyWithoutRow(data, *row, given, stop) : std::nullopt) {
+        if (auto result = identifyWithoutTypingErrors(std::move(asInFile), data, given, stop)) {
             tryResult(*std::move(result));
         }
     }
@@ -215,7 +244,7 @@ Identification identify(const ReferenceData &data, const Mechanism &given, std::
     const Parameters &parameters = given.parameters();
     std::optional<Identification> result = identifyRotated(data, parameters, stop);
     if (!result) {
-        Identification asInFile = identifyTable(data, std::nullopt, findBestGeometry, parameters, stop).result;
+        IdentifiedTable asInFile = identifyTable(data, std::nullopt, findBestGeometry, parameters, stop);
         result = tryUnlikelyReadings(std::move(asInFile), data, parameters, stop);
     }
     if (stop.stop_requested()) {

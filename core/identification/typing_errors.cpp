@@ -86,14 +86,36 @@ SuspiciousValue findMostSuspicious(const ReferenceSeries &series)
 
 } // namespace
 
-std::optional<std::size_t> findSuspiciousRow(const ReferenceData &data)
+std::size_t maxTypingErrors(const ReferenceData &data)
 {
-    constexpr std::size_t kMinRows = 9;    // fewer do not have the five fourth differences that an error changes
-    constexpr std::size_t kMaxRows = 400;  // nobody types more
-    constexpr double kMinSuspicion = 10.0; // few curves without an error reach it
-    if (data.time.size() < kMinRows || data.time.size() > kMaxRows) {
+    constexpr std::size_t kMinRows = 9;      // fewer do not have the five fourth differences that an error changes
+    constexpr std::size_t kMaxRows = 400;    // nobody types more
+    constexpr std::size_t kRowsPerError = 6; // the rows that remain still determine more than the three lengths
+    constexpr std::size_t kMaxErrors = 3;    // each costs another identification
+    const std::size_t rows = data.time.size();
+    return rows < kMinRows || rows > kMaxRows ? 0 : std::min(rows / kRowsPerError, kMaxErrors);
+}
+
+std::optional<std::size_t> findRowWithLargestResidual(const LastFit &lastFit)
+{
+    const Fit &fit = lastFit.fit;
+    if (!fit.isFinite() || lastFit.isExact) {
         return std::nullopt;
     }
+    Values largest = Values::Zero(lastFit.observations.size());
+    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+        if (fit.rms[place] > 0.0) {
+            largest = largest.max(gapsAsZeros(fit.residuals.col(place)).abs() / fit.rms[place]);
+        }
+    }
+    Index row = 0;
+    largest.maxCoeff(&row);
+    return static_cast<std::size_t>(lastFit.observations.rows[row]);
+}
+
+std::optional<std::size_t> findSuspiciousRow(const ReferenceData &data)
+{
+    constexpr double kMinSuspicion = 10.0; // few curves without an error reach it
     SuspiciousValue worst;
     for (const ReferenceSeries &series : data.series) {
         const SuspiciousValue value = findMostSuspicious(series);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Typing errors in tables that a person wrote: single cells that are far from the curve through their neighbours.
+// Typing errors in tables that a person wrote: single cells that are far from the curve through their neighbours, or
+// from the motion of the mechanism that was fitted to all of them.
+
+#include "core/identification/last_fit.h"
 
 #include "core/import/reference_data.h"
 
@@ -13,9 +16,16 @@ namespace slidercrank
 
 /// Returns the row that may contain a typing error: that of the value which is farthest from a smooth curve through its
 /// neighbours, compared with the other values of its column. Returns nullopt if no value is much farther than the
-/// others and than its rounding, and for tables of more rows than a person types. An angle may jump by whole turns. A row
-/// at a corner of a curve may also be returned.
+/// others and than its rounding. An angle may jump by whole turns. A row at a corner of a curve may also be returned.
 std::optional<std::size_t> findSuspiciousRow(const ReferenceData &data);
+
+/// Returns the row of the file whose residual is largest, compared with those of the other values of its column: a
+/// wrong crank angle leaves the curves of the other columns smooth. Returns nullopt if rounding explains all residuals.
+std::optional<std::size_t> findRowWithLargestResidual(const LastFit &lastFit);
+
+/// The number of rows that may contain typing errors: 0 for tables that are too short to show them, or longer than
+/// those that a person types.
+std::size_t maxTypingErrors(const ReferenceData &data);
 
 /// Returns the table with gaps in all columns of a row.
 ReferenceData withoutRow(ReferenceData data, std::size_t row);

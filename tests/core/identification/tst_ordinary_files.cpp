@@ -127,6 +127,45 @@ private slots:
         }
     }
 
+    /// Former defects: two errors in one table (digits exchanged, a lost sign or decimal point), or a wrong angle, led
+    /// to no mechanism, or to one that was only approximate.
+    void namesTheLinesOfSeveralTypingErrors()
+    {
+        constexpr double kStep = 10.0; // °
+        struct WrongCell {
+            int row;
+            double value; // mm
+        };
+        const std::array<std::array<WrongCell, 2>, 3> errors{
+            {{{{8, -194.12}, {17, 138.85}}}, {{{5, 27.38}, {30, 22743.0}}}, {{{20, 134.62}, {33, 251.17}}}}};
+        for (const auto &[first, second] : errors) {
+            const auto position = [&](double degrees) {
+                const int row = static_cast<int>(std::lround(degrees / kStep));
+                const double typed = row == first.row ? first.value : second.value;
+                const bool isWrong = row == first.row || row == second.row;
+                return isWrong ? typed : sliderPosition(60.0, 200.0, -20.0, degrees * kDegree);
+            };
+            const Identification found = identifyTable("theta2 [deg],R4_x [mm]", kStep, 37, position);
+            QCOMPARE(found.outcome, Outcome::Identified);
+            QVERIFY(hasLengths(found, 60.0, 200.0, -20.0));
+            QVERIFY(found.conventions.empty());
+            const std::vector lines{static_cast<std::size_t>(first.row) + 2, static_cast<std::size_t>(second.row) + 2};
+            QCOMPARE(found.excludedRows, lines); // line 1: the headings
+        }
+    }
+
+    void namesTheLineOfAWrongAngleInATable()
+    {
+        const auto position = [](double degrees) { // the motion at 195° stands beside 190°
+            const double angle = degrees == 190.0 ? 195.0 : degrees;
+            return sliderPosition(37.5, 187.5, 22.5, angle * kDegree);
+        };
+        const Identification found = identifyTable("theta2 [deg],R4_x [mm]", 10.0, 37, position);
+        QCOMPARE(found.outcome, Outcome::Identified);
+        QVERIFY(hasLengths(found, 37.5, 187.5, 22.5));
+        QCOMPARE(found.excludedRows, std::vector{std::size_t{21}});
+    }
+
     /// A former defect: where the slider stands still, the rounding of an angle changes no position. The positions
     /// there deviate from a mechanism that was fitted to rounded angles, and they were called outliers, or the
     /// mechanism only approximate.
