@@ -106,6 +106,7 @@ QJsonObject jsonIdentification(const Identification &found)
             {"alternatives", jsonAlternatives(found.alternatives)},
             {"rounded", jsonMechanism(found.hasMechanism(), found.rounded)},
             {"drive", jsonDrive(found.drive)},
+            {"followsApproximateFormula", found.followsApproximateFormula},
             {"possibleSpeeds", jsonList(found.possibleSpeeds, jsonNumber)},
             {"residuals", jsonResiduals(found.residuals)},
             {"iterations", found.iterations},

@@ -103,4 +103,12 @@ ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, co
     return areFiner ? findConstrainedGeometry(wholeFile, searched, columns, given) : ConstrainedFit{};
 }
 
+ConstrainedFit findGeometryOfApproximateFormula(const Observations &wholeFile, const Observations &searched,
+                                                const Parameters &given)
+{
+    Fit fit = findConstrainedGeometry(wholeFile, searched, shapeColumns(searched), given).fit;
+    fit.model.isApproximateFormula = true;
+    return withoutFreedoms(searched, fitModel(searched, fit.model, fit.columns, fit.unknowns), {});
+}
+
 } // namespace slidercrank

@@ -19,6 +19,10 @@ namespace slidercrank
 /// `searched`: selected rows of `wholeFile`.
 ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given);
 
+/// Finds the geometry for which the approximate formula of textbooks explains R4_x (Model::isApproximateFormula).
+ConstrainedFit findGeometryOfApproximateFormula(const Observations &wholeFile, const Observations &searched,
+                                                const Parameters &given);
+
 /// Finds the geometry from the next higher derivatives alone. Not finite unless the file contains some that are rounded
 /// more finely than the lower ones.
 ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, const Observations &searched,

@@ -80,7 +80,7 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
     TextbookMotion<Dual> motion;
     const bool isAssembled =
         computeUnitSpeedMotion<Dual>(motion, m.branch, {variable(m.a, 0), variable(m.b, 1), variable(m.c, 2)},
-                                     variable(model.crankAngle(observations, row), 3));
+                                     variable(model.crankAngle(observations, row), 3), model.isApproximateFormula);
     for (std::size_t place = 0; place < columns.size(); ++place) {
         const Index k = columns[place];
         if (!std::isfinite(observations.columns[k].values[row])) {

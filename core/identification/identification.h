@@ -130,6 +130,11 @@ struct Identification {
     /// bounds the errors of the parameters.
     bool hasSystematicResiduals = false;
 
+    /// Approximate: the columns were computed by the approximate formula of the textbooks, which takes the first two
+    /// terms of a series, R4_x ≈ a cos θ2 ± (b - (c - a sin θ2)²/2b). It explains them within their rounding, and the
+    /// parameters are those of this formula.
+    bool followsApproximateFormula = false;
+
     /// The possible magnitudes of ω2 (rad/s) if the derivatives in a table over the crank angle do not show in which
     /// unit of angles they are: if "1/s" may mean rad/s or °/s, 360 rad/s and 360 °/s = 2π rad/s are possible. So are a
     /// tenth of the given ω2 and that itself, if the values may be in cm although their heading says mm. Empty if ω2 is

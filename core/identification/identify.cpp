@@ -9,6 +9,7 @@
 #include "core/identification/further_columns.h"
 #include "core/identification/mirror_images.h"
 #include "core/identification/outcome.h"
+#include "core/identification/residual_test.h"
 #include "core/identification/table_conventions.h"
 #include "core/identification/typing_errors.h"
 
@@ -210,11 +211,46 @@ std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table,
     return std::nullopt;
 }
 
+/// Whether the approximate formula explains the columns of a fit better than the exact motion does.
+bool isApproximateFormulaBetter(const LastFit &exact)
+{
+    const Fit &fit = exact.fit;
+    if (!fit.isFinite() || !exact.observations.hasAngle()) { // the formula needs θ2
+        return false;
+    }
+    Model model = fit.model;
+    model.isApproximateFormula = true;
+    const Fit byFormula = fitModel(exact.observations, std::move(model), fit.columns, fit.unknowns);
+    return byFormula.misfit + kMaxMisfitIncrease < fit.misfit;
+}
+
+/// Identifies the mechanism with which the approximate formula of textbooks explains a table exactly; nullopt if there
+/// is none. `asInFile`: the result with the exact motion.
+std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable &asInFile, const ReferenceData &data,
+                                                           const Parameters &given, const std::stop_token &stop)
+{
+    if (!isApproximateFormulaBetter(asInFile.findings.lastFit)) {
+        return std::nullopt;
+    }
+    IdentifiedTable table = identifyTable(data, std::nullopt, findGeometryOfApproximateFormula, given, stop);
+    Identification &result = table.result;
+    const bool isExact = table.findings.lastFit.isExact && result.leftOut.empty() && result.excludedRows.empty();
+    const bool isEngine = result.parameters.branch == Branch::Open; // for the other assembly, nobody uses the formula
+    if (result.outcome != Identification::Outcome::Approximate || !isExact || !isEngine) {
+        return std::nullopt;
+    }
+    result.followsApproximateFormula = true;
+    return std::move(result);
+}
+
 /// Tries unlikely readings of a table. Returns the best result of one that explains everything exactly, or that of
 /// `asInFile`, the table as it is in the file, if that is as good.
 Identification tryUnlikelyReadings(IdentifiedTable asInFile, const ReferenceData &data, const Parameters &given,
                                    const std::stop_token &stop)
 {
+    if (std::optional<Identification> result = identifyByApproximateFormula(asInFile, data, given, stop)) {
+        return *std::move(result);
+    }
     const std::vector<Convention> conventions = possibleTableConventions(data, asInFile.result);
     Identification best = asInFile.result;
     const auto tryResult = [&](Identification result) {

@@ -10,7 +10,8 @@ Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observatio
     Eigen::ArrayXXd result = Eigen::ArrayXXd::Constant(observations.size(), std::ssize(columns), kNone);
     for (Index row = 0; row < observations.size() && !observations.stop.stop_requested(); ++row) {
         TextbookMotion<double> motion;
-        if (!computeUnitSpeedMotion(motion, m.branch, {m.a, m.b, m.c}, model.crankAngle(observations, row))) {
+        if (!computeUnitSpeedMotion(motion, m.branch, {m.a, m.b, m.c}, model.crankAngle(observations, row),
+                                    model.isApproximateFormula)) {
             continue;
         }
         const double speed = model.crankSpeed(observations, row);

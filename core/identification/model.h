@@ -49,6 +49,7 @@ struct Model {
     double angleFactor = 1.0;              ///< ±1 times a unit conversion
     double alpha2 = 0.0;                   ///< angular acceleration of the crank, rad/s²
     Ripple ripple{};                       ///< only if the angle is not that in the file
+    bool isApproximateFormula = false;     ///< R4_x is that of the approximate formula (computeUnitSpeedMotion())
     std::vector<ColumnReading> readings{}; ///< reading of each column of the observations
 
     /// The angle (rad), the speed (rad/s) and the acceleration (rad/s²) of the crank in a row.
@@ -85,19 +86,42 @@ inline bool hidesLengths(const Parameters &mechanism)
     return std::max(mechanism.b, std::abs(mechanism.c)) > kMaxRatio * mechanism.a;
 }
 
+/// Replaces R4_x and its derivatives by those of the approximate formula in the chapter on engines of the textbook
+/// (R. L. Norton, "Design of Machinery"): b cos θ3 = √(b² - h²) ≈ b - h²/2b with h = b sin θ3. `b`: mm.
+template <class Number>
+void approximateSlider(TextbookMotion<Number> &motion, const Number &b)
+{
+    using Motion = TextbookMotion<Number>;
+    const Number &h = motion.height; // c - y of the crank pin
+    const Number &velocityY = motion.pinY[Motion::kVelocity];
+    const Number &accelerationY = motion.pinY[Motion::kAcceleration];
+    const Number reach = b - 0.5 * h * h / b;
+    const Number velocityOfReach = h * velocityY / b;
+    const Number accelerationOfReach = (h * accelerationY - velocityY * velocityY) / b;
+    motion.sliderX[Motion::kPosition] = motion.pinX[Motion::kPosition] + motion.side * reach;
+    motion.sliderX[Motion::kVelocity] = motion.pinX[Motion::kVelocity] + motion.side * velocityOfReach;
+    motion.sliderX[Motion::kAcceleration] = motion.pinX[Motion::kAcceleration] + motion.side * accelerationOfReach;
+}
+
 /// Computes the positions of a mechanism at one angle of the crank (rad), and their derivatives by this angle.
-/// `lengths`: a, b, c (mm). `Number`: double or a type with partial derivatives. Returns false if the mechanism cannot
-/// be assembled there or is singular.
+/// `lengths`: a, b, c (mm). `isApproximateFormula`: R4_x is that of approximateSlider(). `Number`: double or a type
+/// with partial derivatives. Returns false if the mechanism cannot be assembled there or is singular.
 template <class Number>
 bool computeUnitSpeedMotion(TextbookMotion<Number> &motion, Branch branch, const std::array<Number, 3> &lengths,
-                            const Number &crankAngle)
+                            const Number &crankAngle, bool isApproximateFormula)
 {
     // At a speed of one radian per second, the derivatives with respect to the time are those with respect to the
     // angle.
     const Number omega2(1.0);
     const Number theta20(0.0);
     const auto &[a, b, c] = lengths;
-    return motion.compute({a, b, c, omega2, theta20}, crankAngle, branch == Branch::Open ? 1.0 : -1.0);
+    if (!motion.compute({a, b, c, omega2, theta20}, crankAngle, branch == Branch::Open ? 1.0 : -1.0)) {
+        return false;
+    }
+    if (isApproximateFormula) {
+        approximateSlider(motion, b);
+    }
+    return true;
 }
 
 /// The motion of a channel at a speed ω (rad/s) and an angular acceleration α (rad/s²) of the crank. With the

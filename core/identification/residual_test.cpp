@@ -82,9 +82,6 @@ bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit 
     if (!fit.isFinite() || isExact(observations, fit)) {
         return fit.isFinite();
     }
-    // The ratio of the likelihoods is less than exp(10): even among a thousand fits, chance seldom prefers one by as
-    // much.
-    constexpr double kMaxMisfitIncrease = 20.0;
     double growth = 0.0;
     for (Index place = 0; place < best.residuals.cols(); ++place) {
         growth += (columnMisfit(observations, fit, place) - columnMisfit(observations, best, place)) /

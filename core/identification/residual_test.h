@@ -15,6 +15,10 @@ namespace slidercrank
 inline constexpr double kLargestNoise = 0.02;
 inline constexpr double kLargestSystematicResidual = 0.007;
 
+/// By how much the misfit of a fit may exceed that of another one that it explains as well: the ratio of the
+/// likelihoods is less than exp(10), and even among a thousand fits, chance seldom prefers one by as much.
+inline constexpr double kMaxMisfitIncrease = 20.0;
+
 /// How far the values of fit.columns[place] may be off by their rounding: half a rounding step of the value, plus the
 /// motion during half a rounding step of the abscissa.
 Values roundingBounds(const Observations &observations, const Fit &fit, Index place);

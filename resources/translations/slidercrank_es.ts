@@ -2306,6 +2306,10 @@ difiere: lo demás</translation>
         <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2. Lo que queda es sistemático (¿datos filtrados, interpolados o integrados, o una velocidad de la manivela que varía?), por lo que no se pueden dar errores estándar.</translation>
     </message>
     <message>
+        <source>The columns agree with the approximate formula Rₓ⁴ ≈ a cos θ₂ + b − (a sin θ₂ − c)²/2b. From the exact motion they deviate by up to %1 % of the range of %2.</source>
+        <translation>Las columnas concuerdan con la fórmula aproximada Rₓ⁴ ≈ a cos θ₂ + b − (a sen θ₂ − c)²/2b. Del movimiento exacto se desvían hasta un %1 % del intervalo de valores de %2.</translation>
+    </message>
+    <message>
         <source>The columns deviate from its motion by up to %1 % of the range of %2, more than by rounding; ± holds if these errors are independent.</source>
         <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2, más de lo que explica el redondeo; ± es válido si estos errores son independientes.</translation>
     </message>

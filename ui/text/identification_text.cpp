@@ -163,6 +163,11 @@ QString residualText(const Identification &found)
     if (found.outcome != Outcome::Approximate || !worst) {
         return {};
     }
+    if (found.followsApproximateFormula) {
+        return IdentificationText::tr("The columns agree with the approximate formula Rₓ⁴ ≈ a cos θ₂ + b − (a sin θ₂ − "
+                                      "c)²/2b. From the exact motion they deviate by up to %1 % of the range of %2.")
+            .arg(errorText(worst->percentOfRange), symbolText(worst->channel));
+    }
     const QString text =
         found.hasSystematicResiduals
             ? IdentificationText::tr("The columns deviate from its motion by up to %1 % of the range "

@@ -208,6 +208,50 @@ private slots:
         QVERIFY(hasLengths(found, 40.0, 120.0, 10.0, 0.02));
     }
 
+    /// Former defects: the lengths of a table by the approximate formula were those of a different mechanism, wrong by
+    /// more than their standard errors, and its positions were said to be measured from a different origin.
+    void namesTheApproximateFormula_data()
+    {
+        QTest::addColumn<QString>("headings");
+        QTest::addColumn<double>("connectingRod");
+        QTest::newRow("position") << "theta2 [deg],x [mm]" << 160.0;
+        QTest::newRow("short rod") << "theta2 [deg],x [mm]" << 100.0;
+        QTest::newRow("displacement") << "theta2 [deg],Displacement s (mm)" << 160.0;
+        QTest::newRow("with velocity") << "theta2 [deg],x [mm],v [mm/s]" << 140.0;
+        QTest::newRow("with acceleration") << "theta2 [deg],x [mm],v [mm/s],a [mm/s^2]" << 120.0;
+    }
+    void namesTheApproximateFormula()
+    {
+        QFETCH(QString, headings);
+        QFETCH(double, connectingRod);
+        constexpr double kCrank = 40.0;
+        const double ratio = kCrank / connectingRod;
+        const bool isDisplacement = headings.contains("Displacement");
+        QString text = headings + '\n';
+        for (int degrees = 0; degrees <= 360; degrees += 10) {
+            const double angle = degrees * kDegree;
+            const double s =
+                kCrank * (1.0 - std::cos(angle) + 0.25 * ratio * (1.0 - std::cos(2.0 * angle))); // from dead centre
+            const double v = -kCrank * kTurnPerSecond * (std::sin(angle) + 0.5 * ratio * std::sin(2.0 * angle));
+            const double a =
+                -kCrank * kTurnPerSecond * kTurnPerSecond * (std::cos(angle) + ratio * std::cos(2.0 * angle));
+            const std::array<double, 3> values{isDisplacement ? s : kCrank + connectingRod - s, v, a};
+            text += QString::number(degrees);
+            for (int column = 0; column < headings.count(','); ++column) {
+                text += ',' + QString::number(values.at(static_cast<std::size_t>(column)), 'f', 3);
+            }
+            text += '\n';
+        }
+        const auto outcome = readReferenceData(text.toStdString());
+        const Identification found = identify(std::get<ReferenceData>(outcome), Mechanism(Parameters()));
+        QCOMPARE(found.outcome, Outcome::Approximate); // of the exact motion
+        QVERIFY(found.followsApproximateFormula);
+        QVERIFY(hasLengths(found, kCrank, connectingRod, 0.0, 2e-4));
+        QCOMPARE(hasFinding(found, ZeroPoint, kSlider), isDisplacement);
+        QVERIFY(found.leftOut.empty());
+        QVERIFY(found.excludedRows.empty());
+    }
+
     /// A former defect: a tenth of the given speed was found in velocities in cm/s under a heading that says mm/s.
     void doubtsATenthOfTheGivenSpeed()
     {

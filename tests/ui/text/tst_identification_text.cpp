@@ -75,6 +75,14 @@ private slots:
                      " The columns deviate from its motion by up to 1.20 % of the range of Rₓ⁴, more than by rounding; "
                      "± holds if these errors are independent.");
 
+        Identification byFormula = approximate();
+        byFormula.followsApproximateFormula = true;
+        QCOMPARE(
+            summaryText(byFormula),
+            QString("Mechanism that approximately explains this file: ") + kMechanism +
+                " The columns agree with the approximate formula Rₓ⁴ ≈ a cos θ₂ + b − (a sin θ₂ − c)²/2b. From the "
+                "exact motion they deviate by up to 1.20 % of the range of Rₓ⁴.");
+
         Identification systematic = approximate();
         systematic.hasSystematicResiduals = true;
         systematic.standardError.fill(kNone);
