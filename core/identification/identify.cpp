@@ -224,19 +224,31 @@ bool isApproximateFormulaBetter(const LastFit &exact)
     return byFormula.misfit + kMaxMisfitIncrease < fit.misfit;
 }
 
+/// Whether a result reads R4_x from a different origin.
+bool needsOrigin(const Identification &result)
+{
+    const Convention::Kind kind = Convention::Kind::ZeroPoint;
+    return std::ranges::any_of(result.conventions, [=](const ConventionFinding &finding) {
+        return finding.convention.kind == kind && concerns(finding.convention, {R4x, Order::Position});
+    });
+}
+
 /// Identifies the mechanism with which the approximate formula of textbooks explains a table exactly; nullopt if there
-/// is none. `asInFile`: the result with the exact motion.
+/// is none, or if the exact motion explains the table as well and as simply. `asInFile`: the result with the exact
+/// motion, which may need an origin of R4_x where the formula needs none.
 std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable &asInFile, const ReferenceData &data,
                                                            const Parameters &given, const std::stop_token &stop)
 {
-    if (!isApproximateFormulaBetter(asInFile.findings.lastFit)) {
+    const bool isBetter = isApproximateFormulaBetter(asInFile.findings.lastFit);
+    if (!isBetter && !(asInFile.findings.lastFit.observations.hasAngle() && needsOrigin(asInFile.result))) {
         return std::nullopt;
     }
     IdentifiedTable table = identifyTable(data, std::nullopt, findGeometryOfApproximateFormula, given, stop);
     Identification &result = table.result;
     const bool isExact = table.findings.lastFit.isExact && result.leftOut.empty() && result.excludedRows.empty();
     const bool isEngine = result.parameters.branch == Branch::Open; // for the other assembly, nobody uses the formula
-    if (result.outcome != Identification::Outcome::Approximate || !isExact || !isEngine) {
+    if (result.outcome != Identification::Outcome::Approximate || !isExact || !isEngine ||
+        (!isBetter && needsOrigin(result))) {
         return std::nullopt;
     }
     result.followsApproximateFormula = true;

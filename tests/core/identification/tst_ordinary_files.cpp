@@ -257,6 +257,22 @@ private slots:
         QVERIFY(found.excludedRows.empty());
     }
 
+    /// A former defect: with few digits, the exact motion of a longer rod agreed as well, if the positions were
+    /// measured from a different origin.
+    void prefersTheApproximateFormulaToAnOrigin()
+    {
+        constexpr double kCrank = 12.5;
+        constexpr double kRod = 43.75;
+        const auto position = [=](double degrees) {
+            const double angle = degrees * kDegree;
+            return kCrank * std::cos(angle) + kRod - kCrank * kCrank / (4.0 * kRod) * (1.0 - std::cos(2.0 * angle));
+        };
+        const Identification found = identifyTable("theta2 [deg],R4_x [mm]", 10.0, 37, position);
+        QVERIFY(found.followsApproximateFormula);
+        QVERIFY(hasLengths(found, kCrank, kRod, 0.0));
+        QVERIFY(found.conventions.empty());
+    }
+
     /// A former defect: a tenth of the given speed was found in velocities in cm/s under a heading that says mm/s.
     void doubtsATenthOfTheGivenSpeed()
     {
