@@ -218,10 +218,12 @@ bool isApproximateFormulaBetter(const LastFit &exact)
     if (!fit.isFinite() || !exact.observations.hasAngle()) { // the formula needs θ2
         return false;
     }
-    Model model = fit.model;
-    model.isApproximateFormula = true;
-    const Fit byFormula = fitModel(exact.observations, std::move(model), fit.columns, fit.unknowns);
-    return byFormula.misfit + kMaxMisfitIncrease < fit.misfit;
+    const Observations searched = selectRows(exact.observations, kSearchedRows);
+    Model formula = fit.model;
+    formula.isApproximateFormula = true;
+    const Fit byFormula = fitModel(searched, std::move(formula), fit.columns, fit.unknowns);
+    const Fit byExactMotion = fitModel(searched, fit.model, fit.columns, fit.unknowns);
+    return byFormula.misfit + kMaxMisfitIncrease < byExactMotion.misfit;
 }
 
 /// Whether a result reads R4_x from a different origin.

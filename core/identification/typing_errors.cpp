@@ -102,14 +102,18 @@ std::optional<std::size_t> findRowWithLargestResidual(const LastFit &lastFit)
     if (!fit.isFinite() || lastFit.isExact) {
         return std::nullopt;
     }
+    constexpr double kMinResidual = 8.0; // times the median of the column: noise of 400 values seldom reaches five
     Values largest = Values::Zero(lastFit.observations.size());
     for (Index place = 0; place < fit.residuals.cols(); ++place) {
-        if (fit.rms[place] > 0.0) {
-            largest = largest.max(gapsAsZeros(fit.residuals.col(place)).abs() / fit.rms[place]);
+        const double usual = median(fit.residuals.col(place).abs());
+        if (usual > 0.0) {
+            largest = largest.max(gapsAsZeros(fit.residuals.col(place)).abs() / usual);
         }
     }
     Index row = 0;
-    largest.maxCoeff(&row);
+    if (largest.maxCoeff(&row) < kMinResidual) {
+        return std::nullopt;
+    }
     return static_cast<std::size_t>(lastFit.observations.rows[row]);
 }
 

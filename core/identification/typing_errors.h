@@ -20,7 +20,8 @@ namespace slidercrank
 std::optional<std::size_t> findSuspiciousRow(const ReferenceData &data);
 
 /// Returns the row of the file whose residual is largest, compared with those of the other values of its column: a
-/// wrong crank angle leaves the curves of the other columns smooth. Returns nullopt if rounding explains all residuals.
+/// wrong crank angle leaves the curves of the other columns smooth. Returns nullopt if rounding explains all residuals,
+/// or if none is much larger than the others.
 std::optional<std::size_t> findRowWithLargestResidual(const LastFit &lastFit);
 
 /// The number of rows that may contain typing errors: 0 for tables that are too short to show them, or longer than
