@@ -136,9 +136,14 @@ private slots:
             int row;
             double value; // mm
         };
-        const std::array<std::array<WrongCell, 2>, 3> errors{
-            {{{{8, -194.12}, {17, 138.85}}}, {{{5, 27.38}, {30, 22743.0}}}, {{{20, 134.62}, {33, 251.17}}}}};
-        for (const auto &[first, second] : errors) {
+        struct WrongCells {
+            WrongCell first;
+            WrongCell second;
+        };
+        for (const WrongCells &wrong : {WrongCells{{8, -194.12}, {17, 138.85}}, WrongCells{{5, 27.38}, {30, 22743.0}},
+                                        WrongCells{{20, 134.62}, {33, 251.17}}}) {
+            const WrongCell &first = wrong.first;
+            const WrongCell &second = wrong.second;
             const auto position = [&](double degrees) {
                 const int row = static_cast<int>(std::lround(degrees / kStep));
                 const double typed = row == first.row ? first.value : second.value;
