@@ -202,15 +202,31 @@ std::vector<ChannelComparison> compareWithMechanismFound(const Identification &r
     return allAgree(rounded) ? rounded : exact;
 }
 
+/// The largest minus the smallest value of a column.
+double rangeOf(const ReferenceSeries &series)
+{
+    ValueRange range;
+    for (const double value : series.values) {
+        if (std::isfinite(value)) {
+            range.include(value);
+        }
+    }
+    return range.width();
+}
+
 /// Replaces the residuals of the columns as they are in the file by those after the conventions are applied. Their
-/// percentages of the range remain, because a column and its range are converted by the same factor.
-void takeResidualsFromComparison(Identification &result)
+/// percentages of the range remain, because a column and its range are converted by the same factor; but those of a fit
+/// by the approximate formula are replaced by those of the exact motion.
+void takeResidualsFromComparison(Identification &result, const ReferenceData &corrected, const Model &fitted)
 {
     for (const ChannelComparison &channel : result.channels) {
         const auto residual = std::ranges::find(result.residuals, channel.channel, &ColumnResidual::channel);
         if (residual != result.residuals.end()) {
             residual->rms = channel.rms.value_or(0.0);
             residual->max = channel.maxAbs.value_or(0.0);
+            if (fitted.isApproximateFormula && channel.channel.coordinate == R4x) {
+                residual->percentOfRange = 100.0 * residual->max / rangeOf(*corrected.find(channel.channel));
+            }
         }
     }
 }
@@ -237,7 +253,7 @@ void compareWithBothMechanisms(Identification &result, const ReferenceData &corr
 {
     result.lengthUnit = findLengthUnit(corrected);
     result.channels = compareWithMechanismFound(result, corrected, findings);
-    takeResidualsFromComparison(result);
+    takeResidualsFromComparison(result, corrected, findings.lastFit.fit.model);
     const FittedMechanism notFitted{};
     const std::vector<ChannelComparison> withGiven = compareCorrectedFile(given, corrected, findings, notFitted);
     result.agreesWithGiven = std::ranges::none_of(

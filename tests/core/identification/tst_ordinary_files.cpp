@@ -256,6 +256,12 @@ private slots:
         const Identification found = identify(std::get<ReferenceData>(outcome), Mechanism(Parameters()));
         QCOMPARE(found.outcome, Outcome::Approximate); // of the exact motion
         QVERIFY(found.followsApproximateFormula);
+        const ColumnResidual &ofPosition = found.residuals.front(); // that of the exact motion
+        QCOMPARE(ofPosition.channel, kSlider);
+        const double largest = connectingRod - 0.5 * kCrank * kCrank / connectingRod -
+                               std::sqrt(connectingRod * connectingRod - kCrank * kCrank);
+        QVERIFY(std::abs(ofPosition.max - largest) < 2e-3);
+        QVERIFY(std::abs(ofPosition.percentOfRange - 100.0 * largest / (2.0 * kCrank)) < 3e-3);
         QVERIFY(hasLengths(found, kCrank, connectingRod, 0.0, 2e-4));
         QCOMPARE(hasFinding(found, ZeroPoint, kSlider), isDisplacement);
         QVERIFY(found.leftOut.empty());
