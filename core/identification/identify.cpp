@@ -72,7 +72,7 @@ void leaveOutUnusedAngle(std::vector<LeftOutColumn> &leftOut, const ReferenceDat
     }
 }
 
-/// The step that finds the geometry: findBestGeometry() or findGeometryOfHigherDerivatives().
+/// The step that finds the geometry, one of the functions of best_geometry.h.
 using FindGeometry = ConstrainedFit (&)(const Observations &wholeFile, const Observations &searched,
                                         const Parameters &given);
 
@@ -241,16 +241,19 @@ bool needsOrigin(const Identification &result)
 std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable &asInFile, const ReferenceData &data,
                                                            const Parameters &given, const std::stop_token &stop)
 {
-    const bool isBetter = isApproximateFormulaBetter(asInFile.findings.lastFit);
-    if (!isBetter && !(asInFile.findings.lastFit.observations.hasAngle() && needsOrigin(asInFile.result))) {
+    const LastFit &exactMotion = asInFile.findings.lastFit;
+    const bool isBetter = isApproximateFormulaBetter(exactMotion);
+    const bool maySaveOrigin = exactMotion.observations.hasAngle() && needsOrigin(asInFile.result);
+    if (!isBetter && !maySaveOrigin) {
         return std::nullopt;
     }
     IdentifiedTable table = identifyTable(data, std::nullopt, findGeometryOfApproximateFormula, given, stop);
     Identification &result = table.result;
-    const bool isExact = table.findings.lastFit.isExact && result.leftOut.empty() && result.excludedRows.empty();
+    const bool explainsTable = result.outcome == Identification::Outcome::Approximate &&
+                               table.findings.lastFit.isExact && result.leftOut.empty() && result.excludedRows.empty();
+    const bool isSimpler = isBetter || !needsOrigin(result);
     const bool isEngine = result.parameters.branch == Branch::Open; // for the other assembly, nobody uses the formula
-    if (result.outcome != Identification::Outcome::Approximate || !isExact || !isEngine ||
-        (!isBetter && needsOrigin(result))) {
+    if (!explainsTable || !isSimpler || !isEngine) {
         return std::nullopt;
     }
     result.followsApproximateFormula = true;

@@ -15,8 +15,8 @@ namespace slidercrank
 inline constexpr double kLargestNoise = 0.02;
 inline constexpr double kLargestSystematicResidual = 0.007;
 
-/// By how much the misfit of a fit may exceed that of another one that it explains as well: the ratio of the
-/// likelihoods is less than exp(10), and even among a thousand fits, chance seldom prefers one by as much.
+/// A fit explains the values as well as another one if its misfit is larger by at most this. The ratio of the
+/// likelihoods is less than exp(10) then: even among a thousand fits, chance seldom prefers one by more.
 inline constexpr double kMaxMisfitIncrease = 20.0;
 
 /// How far the values of fit.columns[place] may be off by their rounding: half a rounding step of the value, plus the
