@@ -64,8 +64,8 @@ double parseParameter(const char *option, const QString &text, Parameter paramet
 {
     const bool isLink = parameter == Parameter::A || parameter == Parameter::B;
     const Quantity withoutUnit = readExpression(text, {}, QLocale::c());
-    if (parameter == Parameter::Theta20 && !withoutUnit.fault &&
-        withoutUnit.value != 0.0) { // the unit could be ° or rad
+    const bool lacksUnit = !withoutUnit.fault && withoutUnit.value != 0.0; // 0 needs none
+    if (parameter == Parameter::Theta20 && lacksUnit) {
         throw UsageError{CommandLine::tr("--%1 %2: add a unit, %2deg or %2rad.").arg(option, text)};
     }
     return parseNumber(option, text, unitOf(parameter), isLink ? kShortestLink : -kLargestParameter);

@@ -178,8 +178,11 @@ std::string ownerOf(const NameReading &name, const NamePath &path)
 /// no lengths except those of their centres of mass.
 bool mayBeChannel(const NameReading &name, bool isAngle)
 {
-    if (!name.body || *name.body == Body::Slider) {
-        return !name.body || !isAngle;
+    if (!name.body) {
+        return true;
+    }
+    if (*name.body == Body::Slider) {
+        return !isAngle;
     }
     return isAngle || (name.isCentre && name.axis != ' ');
 }

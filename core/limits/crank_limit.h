@@ -16,8 +16,7 @@ namespace slidercrank
 
 /// Returns the motion if the crank is at the end of an arc at time t (s), except for rounding; otherwise nullopt. The
 /// position is the limit position. Velocities do not exist (Status::Singular) unless the crank stands still. θ3 is
-/// within
-/// [-π/2, 3π/2], as in closed_form.h. `limits`: motionLimits(mechanism); `alpha2`: crank acceleration, rad/s².
+/// within [-π/2, 3π/2], as in closed_form.h. `limits`: motionLimits(mechanism); `alpha2`: crank acceleration, rad/s².
 std::optional<Motion> crankLimitMotionAt(const Mechanism &mechanism, const MotionLimits &limits, double t,
                                          double alpha2);
 
