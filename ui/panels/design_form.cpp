@@ -84,7 +84,7 @@ void DesignForm::createControls()
                                       "largest minimum transmission angle is chosen, stroke and time ratio stay"));
     for (NumberBox *box : {m_stroke, m_timeRatio, m_transmissionAngle}) {
         box->setWidestNumber(QStringLiteral("0000.00000000")); // these are computed, and have many digits
-        box->setRange(kSmallestPositive, kLargestParameter);
+        box->setPositiveRange(kSmallestPositive, kLargestParameter);
     }
     m_ratio = addField(form, "designRatio", tr("Ratio b/a"), new NumberSlider,
                        tr("The remaining degree of freedom: the ratio b/a of coupler and crank"));

@@ -306,7 +306,11 @@ void ParameterPanel::useUnit(Parameter parameter)
     row.slider->setSuffix(u' ' + unit.name);
     row.slider->setRange(unit.range, isPositive(parameter)); // showRow() extends it if it is too small
     row.box->setUnit(unit.unit);
-    row.box->setRange(isPositive(parameter) ? unit.fromCore(kShortestLink) : -largest, largest);
+    if (isPositive(parameter)) {
+        row.box->setPositiveRange(unit.fromCore(kShortestLink), largest);
+    } else {
+        row.box->setRange(-largest, largest);
+    }
 }
 
 void ParameterPanel::edit(Parameter parameter, double value)

@@ -212,7 +212,7 @@ void Timeline::createForm()
     m_start = addField(form, "startBox", tr("Start"), new NumberBox, tr("The first time step"));
     m_duration =
         addField(form, "durationBox", tr("Duration"), new NumberBox, tr("From the first time step to the last"));
-    m_duration->setRange(kSmallestPositive, kLargestParameter);
+    m_duration->setPositiveRange(kSmallestPositive, kLargestParameter);
     m_oneTurn = named("oneTurnButton", new QToolButton);
     m_oneTurn->setText(tr("One revolution"));
     m_oneTurn->setToolTip(tr("Sets the duration to one revolution of the crank"));
@@ -224,7 +224,7 @@ void Timeline::createForm()
     m_speedBox = addField(form, "speedBox", tr("Playback speed"), new NumberBox,
                           tr("Seconds of the motion in a second of real time"));
     m_speedBox->setSuffix(tr("×"));
-    m_speedBox->setRange(kSlowestPlayback, kFastestPlayback);
+    m_speedBox->setPositiveRange(kSlowestPlayback, kFastestPlayback);
     for (NumberBox *box : {m_start, m_duration}) {
         box->setSuffix(tr(" s"));
         box->setUnit(kSecond);

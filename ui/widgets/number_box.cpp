@@ -25,8 +25,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kDecimals = 60;              // with fewer, QDoubleSpinBox would round small numbers
-constexpr double kOnlyExcludesZero = 1e-6; // a smallest value up to this one means that the number is positive
+constexpr int kDecimals = 60; // with fewer, QDoubleSpinBox would round small numbers
 constexpr std::chrono::seconds kNoteDuration{10};
 constexpr int kNoteMargin = 3;    // px
 constexpr int kMinimumDigits = 2; // significant digits of a number that is shortened to fit into the box
@@ -101,6 +100,13 @@ void NumberBox::setRange(double smallest, double largest)
 {
     const QSignalBlocker quiet(this);
     QDoubleSpinBox::setRange(smallest, largest);
+    m_isPositive = false;
+}
+
+void NumberBox::setPositiveRange(double smallest, double largest)
+{
+    setRange(smallest, largest);
+    m_isPositive = true;
 }
 
 void NumberBox::setStep(double step)
@@ -214,7 +220,7 @@ QString NumberBox::refusalOf(double value) const
     if (isWhole && (value != std::round(value) || value < minimum() || value > maximum())) {
         return tr("This must be a whole number from %1 to %2.").arg(withUnit(minimum()), withUnit(maximum()));
     }
-    if (value <= 0.0 && minimum() > 0.0 && minimum() <= kOnlyExcludesZero) {
+    if (m_isPositive && value <= 0.0) {
         return tr("This must be greater than 0.");
     }
     if (value < minimum()) {

@@ -32,6 +32,10 @@ public:
     /// Sets the numbers that are accepted. By default, they are -kLargestParameter to kLargestParameter.
     void setRange(double smallest, double largest);
 
+    /// Sets the numbers that are accepted, which are greater than 0. 0 and negative numbers are refused for that
+    /// reason, whatever the smallest number is.
+    void setPositiveRange(double smallest, double largest);
+
     /// Set and remove the unit of the number, which may be omitted when typing. By default, the number has no unit.
     void setUnit(const Unit &unit) { m_unit = unit; }
     void clearUnit() { m_unit.reset(); }
@@ -76,7 +80,8 @@ private:
     void refuse(const QString &sentence);
 
     std::optional<Unit> m_unit;
-    int m_fixedDecimals = -1; ///< negative: not fixed
+    bool m_isPositive = false; ///< whether the numbers must be greater than 0
+    int m_fixedDecimals = -1;  ///< negative: not fixed
     QString m_widestNumber = QStringLiteral("-000.000");
     bool m_isEditing = false;  ///< the box has the focus and shows every digit that fits
     bool m_hasTyped = false;   ///< text was typed since the last number was accepted, even if it equals that number

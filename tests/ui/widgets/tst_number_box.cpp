@@ -36,7 +36,7 @@ struct Shown {
         rows->addWidget(other);
         box->setSuffix(" mm");
         box->setUnit(kMillimetre);
-        box->setRange(kSmallestPositive, kLargestParameter);
+        box->setPositiveRange(kSmallestPositive, kLargestParameter);
         box->setValue(value);
         window.show();
         window.activateWindow();
@@ -82,6 +82,21 @@ private slots:
             QCOMPARE(shown.edits[0][0].toDouble(), row.value);
             QVERIFY(!shown.noteIsShown());
         }
+    }
+
+    void namesZeroAsTheLimitOfPositiveNumbersOnly()
+    {
+        const auto refusalOf = [](Shown &shown, const QString &typed) {
+            typeNumber(shown.box, typed);
+            return shown.box->findChild<QLabel *>()->text();
+        };
+        Shown positive;
+        positive.box->setPositiveRange(0.5, 100.0);
+        QCOMPARE(refusalOf(positive, "0"), QString("This must be greater than 0."));
+        QCOMPARE(refusalOf(positive, "0.25"), QString("This must be at least 0.5 mm."));
+        Shown limited;
+        limited.box->setRange(1e-9, 100.0);
+        QCOMPARE(refusalOf(limited, "0"), QString("This must be at least 10⁻⁹ mm."));
     }
 
     void refusesATextWithItsReason()
