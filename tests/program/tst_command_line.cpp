@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
 #include <csignal>
 
 using namespace slidercrank;
@@ -306,6 +307,19 @@ private slots:
             QCOMPARE(completionsOf(QString(command.name) + " --"), options.join(' '));
         }
         QCOMPARE(completionsOf("limits --format "), QByteArray("text csv json"));
+
+        // The choices of --what are repeated in the script: compares them with those that a refusal lists.
+        QByteArray subjects = run("render -o none.png --what nothing").error;
+        subjects = subjects.mid(qstrlen("--what must be "));
+        subjects.truncate(subjects.indexOf(", not \"nothing\""));
+        QByteArrayList accepted = subjects.replace(" or ", ", ").split(',');
+        for (QByteArray &subject : accepted) {
+            subject = subject.trimmed();
+        }
+        QByteArrayList completed = completionsOf("render --what ").split(' ');
+        std::ranges::sort(accepted);
+        std::ranges::sort(completed);
+        QCOMPARE(completed, accepted);
         QCOMPARE(completionsOf("help s"), QByteArray("solve study"));
 #else
         QSKIP("Needs bash.");
