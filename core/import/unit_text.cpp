@@ -39,6 +39,8 @@ const Spellings kUnitSpellings{{"×π rad", "pirad"},
                                {"min^-1", "rpm"},
                                {"min-1", "rpm"},
                                {"min⁻¹", "rpm"},
+                               {"dev/dk", "rpm"},
+                               {"d/dk", "rpm"},
                                {"-per-", "/"},
                                {"_s_2", "/s2"},
                                {".s.2", "/s2"},
@@ -187,10 +189,21 @@ struct UnitFactor {
     int power = 1;
 };
 
-/// Removes the first factor from a product, and returns it. A power that is no number counts as 0.
+/// Returns whether a name ends with the s of seconds behind a length or an angle, as in "ms" and "rads".
+bool endsWithSeconds(std::string_view name)
+{
+    const std::optional<Unit> unit = name.ends_with('s') ? unitNamed(name.substr(0, name.size() - 1)) : std::nullopt;
+    return unit && unit->dimension != Time;
+}
+
+/// Removes the first factor from a product, and returns it. A power that is no number counts as 0. "ms-1" has the
+/// factors "m" and "s-1", as in British textbooks: hardly anything is counted per millisecond.
 UnitFactor takeFactor(std::string_view &product)
 {
     UnitFactor factor{product.substr(0, product.find_first_of(" /-0123456789"))};
+    if (product.substr(factor.name.size()).starts_with('-') && endsWithSeconds(factor.name)) {
+        factor.name.remove_suffix(1);
+    }
     product.remove_prefix(factor.name.size());
     const std::string_view power = product.substr(0, product.find_first_not_of("-0123456789"));
     if (!power.empty()) {
