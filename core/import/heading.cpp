@@ -85,6 +85,14 @@ bool areBracketsOfName(std::string_view text, std::size_t begin, std::string_vie
     return isIndex || (whole.kind != Kind::Nothing && !whole.hasUnknownWords);
 }
 
+/// Returns whether brackets that begin at `begin` contain an argument or index of LaTeX, as in "\dot{r}", "{r}_B" and
+/// "θ_{r}", where r is no unit. The unit of "x {mm}" and "x/{mm}" stands apart.
+bool areBracketsOfLatex(std::string_view text, std::size_t begin)
+{
+    const bool isApart = begin > 0 && (isBlank(text[begin - 1]) || text[begin - 1] == '/');
+    return text[begin] == '{' && !isApart;
+}
+
 void splitAtEnd(std::string_view text, Heading &heading);
 
 /// Returns the unit behind a symbol that suits a name: "cm" of "x_B in cm", "d, cm" and "x/cm". Returns an empty text
@@ -131,7 +139,7 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
     for (std::size_t end = text.size(); end-- > 0;) {
         const std::size_t bracket = kClosing.find(text[end]);
         const std::size_t begin = bracket == kClosing.npos ? text.npos : text.substr(0, end).rfind(kOpening[bracket]);
-        if (begin == text.npos) {
+        if (begin == text.npos || areBracketsOfLatex(text, begin)) {
             continue;
         }
         const std::optional<std::string_view> unit = unitInBrackets(text, begin, end);
@@ -197,8 +205,10 @@ void splitAtEnd(std::string_view text, Heading &heading)
         const std::string_view name = trimmed(text.substr(0, at));
         const std::string_view printed = withoutPreposition(end, name);
         const bool isClear = text[at] == '/' || text[at] == ',' || printed.size() < end.size();
-        const bool isInput = printed == "in" && meaningOf(name, "in").hasUnknownWords; // "theta_in" is an angle
-        if (printed.empty() || printed[0] == '/' || (!isClear && (isInput || isAmong(lowered(printed), kAlsoWords)))) {
+        const bool isInput = printed == "in" && meaningOf(name, "in").hasUnknownWords; // not inches: "theta_in"
+        const bool isIndex = text[at] == '_' && printed.starts_with('{');              // "θ_{r}"
+        if (printed.empty() || printed[0] == '/' || isIndex ||
+            (!isClear && (isInput || isAmong(lowered(printed), kAlsoWords)))) {
             continue;
         }
         if (const std::optional<std::string> unit = unitBehind(name, std::string(printed), isClear)) {
@@ -271,10 +281,12 @@ Heading parseHeading(std::string_view cell)
 {
     static const Spellings kQuotedCharacters{{"\"\"", "\""}, {"\r\n", " "}, {"\n", " "}};
     // Commands of LaTeX, the wide brackets of Chinese and Japanese, and the quotation marks of word processors.
-    static const Spellings kMarkup{{"$", ""},      {"\\mathrm", ""}, {"\\text", ""}, {"\\rm", ""},    {"\\si", ""},
-                                   {"\\unit", ""}, {"\\,", " "},     {"\\left", ""}, {"\\right", ""}, {"\\frac", ""},
-                                   {"}{d", "/d"},  {"（", "("},      {"）", ")"},    {"［", "["},     {"］", "]"},
-                                   {"／", "/"},    {"“", ""},        {"”", ""}};
+    static const Spellings kMarkup{{"\\textbf", ""}, {"\\mathbf", ""}, {"\\boldsymbol", ""}, {"\\vec", ""},
+                                   {"$", ""},        {"\\mathrm", ""}, {"\\text", ""},       {"\\rm", ""},
+                                   {"\\si", ""},     {"\\unit", ""},   {"\\,", " "},         {"\\left", ""},
+                                   {"\\right", ""},  {"\\frac", ""},   {"}{d", "/d"},        {"（", "("},
+                                   {"）", ")"},      {"［", "["},      {"］", "]"},          {"／", "/"},
+                                   {"“", ""},        {"”", ""}};
     Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
     const std::string text = withoutNumberOfCurve(withoutEnclosure(kMarkup.replacedIn(heading.use.heading)));
     heading.name = text;
