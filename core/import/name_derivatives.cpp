@@ -61,7 +61,7 @@ int takeDerivatives(Words &words)
         words = {"d", "dot"};
     }
     for (std::size_t i = 0; i < words.size();) {
-        const WordMeaning *const two = findWord(pairAt(words, i), WordUse::Derivative);
+        const WordMeaning *const two = findWord(phraseAt(words, i, 2), WordUse::Derivative);
         const bool isOfSymbol = i == 1 && findWord(words[0], WordUse::Symbol);
         const bool isLabel = !isOfSymbol && i + 1 < words.size() && findWord(words[i], WordUse::Label); // but "x punto"
         const WordMeaning *const entry = two ? two : findWord(words[i], WordUse::Derivative);

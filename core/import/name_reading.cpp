@@ -325,13 +325,26 @@ bool isBy(const Words &words, std::size_t at)
     return at > 0 && at + 1 < words.size() && isAmong(words[at], "by par");
 }
 
+/// Returns how many words from `at` on are one entry of the vocabulary, as "link 3", "O2", "r1" and "pie de biela" are;
+/// 1 if only the first one may be.
+std::size_t sizeOfPhrase(const Words &words, std::size_t at, Entries entries)
+{
+    constexpr std::size_t kMostWords = 3;
+    for (std::size_t size = kMostWords; size > 1; --size) {
+        const std::string phrase = phraseAt(words, at, size);
+        if (findWord(phrase, WordUse::Word) || findWord(phrase, WordUse::Filler) ||
+            (entries == Entries::All && findWord(phrase, WordUse::Symbol))) {
+            return size;
+        }
+    }
+    return 1;
+}
+
 /// Includes the words of one part of a path. Returns false if they contradict each other or those before.
 bool includeWords(NameReading &reading, const Words &words, Entries entries)
 {
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string two = pairAt(words, i);
-        const bool isPair = findWord(two, WordUse::Word) || findWord(two, WordUse::Filler) || // "link 3", "O2", "r1"
-                            (entries == Entries::All && findWord(two, WordUse::Symbol));
+        const std::size_t size = sizeOfPhrase(words, i, entries);
         bool isIncluded = true;
         if (countsColumns(words, i) || isBy(words, i)) {
             continue;
@@ -343,8 +356,8 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
             isIncluded = includePlace(reading, words[++i]);
         } else if (isNumberOfPoint(reading, words, i)) {
             reading.unknown.point = reading.unknown.point.empty() ? words[i - 1] + words[i] : reading.unknown.point;
-        } else if (includeWord(reading, isPair ? two : words[i], entries)) {
-            i += isPair ? 1 : 0;
+        } else if (includeWord(reading, phraseAt(words, i, size), entries)) {
+            i += size - 1;
         } else {
             isIncluded = includeUnknown(reading, words[i]);
         }

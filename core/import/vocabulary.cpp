@@ -167,7 +167,8 @@ constexpr auto kRows = std::to_array<WordMeaning>(
       "crankshaft wheel flywheel disk disc driver manivela maneta manivelle manovella ciguenal "
       "vilebrequin virabrequim volante rueda kurbel kurbelwelle schwungrad kruk krukas korba korby "
       "vev vevaxel klika kliky krank veiv krumtap forgattyu kampi kammen krumtapaksel veivaksel "
-      "kluky klukoveho 크랭크 кривошип 曲柄 曲轴 クランク link_2 glied_2 eslabon_2 barra_2 bar_2 membro_2",
+      "kluky klukoveho big_end kurbelzapfen maneton munon moente 크랭크 кривошип 曲柄 曲轴 クランク link_2 glied_2 "
+      "eslabon_2 barra_2 bar_2 membro_2",
       kOpen, kOpen, Crank},
      {Word, "ca cad kw owk kurbelw atdc omega_t w_t", Angle, Position, Crank},
      {Word,
@@ -183,7 +184,8 @@ constexpr auto kRows = std::to_array<WordMeaning>(
       "schieber gleitstein schlitten kreuzkopf zuiger schuif suwak wodzik крейцкопф uscita saida "
       "tlok tloka kolv kolven sliden glid gliden piestu smykadla patina "
       "culisei 슬라이더 피스톤 pist pistu wrist gudgeon ram plunger corsoio corredica pistonului stempel "
-      "stemplets dugattyu manta mannan luisti ariete stossel ползун поршень поршня 滑块 活塞 "
+      "stemplets dugattyu manta mannan luisti ariete stossel small_end bulon spinotto kolbenbolzen piede_di_biella "
+      "pied_de_bielle pie_de_biela ползун поршень поршня 滑块 活塞 "
       "スライダ スライダー ピストン link_4 glied_4 eslabon_4 barra_4 bar_4",
       kOpen, kOpen, Slider},
      {Word, "schwenkwinkel obliquity", Angle, Position, Coupler},
@@ -237,7 +239,8 @@ constexpr auto kRows = std::to_array<WordMeaning>(
       kOpen, Acceleration},
      {AmbiguousLetter, "d p point", kOpen, Velocity},
      {Filler, "de del la el da do du di des della delle dello der die das of the van het en au a_la in con "
-              "component comp field out act actual instantaneous relative measured z open crossed o pin obrotu "
+              "component comp field out act actual instantaneous relative measured medido gemessen mesuree misurato "
+              "misurata z open crossed o pin obrotu "
               "поворота повороту"},
      {OtherQuantity,
       "error err erreur errore erro fehler fel fout blad chyba hata ошибка 误差 deviation desviacion "
@@ -315,9 +318,13 @@ Words wordsOf(std::string_view name)
     return words;
 }
 
-std::string pairAt(const Words &words, std::size_t at)
+std::string phraseAt(const Words &words, std::size_t at, std::size_t size)
 {
-    return at + 1 < words.size() ? words[at] + '_' + words[at + 1] : std::string();
+    std::string phrase;
+    for (std::size_t i = at; i < at + size && at + size <= words.size(); ++i) {
+        phrase += (i > at ? "_" : "") + words[i];
+    }
+    return phrase;
 }
 
 bool isDigits(std::string_view word)
@@ -342,7 +349,7 @@ std::string_view unitOfRotation(const Words &words)
         if (isAmong(words[i], kTurnsPerMinute)) {
             return "rpm";
         }
-        if (isAmong(words[i], kTurnsPerSecond) || isAmong(pairAt(words, i), kTurnsPerSecond)) {
+        if (isAmong(words[i], kTurnsPerSecond) || isAmong(phraseAt(words, i, 2), kTurnsPerSecond)) {
             return "rps";
         }
     }

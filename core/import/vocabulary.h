@@ -32,7 +32,7 @@ enum class WordUse {
 struct WordMeaning {
     WordUse use = WordUse::Word;
 
-    /// Separated by spaces, without accents and in lower case. Two words of a name are joined: "double_dot".
+    /// Separated by spaces, without accents and in lower case. Two or three words of a name are joined: "double_dot".
     std::string_view words{};
 
     std::optional<Dimension> dimension{};
@@ -49,8 +49,9 @@ const WordMeaning *findWord(std::string_view word, WordUse use);
 /// after a small one begins a word: "SliderPosition". Dots above a letter become primes: "ẍ" is x, ', '.
 std::vector<std::string> wordsOf(std::string_view name);
 
-/// Returns the word at a place joined to the next one, as in "double_dot"; the last word has none.
-std::string pairAt(const std::vector<std::string> &words, std::size_t at);
+/// Returns so many words from `at` on as the vocabulary joins them: "double_dot", "pie_de_biela". Empty if there are
+/// fewer.
+std::string phraseAt(const std::vector<std::string> &words, std::size_t at, std::size_t size);
 
 bool isDigits(std::string_view word);
 
