@@ -101,16 +101,16 @@ void countFromFirstRow(RawColumn &column)
     });
 }
 
-/// Returns whether a word or symbol denotes an angle or a derivative of one.
-bool namesAngleOrRate(const std::string &word)
+/// Returns whether a word or symbol denotes an angle, a derivative of one, or a body.
+bool namesAngleOrBody(const std::string &word)
 {
     const WordMeaning *const symbol = findWord(word, WordUse::Symbol);
     const WordMeaning *const entry = symbol ? symbol : findWord(word, WordUse::Word);
-    return entry && entry->dimension == Dimension::Angle;
+    return entry && (entry->dimension == Dimension::Angle || entry->body);
 }
 
 /// Returns whether the name leaves open what the column contains: it has no meaning, or unknown words. "X_Value" leaves
-/// it open, but neither "J1_x", which is of an unknown body, nor "θ/θmax", "t/T" and "% of cycle" do.
+/// it open, but neither "J1_x", which is of an unknown body, nor "crank radius", "θ/θmax", "t/T" and "% of cycle" do.
 bool isNameOpen(const RawColumn &column)
 {
     const NameMeaning &meaning = column.meaning;
@@ -119,7 +119,7 @@ bool isNameOpen(const RawColumn &column)
         (meaning.kind == Kind::Quantity && meaning.hasUnknownWords && meaning.doubt == NameMeaning::Doubt::None);
     const std::vector<std::string> words = wordsOf(column.name);
     return isUnknown && meaning.reason != ColumnReason::UnknownBody && meaning.reason != ColumnReason::UnknownUnit &&
-           std::ranges::none_of(words, namesOtherQuantity) && std::ranges::none_of(words, namesAngleOrRate);
+           std::ranges::none_of(words, namesOtherQuantity) && std::ranges::none_of(words, namesAngleOrBody);
 }
 
 /// Returns whether an unused column may be the time although its name leaves that open: its values only rise, and it

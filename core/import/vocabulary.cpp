@@ -254,7 +254,9 @@ constexpr auto kRows = std::to_array<WordMeaning>(
       "soupape follower spring feder resorte muelle ressort molla mola belt riemen correa gap spalt "
       "sin cos tan phase pitch roll yaw azimuth heading latitude normal tangential coriolis wear verschleiss "
       "drift backlash holgura level count limit tilt cycle ciclo zyklus percent percentage pct porcentaje "
-      "prozent pourcentage percentuale fraction segment segmento strecke"},
+      "prozent pourcentage percentuale fraction segment segmento strecke radius radio rayon raggio diameter "
+      "durchmesser diametro diametre clearance frequency frecuencia frequencia frequenz frequence voltage voltaje "
+      "spannung temperatur"},
      {Label, "body part joint link barra eslabon pin gelenk point punkt punto node marker of de del von du di do"}});
 
 } // namespace vocabulary

@@ -524,6 +524,17 @@ private slots:
                  std::string("time? R4_x?"));
     }
 
+    /// Tables over a quantity other than the time are no motion, although the values of the quantity only rise.
+    void readsNoTimeIntoOtherQuantities()
+    {
+        for (const char *const headings : {"Frequency;x", "Voltage;Displacement (mm)", "Temperatur;Weg in mm",
+                                           "Crank radius;Slider position (mm)", "Rod length;x_max (mm)"}) {
+            const Outcome outcome = read(QByteArray(headings) + "\n1.5;85\n2.2;84\n3.1;80\n");
+            const ReadError *const error = std::get_if<ReadError>(&outcome);
+            QVERIFY2(error && error->fault.kind == Kind::NoTime, headings);
+        }
+    }
+
     /// Spreadsheets count days from 1900, and MATLAB from the year 0.
     void countsDaysFromTheFirstRow()
     {
