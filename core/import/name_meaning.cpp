@@ -23,12 +23,10 @@ using Doubt = NameMeaning::Doubt;
 /// Beginnings of remarks about the sensor (", Ch P1" of PASCO), about the abscissa, and about the origin: "piston
 /// position from TDC".
 constexpr std::array<std::string_view, 26> kRemarkBeginnings{
-    " vs ",          " vs. ",         " versus ",          ", Ch ",       " from ",
-    " since ",       " relative to ", " with respect to ", " after ",     " ab ",
-    " vom ",         " nach ",        " desde ",           " respecto a", " depuis ",
-    " par rapport ", " à partir ",    " rispetto al ",     " dal ",       " vanaf ",
-    " od ",          " a partir ",    " Ref. Coordinate",  "_from_",      "_desde_",
-    "_depuis_"}; // the last one of SolidWorks
+    " vs ",       " vs. ",         " versus ", ", Ch ",   " from ",  " since ",     " relative to ",    " with ",
+    " after ",    " ab ",          " vom ",    " nach ",  " desde ", " respecto a", " depuis ",         " par rapport ",
+    " à partir ", " rispetto al ", " dal ",    " vanaf ", " od ",    " a partir ",  " Ref. Coordinate", "_from_",
+    "_desde_",    "_depuis_"}; // the last one of SolidWorks
 
 /// Greek letters that denote other angles than the coupler's, such as the transmission angle.
 constexpr std::string_view kOtherAngles = "gamma delta lambda";
@@ -270,9 +268,22 @@ std::string_view withoutVariable(std::string_view name)
     return isTime(variable) || isAngle || isNumberOfSample ? name.substr(0, bracket) : name;
 }
 
+/// Returns where the first comma outside brackets is, or npos.
+std::size_t findOuterComma(std::string_view text)
+{
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        depth += (text[i] == '(' ? 1 : 0) - (text[i] == ')' ? 1 : 0);
+        if (text[i] == ',' && depth == 0) {
+            return i;
+        }
+    }
+    return text.npos;
+}
+
 /// Removes the variable of a name and the calls of functions that differentiate, and returns the number of derivatives:
-/// "der(x)" of Modelica, "diff(x(t), t, t)", "D(x)(t)" and "Derivative(x(t), (t, 2))" of computer algebra.
-/// A quantity in mm or degrees is no derivative: "d(θ)" in mm is a distance.
+/// "der(x)" of Modelica, "diff(x(t), t, t)", "diff(diff(x(t), t), t)", "D(x)(t)" and "Derivative(x(t), (t, 2))" of
+/// computer algebra. A quantity in mm or degrees is no derivative: "d(θ)" in mm is a distance.
 int takeCalls(std::string_view &name, const std::optional<Unit> &unit)
 {
     name = withoutVariable(name);
@@ -281,7 +292,7 @@ int takeCalls(std::string_view &name, const std::optional<Unit> &unit)
     for (const std::string_view function : {"der(", "diff(", "derivative(", "d("}) {
         while (mayBeDerivative && lowered(name.substr(0, function.size())) == function && name.ends_with(')')) {
             name = name.substr(function.size(), name.size() - function.size() - 1);
-            const std::size_t comma = name.find(',');
+            const std::size_t comma = findOuterComma(name);
             const std::string_view variables = name.substr(std::min(comma, name.size()));
             const auto times = static_cast<int>(std::ranges::count(variables, 't'));
             count += variables.find('2') != variables.npos ? 2 : std::max(times, 1);
@@ -524,8 +535,11 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (isOverAngle(name, unit)) {
         return {.reason = ColumnReason::OverAngle};
     }
-    if (const std::size_t equals = name.find(" = "); equals != name.npos && name.find("/d", equals) != name.npos) {
-        return meaningOf(name.substr(0, equals), unit); // "v = dx/dt"
+    if (const std::size_t equals = name.find(" = "); name.find_first_of("+*/(", equals) != name.npos) {
+        const NameMeaning meaning = meaningOf(name.substr(0, equals), unit); // "v = dx/dt", "φ = asin(λ sin θ)"
+        if (meaning.kind != Kind::Time) { // "time = np.linspace(0, 1)" is a line of a program
+            return meaning;
+        }
     }
     if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
         return *meaning;
