@@ -49,7 +49,7 @@ bool areDays(const RawColumn &column)
 {
     constexpr double kFirstDay = 36'526.0;  // 1 January 2000, in spreadsheets
     constexpr double kCentury = 36'525.0;   // days
-    constexpr double kYearZero = 693'960.0; // what MATLAB counts more
+    constexpr double kYearZero = 693'960.0; // days between the origins of MATLAB and of spreadsheets
     constexpr double kLongestStep = 1e-4;   // nine seconds
     const ValueRange range = rangeOf(column.values);
     const auto isInCentury = [&range](double origin) {

@@ -147,8 +147,8 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
     return candidates;
 }
 
-/// Makes a candidate its channel if no other one is the same channel with as good evidence; otherwise it is ignored.
-/// Throws if both have the exact name of the channel, or were chosen.
+/// Uses a candidate as its channel unless another one may be the same channel with as good evidence: then it is
+/// ignored. Throws if both have the exact name of the channel, or were chosen.
 void assignChannel(const RawTable &table, RawColumn &column, const std::vector<RawColumn *> &candidates)
 {
     const auto *const rival = findElement(candidates, [&](const RawColumn *other) {

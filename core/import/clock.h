@@ -18,8 +18,8 @@ namespace slidercrank
 {
 
 struct Clock {
-    /// Largest rounding step of the time stamps, s. If they are evenly spaced, their digits do not show it, and it is
-    /// the step of the last printed digit. 0 if it is unknown.
+    /// Largest rounding step of the time stamps, s; that of the last printed digit if they are evenly spaced, because
+    /// their digits do not show the rounding. 0 if it is unknown.
     double printedStep = 0.0;
     bool even = true;     ///< evenly spaced, apart from gaps, within the precision of a double or 1e-3 of the step
     bool rounded = false; ///< at least ten time stamps, evenly spaced within their rounding, but not `even`

@@ -163,7 +163,7 @@ void separatePoints(std::span<RawColumn> row)
     }
 }
 
-/// Takes the meaning from headings of the crank pin.
+/// Removes the meaning of headings of the crank pin, which has no channel.
 void excludeCrankPin(std::span<RawColumn> row)
 {
     for (RawColumn &column : row) {

@@ -129,7 +129,7 @@ bool spansHalfTurns(double width, double roundingStep)
 bool turnsInRadians(const RawColumn &column, std::span<const RawColumn> columns)
 {
     constexpr std::size_t kMinValues = 5;
-    constexpr double kMaxWidth = 4.1 * kTurn; // angles in degrees span more
+    constexpr double kMaxWidth = 4.1 * kTurn; // rad: angles in degrees span more
     const std::vector<double> values = column.finiteValues();
     const double width = rangeOf(values).width();
     if (values.size() < kMinValues || width > kMaxWidth) {

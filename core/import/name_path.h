@@ -15,7 +15,7 @@ namespace slidercrank
 ///     slider.s   /crank_slider/slider/position   Latest: Position   Pos_TX@Slider   Position - Cart
 struct NamePath {
     std::vector<std::string_view> parts{};
-    std::string owner{};       ///< the parts before the last one, up to the last that may name the body
+    std::string owner{};       ///< the parts before the last one, without those that only name a quantity
     bool isOfModelica = false; ///< "slider.s": a variable of Modelica's library
     bool isInSi = false;       ///< by Modelica, ROS and the like: in m, rad and s
 };

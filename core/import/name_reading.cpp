@@ -403,8 +403,8 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
         const Words words = isLast ? lastWords : wordsOf(path.parts[i]);
         NameReading extended = reading;
         if (includeWords(extended, words, isLast ? Entries::All : Entries::WithoutSymbols)) {
-            const bool hasAnyName = path.isOfModelica || reading.body; // as the model in "Model1.slider.x"
-            if (hasAnyName && !isLast) {
+            const bool mayHaveAnyName = path.isOfModelica || reading.body; // as the model in "Model1.slider.x"
+            if (mayHaveAnyName && !isLast) {
                 extended.unknown = reading.unknown;
             }
             reading = extended;

@@ -17,7 +17,7 @@ namespace slidercrank
 
 /// The words of a name that the vocabulary does not contain. They may name a point or body, or say nothing.
 struct UnknownWords {
-    std::string text{};   ///< one after the other
+    std::string text{};   ///< all of them, joined
     bool hasWord = false; ///< one of them has at least three letters, so that they are not only indices
     std::string point{};  ///< the word and number or letter of a point: "massa" in "mass_A x", "joint3"
 
@@ -49,7 +49,7 @@ struct NameReading {
 
     UnknownWords unknown{};
 
-    /// Whether it says which quantity of a body it is, at least by an axis.
+    /// Returns whether the name states which quantity of a body it is, at least by its axis.
     bool namesQuantity() const { return order || hasSymbol || axis != ' '; }
 };
 
