@@ -3,6 +3,7 @@
 
 #include "core/import/cells.h"
 #include "core/import/name_derivatives.h"
+#include "core/import/name_forms.h"
 #include "core/import/spellings.h"
 #include "core/import/vocabulary.h"
 

@@ -3,11 +3,11 @@
 
 #include "core/import/cells.h"
 #include "core/import/name_derivatives.h"
+#include "core/import/name_forms.h"
 #include "core/import/name_reading.h"
 #include "core/import/spellings.h"
 
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 namespace slidercrank
@@ -19,14 +19,6 @@ namespace
 using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
 using Doubt = NameMeaning::Doubt;
-
-/// Beginnings of remarks about the sensor (", Ch P1" of PASCO), about the abscissa, and about the origin: "piston
-/// position from TDC".
-constexpr std::array<std::string_view, 26> kRemarkBeginnings{
-    " vs ",       " vs. ",         " versus ", ", Ch ",   " from ",  " since ",     " relative to ",    " with ",
-    " after ",    " ab ",          " vom ",    " nach ",  " desde ", " respecto a", " depuis ",         " par rapport ",
-    " à partir ", " rispetto al ", " dal ",    " vanaf ", " od ",    " a partir ",  " Ref. Coordinate", "_from_",
-    "_desde_",    "_depuis_"}; // the last one of SolidWorks
 
 /// Greek letters that denote other angles than the coupler's, such as the transmission angle.
 constexpr std::string_view kOtherAngles = "gamma delta lambda";
@@ -250,100 +242,6 @@ std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::s
                        std::string(name.substr(2, end - 2))};
 }
 
-/// Returns the name without the variable or the number of the sample behind it: "x(t)", "v[φ]", "x[n]", "x_i".
-std::string_view withoutVariable(std::string_view name)
-{
-    if (name.ends_with("_i")) {
-        return name.substr(0, name.size() - 2);
-    }
-    const std::size_t bracket = name.find_last_of("([");
-    if (bracket == name.npos || bracket == 0 || name.find_first_of(")]", bracket) + 1 != name.size()) {
-        return name;
-    }
-    const std::string_view inner = name.substr(bracket + 1, name.size() - bracket - 2);
-    const Words variable = wordsOf(inner);
-    const WordMeaning *const symbol = variable.empty() ? nullptr : findWord(variable[0], WordUse::Symbol);
-    const bool isAngle = symbol && symbol->dimension == Dimension::Angle && !symbol->order;
-    const bool isNumberOfSample = inner == "n" || inner == "i"; // but "R (N)" is a force
-    return isTime(variable) || isAngle || isNumberOfSample ? name.substr(0, bracket) : name;
-}
-
-/// Returns where the first comma outside brackets is, or npos.
-std::size_t findOuterComma(std::string_view text)
-{
-    int depth = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        depth += (text[i] == '(' ? 1 : 0) - (text[i] == ')' ? 1 : 0);
-        if (text[i] == ',' && depth == 0) {
-            return i;
-        }
-    }
-    return text.npos;
-}
-
-/// Removes the variable of a name and the calls of functions that differentiate, and returns the number of derivatives:
-/// "der(x)" of Modelica, "diff(x(t), t, t)", "diff(diff(x(t), t), t)", "D(x)(t)" and "Derivative(x(t), (t, 2))" of
-/// computer algebra. A quantity in mm or degrees is no derivative: "d(θ)" in mm is a distance.
-int takeCalls(std::string_view &name, const std::optional<Unit> &unit)
-{
-    name = withoutVariable(name);
-    int count = 0;
-    const bool mayBeDerivative = !unit || unit->order > 0;
-    for (const std::string_view function : {"der(", "diff(", "derivative(", "d("}) {
-        while (mayBeDerivative && lowered(name.substr(0, function.size())) == function && name.ends_with(')')) {
-            name = name.substr(function.size(), name.size() - function.size() - 1);
-            const std::size_t comma = findOuterComma(name);
-            const std::string_view variables = name.substr(std::min(comma, name.size()));
-            const auto times = static_cast<int>(std::ranges::count(variables, 't'));
-            count += variables.find('2') != variables.npos ? 2 : std::max(times, 1);
-            name = name.substr(0, comma);
-        }
-    }
-    name = withoutVariable(name);
-    return count;
-}
-
-/// Whether a name ends with a number in brackets: "x(4)", an element of a list without names.
-bool isElement(std::string_view name)
-{
-    const std::size_t bracket = name.rfind('(');
-    return bracket != name.npos && bracket > 0 &&
-           name.substr(bracket + 1).find_first_not_of(" 0123456789)") == name.npos;
-}
-
-/// Returns whether a name is that of a motion relative to another point: "v_B/A", but not "slider/a".
-bool isRelative(std::string_view name)
-{
-    constexpr std::size_t kLongestSymbol = 5; // "{V_B"
-    const std::size_t slash = name.rfind('/');
-    return slash != name.npos && slash > 0 && slash <= kLongestSymbol &&
-           isAmong(name.substr(slash + 1), "A B C O A} B}") && lowerCase(name[slash - 1]) != name[slash - 1];
-}
-
-/// Returns whether a word is a symbol, also with an index: "v", "vb", "t".
-bool isSymbol(const std::string &word)
-{
-    const bool hasIndex = findWord(word.substr(0, 1), WordUse::Symbol) && findWord(word.substr(1), WordUse::Index);
-    return hasIndex || findWord(word, WordUse::Symbol) || word == "t";
-}
-
-/// Returns whether a name is the ratio of two quantities with the same symbol, "omega3/omega2", "t/T", of a quantity to
-/// the crank speed, "v_B/ω2", or of a length to that of a link, "x_B/a".
-bool isRatio(std::string_view name)
-{
-    const std::size_t slash = std::min(name.find('/'), name.size());
-    const Words numerator = wordsOf(name.substr(0, slash));
-    const Words denominator = wordsOf(name.substr(slash));
-    if (numerator.empty() || denominator.empty()) {
-        return false;
-    }
-    const bool isToAlike = numerator[0] == denominator[0] || denominator[0] == "omega";
-    const bool isLength =
-        isAmong(numerator[0], "x s d") && (numerator.size() == 1 || findWord(numerator[1], WordUse::Index));
-    const bool isToLink = isLength && denominator.size() == 1 && isAmong(denominator[0], "a b l r");
-    return isToLink || (isToAlike && isSymbol(numerator[0]));
-}
-
 /// Returns whether a word names the z axis, as in "z", "vz" and "pz".
 bool namesZ(const std::string &word)
 {
@@ -401,23 +299,6 @@ std::optional<NameMeaning> meaningOfTimeOrNumber(const Words &words, std::string
     return isTorque ? NameMeaning{.reason = ColumnReason::UnknownUnit} : NameMeaning{Kind::Time};
 }
 
-/// Returns whether a name or its unit is that of a derivative with respect to the crank angle: "dx/dθ", "x' (mm/rad)".
-bool isOverAngle(std::string_view name, const std::string &unit)
-{
-    constexpr std::array<std::string_view, 6> kDivisors{"/dθ", "/dφ", "/dϕ", "/dα", "/dth", "/dphi"};
-    const std::string plain = lowered(name);
-    if (std::ranges::any_of(kDivisors, [&](std::string_view divisor) { return plain.find(divisor) != plain.npos; })) {
-        return true;
-    }
-    const std::size_t slash = unit.rfind('/');
-    const std::size_t end = unit.find_last_not_of("^2\xC2\xB2") + 1; // without a power of two
-    if (slash == unit.npos || end <= slash) {
-        return false;
-    }
-    const std::optional<Unit> angle = parseUnit(unit.substr(slash + 1, end - slash - 1));
-    return angle && angle->dimension == Dimension::Angle && angle->order == 0 && parseUnit(unit.substr(0, slash));
-}
-
 /// Returns the name before a remark in brackets that says that finite differences were computed: "v" of
 /// "v (num. diff.)". Returns an empty text for other names: "x (diff)" is itself a derivative.
 std::string_view nameBeforeDifferences(std::string_view name)
@@ -446,13 +327,6 @@ std::optional<std::string> derivativeOfDifferences(std::string_view name)
     const bool isCall = derivative.starts_with("diff(");
     const bool isQuotient = derivative.starts_with('d') && derivative.find("/d") != derivative.npos;
     return derivative != name && (isCall || isQuotient) ? std::optional(std::move(derivative)) : std::nullopt;
-}
-
-/// Returns whether a name is that of the magnitude of a vector: "|v|", "abs(v)", "Absolute".
-bool isMagnitude(std::string_view name)
-{
-    const bool isBetweenBars = name.size() > 2 && name.front() == '|' && name.back() == '|';
-    return isBetweenBars || name.find("abs(") != name.npos || isAmong(lowered(name), "absolute magnitude total norm");
 }
 
 /// Returns the meaning of a name of several words, which are read together.
@@ -506,14 +380,6 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
 }
 
 } // namespace
-
-std::string_view withoutOrigin(std::string_view name)
-{
-    for (const std::string_view beginning : kRemarkBeginnings) {
-        name = name.substr(0, name.find(beginning));
-    }
-    return name;
-}
 
 NameMeaning meaningOf(std::string_view name, const std::string &unit)
 {

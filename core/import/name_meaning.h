@@ -63,9 +63,6 @@ std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &
 /// Longer names, in bytes, are remarks and have no meaning.
 inline constexpr std::size_t kLongestName = 200;
 
-/// Returns the name without a remark about the sensor or the origin after it: "piston position from TDC".
-std::string_view withoutOrigin(std::string_view name);
-
 /// Returns what a name with that unit means by itself. The unit decides what the name leaves open: the order, and
 /// whether it is an angle or a length.
 NameMeaning meaningOf(std::string_view name, const std::string &unit);
