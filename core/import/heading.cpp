@@ -24,6 +24,12 @@ constexpr std::string_view kAlsoWords = "min h r r1 u μ µ g gr ' '' ?";
 
 constexpr std::string_view kPixels = "px pixel pixels";
 
+/// A heading, split. The unit is empty if none is stated.
+struct NameAndUnit {
+    std::string name{};
+    std::string unit{};
+};
+
 /// Returns whether a quantity or time can have the unit.
 bool suits(const NameMeaning &meaning, const std::string &unit)
 {
@@ -94,17 +100,16 @@ bool areBracketsOfLatex(std::string_view text, std::size_t begin)
     return text[begin] == '{' && !isApart;
 }
 
-void splitAtEnd(std::string_view text, Heading &heading);
+std::optional<NameAndUnit> splitAtEnd(std::string_view text);
 
 /// Returns the unit behind a symbol that suits a name: "cm" of "x_B in cm", "d, cm" and "x/cm". Returns an empty text
 /// if there is none.
 std::string_view unitBehindSymbol(std::string_view text, std::string_view name)
 {
-    Heading heading;
-    splitAtEnd(text, heading);
-    const std::string &unit = heading.use.unit;
-    const bool isUnit = beginsWithSymbol(heading.name) && isUnitOf(name, unit) && text.ends_with(unit);
-    return isUnit ? text.substr(text.size() - unit.size()) : std::string_view();
+    const std::optional<NameAndUnit> split = splitAtEnd(text);
+    const bool isUnit =
+        split && beginsWithSymbol(split->name) && isUnitOf(name, split->unit) && text.ends_with(split->unit);
+    return isUnit ? text.substr(text.size() - split->unit.size()) : std::string_view();
 }
 
 /// Returns the unit in the brackets from `begin` to `end`, which may be empty or unknown; nullopt if what they contain
@@ -129,14 +134,13 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     return isAtEnd && !isRemark && !areBracketsOfName(text, begin, content) ? std::optional(content) : std::nullopt;
 }
 
-/// Searches the brackets of a heading from the last ones for a unit. If there is one, sets the unit, and the name
-/// without it, of "Position (m) Run #1", and returns true. A known unit goes before an unknown one after it: "x [mm]
-/// (output)".
-bool splitAtBrackets(std::string_view text, Heading &heading)
+/// Searches the brackets of a heading from the last ones for a unit: "Position (m) Run #1". A known unit goes before an
+/// unknown one after it: "x [mm] (output)". Returns nullopt if there is none.
+std::optional<NameAndUnit> splitAtBrackets(std::string_view text)
 {
     constexpr std::string_view kOpening = "[({<";
     constexpr std::string_view kClosing = "])}>";
-    bool hasUnit = false;
+    std::optional<NameAndUnit> split;
     for (std::size_t end = text.size(); end-- > 0;) {
         const std::size_t bracket = kClosing.find(text[end]);
         const std::size_t begin = bracket == kClosing.npos ? text.npos : text.substr(0, end).rfind(kOpening[bracket]);
@@ -145,19 +149,17 @@ bool splitAtBrackets(std::string_view text, Heading &heading)
         }
         const std::optional<std::string_view> unit = unitInBrackets(text, begin, end);
         const bool isKnown = unit && parseUnit(*unit);
-        if (unit && (isKnown || !hasUnit)) {
-            hasUnit = true;
-            heading.name = trimmed(text.substr(0, begin));
-            heading.name.erase(heading.name.find_last_not_of("/ ") + 1); // "x/(mm)"
-            heading.name += text.substr(end + 1);
-            heading.use.unit = *unit;
+        if (unit && (isKnown || !split)) {
+            std::string name(trimmed(text.substr(0, begin)));
+            name.erase(name.find_last_not_of("/ ") + 1); // "x/(mm)"
+            split = {name + std::string(text.substr(end + 1)), std::string(*unit)};
         }
         if (isKnown) {
             break;
         }
         end = begin;
     }
-    return hasUnit;
+    return split;
 }
 
 /// Returns a unit with a slash before the seconds at its end, which names often lack: "m/s2" for "ms2".
@@ -193,9 +195,9 @@ std::optional<std::string> unitBehind(std::string_view name, const std::string &
     return isTime && !endsInBrackets && (text.size() > 1 || isClear) ? std::optional(text) : std::nullopt;
 }
 
-/// Sets name and unit of "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" if the unit suits the name. The
-/// longest one that does is the unit.
-void splitAtEnd(std::string_view text, Heading &heading)
+/// Splits "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" if the unit suits the name. The longest one
+/// that does is the unit.
+std::optional<NameAndUnit> splitAtEnd(std::string_view text)
 {
     for (std::size_t at = 1; at < text.size(); ++at) {
         const bool isSeparator = std::string_view("/, _-.:").find(text[at]) != std::string_view::npos;
@@ -212,23 +214,19 @@ void splitAtEnd(std::string_view text, Heading &heading)
             (!isClear && (isInput || isAmong(lowered(printed), kAlsoWords)))) {
             continue;
         }
-        if (const std::optional<std::string> unit = unitBehind(name, std::string(printed), isClear)) {
-            heading.name = name;
-            heading.use.unit = *unit;
-            return;
+        if (std::optional<std::string> unit = unitBehind(name, std::string(printed), isClear)) {
+            return NameAndUnit{std::string(name), *std::move(unit)};
         }
     }
+    return std::nullopt;
 }
 
-/// Sets name and unit of "Degrees of crank rotation" if the unit suits the name.
-void splitAtBeginning(std::string_view text, Heading &heading)
+/// Splits "Degrees of crank rotation" if the unit suits the name.
+std::optional<NameAndUnit> splitAtBeginning(std::string_view text)
 {
     const std::string unit(unitAtBeginning(text));
     const std::string_view name = trimmed(text.substr(unit.size()));
-    if (isUnitOf(name, unit)) {
-        heading.name = name;
-        heading.use.unit = unit;
-    }
+    return isUnitOf(name, unit) ? std::optional(NameAndUnit{std::string(name), unit}) : std::nullopt;
 }
 
 /// Removes the marks around a heading: "{$x$ (mm)}" of LaTeX, the label "<x>" of a signal in Simulink, 'x', and the
@@ -262,18 +260,38 @@ std::string withoutNumberOfCurve(std::string text)
     return text;
 }
 
-/// Sets name and unit of a heading that is only a unit: "millis", "Degrees", "Inches from TDC". Returns false for
-/// others and for "mm", which may be in a line of units.
-bool splitUnitAlone(std::string_view text, const Unit &unit, Heading &heading)
+/// Returns the unit that fills a heading apart from a remark: "millis", "Degrees", "Inches from TDC".
+std::optional<Unit> unitAlone(std::string_view text)
+{
+    const bool mayBeUnit = text.size() > 1 && !isAmong(lowered(text), kAlsoWords);
+    return mayBeUnit ? parseUnit(withoutOrigin(text)) : std::nullopt;
+}
+
+/// Splits a heading that is only a unit, which is its name, too. Returns nullopt for others and for "mm", which may be
+/// in a line of units.
+std::optional<NameAndUnit> splitUnitAlone(std::string_view text)
 {
     constexpr std::size_t kLongestSymbol = 2; // of a unit of length
-    const bool isTime = unit.dimension == Dimension::Time;
-    if (unit.order != 0 || (unit.dimension == Dimension::Length && text.size() <= kLongestSymbol)) {
-        return false;
+    const std::optional<Unit> unit = unitAlone(text);
+    if (!unit || unit->order != 0 || (unit->dimension == Dimension::Length && text.size() <= kLongestSymbol)) {
+        return std::nullopt;
     }
-    heading.name = isTime ? "time" : text;
-    heading.use.unit = withoutOrigin(text);
-    return true;
+    return NameAndUnit{unit->dimension == Dimension::Time ? "time" : std::string(text),
+                       std::string(withoutOrigin(text))};
+}
+
+/// Splits a heading in the first way that succeeds. Otherwise all of it is the name.
+NameAndUnit splitHeading(const std::string &text)
+{
+    if (text.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
+        return {.name = "time"};
+    }
+    for (const auto split : {splitUnitAlone, splitAtBrackets, splitAtEnd, splitAtBeginning}) {
+        if (std::optional<NameAndUnit> found = split(text)) {
+            return *std::move(found);
+        }
+    }
+    return {.name = text};
 }
 
 } // namespace
@@ -294,17 +312,10 @@ Heading parseHeading(std::string_view cell)
     if (text.size() > kLongestName) {
         return heading;
     }
-    const bool mayBeUnit = text.size() > 1 && !isAmong(lowered(text), kAlsoWords);
-    const std::optional<Unit> alone = mayBeUnit ? parseUnit(withoutOrigin(text)) : std::nullopt;
-    if (text.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
-        heading.name = "time";
-    } else if (!(alone && splitUnitAlone(text, *alone, heading)) && !splitAtBrackets(text, heading)) {
-        splitAtEnd(text, heading);
-        if (heading.use.unit.empty()) {
-            splitAtBeginning(text, heading);
-        }
-    }
-    const bool isInLineOfUnits = alone && text.find('/') != text.npos; // "mm/s"
+    NameAndUnit split = splitHeading(text);
+    heading.name = std::move(split.name);
+    heading.use.unit = std::move(split.unit);
+    const bool isInLineOfUnits = text.find('/') != text.npos && unitAlone(text); // "mm/s"
     heading.meaning = isInLineOfUnits ? NameMeaning() : meaningOf(heading.name, heading.use.unit);
     return heading;
 }
