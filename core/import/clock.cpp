@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/clock.h"
 
-#include "core/import/crank_angles.h"
+#include "core/import/value_sequence.h"
 
 #include <algorithm>
 #include <cmath>

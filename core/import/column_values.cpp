@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/column_values.h"
 
-#include "core/import/crank_angles.h"
+#include "core/import/value_sequence.h"
 
 #include <algorithm>
 #include <utility>
@@ -49,11 +49,6 @@ bool isNearlyConstant(const RawColumn &column)
     constexpr double kVariation = 0.01; // of the largest value
     const ValueRange range = rangeOf(column.values);
     return range.count >= kMinConclusiveRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
-}
-
-double angularWidth(std::vector<double> degrees)
-{
-    return rangeOf(unwrapped(std::move(degrees))).width();
 }
 
 } // namespace slidercrank

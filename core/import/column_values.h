@@ -33,7 +33,4 @@ bool makesHalfTurn(const RawColumn &column);
 /// Returns whether at least ten values differ by no more than 1 % of the largest, which is not 0.
 bool isNearlyConstant(const RawColumn &column);
 
-/// Returns the range of angles in degrees, without the jumps after one turn.
-double angularWidth(std::vector<double> degrees);
-
 } // namespace slidercrank

@@ -10,39 +10,6 @@
 namespace slidercrank
 {
 
-bool removeJumps(std::vector<double> &angles, double turn, double largestChange)
-{
-    std::vector<double> continuous = angles;
-    double last = kNone;
-    double turns = 0.0;
-    bool hadJumps = false;
-    for (double &value : continuous) {
-        if (!std::isfinite(value)) {
-            continue;
-        }
-        const double change = std::isnan(last) ? 0.0 : value + turns - last;
-        const double jump = turn * std::rint(change / turn);
-        if (jump != 0.0 && std::abs(change - jump) > largestChange * turn) {
-            return false;
-        }
-        hadJumps = hadJumps || jump != 0.0;
-        turns -= jump;
-        value += turns;
-        last = value;
-    }
-    angles = std::move(continuous);
-    return hadJumps;
-}
-
-std::vector<double> unwrapped(std::vector<double> angles, double turn)
-{
-    constexpr double kAnyChange = 0.5; // turns: what the nearest whole number of turns leaves at most
-    if (findReversal(angles)) {
-        removeJumps(angles, turn, kAnyChange);
-    }
-    return angles;
-}
-
 std::vector<double> wholeDegreesBeforeRounding(std::vector<double> degrees, const Rounding &rounding)
 {
     constexpr double kUnit = 0.5;                // °
@@ -58,28 +25,6 @@ std::vector<double> wholeDegreesBeforeRounding(std::vector<double> degrees, cons
         angle = nearest;
     }
     return whole;
-}
-
-bool isStraight(std::span<const double> values, std::span<const double> time, double tolerance)
-{
-    const double slope = (values.back() - values.front()) / (time.back() - time.front());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!(std::abs(values[i] - values.front() - slope * (time[i] - time.front())) <= tolerance)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-std::optional<std::size_t> findReversal(std::span<const double> values)
-{
-    const bool rises = values.size() > 1 && values[1] > values[0];
-    for (std::size_t i = 1; i < values.size(); ++i) {
-        if (!(rises ? values[i] > values[i - 1] : values[i] < values[i - 1])) {
-            return i;
-        }
-    }
-    return std::nullopt;
 }
 
 std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData data)

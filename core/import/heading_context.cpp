@@ -3,7 +3,6 @@
 
 #include "core/import/cells.h"
 #include "core/import/column_values.h"
-#include "core/import/crank_angles.h"
 #include "core/import/name_path.h"
 #include "core/import/vocabulary.h"
 #include "core/mechanism/find_element.h"

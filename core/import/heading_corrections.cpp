@@ -2,7 +2,6 @@
 #include "core/import/heading_corrections.h"
 
 #include "core/import/column_values.h"
-#include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
 #include <algorithm>

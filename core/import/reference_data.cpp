@@ -258,17 +258,6 @@ void countByAngle(ReferenceData &data, RawTable &table)
     data = *std::move(timed);
 }
 
-/// Returns whether the values are points of a parabola over the rows, apart from a tolerance.
-bool isParabola(std::span<const double> values, double tolerance)
-{
-    constexpr double kMaxErrors = 4.0; // in x[0] - 2 x[1] + x[2], where x[1] counts twice
-    ValueRange secondDifferences;
-    for (std::size_t i = 2; i < values.size(); ++i) {
-        secondDifferences.include(values[i] - 2.0 * values[i - 1] + values[i - 2]);
-    }
-    return secondDifferences.width() <= 2.0 * kMaxErrors * tolerance;
-}
-
 /// Finds the step of an instrument, from the first rows: 5 or 0.5, as of a scale, or that of an encoder or converter.
 void findStep(ReferenceSeries &series, std::span<const double> time)
 {
@@ -361,15 +350,6 @@ ReadError withLayoutAndAdvice(ReadError error, RawTable &table, std::span<const 
 const ReferenceSeries *ReferenceData::find(Channel channel) const
 {
     return findElement(series, [channel](const ReferenceSeries &one) { return one.channel == channel; });
-}
-
-ValueRange rangeOf(std::span<const double> values)
-{
-    ValueRange range;
-    for (const double value : values) {
-        range.include(value);
-    }
-    return range;
 }
 
 ChannelSet channelsOf(const ReferenceData &data)

@@ -23,10 +23,9 @@
 
 #include "core/import/read_fault.h"
 #include "core/import/rounding.h"
+#include "core/import/value_sequence.h"
 #include "core/mechanism/channel.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <numbers>
@@ -84,26 +83,6 @@ struct ReferenceData {
 
 /// Returns the channels of all series.
 ChannelSet channelsOf(const ReferenceData &data);
-
-/// The range of the finite ones among some values.
-struct ValueRange {
-    double low = kInfinity;
-    double high = -kInfinity;
-    std::size_t count = 0;
-
-    void include(double value)
-    {
-        if (std::isfinite(value)) {
-            low = std::min(low, value);
-            high = std::max(high, value);
-            ++count;
-        }
-    }
-    double width() const { return high - low; }
-    double size() const { return std::max({0.0, -low, high}); } ///< the largest magnitude
-};
-
-ValueRange rangeOf(std::span<const double> values);
 
 struct ReadOptions {
     std::vector<ColumnChoice> columns; ///< the last one for a column applies; for the other columns, the file decides
