@@ -29,13 +29,12 @@ struct NameMeaning {
     /// What only the other columns can tell.
     enum class Doubt {
         None,
-        IsDerivative,     ///< "x_d", "xp" or "dx" may be a derivative of x
-        IsPistonsIndex,   ///< "x_p" may be a derivative, or the x of the piston
-        IsAngle,          ///< "α" is an angle or an angular acceleration
-        IsOfPoint,        ///< "x_A", "X(3)" or "P1X" is the slider's only if the y of that point does not change
-        IsOfPart,         ///< likewise "PART_4.X", but also if it is the only part, and no other column is the slider's
-        IsAngleOfUnknown, ///< of an unknown body: it is a channel only if it is that of the crank
-        IsPointOfCrank    ///< by its values, the x or y of the crank's pin or centre of mass: never a channel
+        IsDerivative,    ///< "x_d", "xp" or "dx" may be a derivative of x
+        IsPistonsIndex,  ///< "x_p" may be a derivative, or the x of the piston
+        IsAngle,         ///< "α" is an angle or an angular acceleration
+        IsOfPoint,       ///< "x_A", "X(3)" or "P1X" is the slider's only if the y of that point does not change
+        IsOfPart,        ///< likewise "PART_4.X", but also if it is the only part, and no other column is the slider's
+        IsAngleOfUnknown ///< of an unknown body: it is a channel only if it is that of the crank
     };
 
     Kind kind = Kind::Nothing;

@@ -138,21 +138,28 @@ std::optional<Body> bodyOfPose(const RawColumn &x, const RawColumn &y, const Raw
     return angle.use.channel == kCrankAngle ? Body::Crank : Body::Coupler;
 }
 
-/// Sets the channels of the columns of an owner, which is that body. Of the crank, x and y remain in doubt: nothing
-/// tells its pin from its centre of mass.
+/// Sets the channels of the columns of an owner, which is that body. Removes x and y of the crank: nothing tells its
+/// pin from its centre of mass.
 void assignToBody(std::vector<RawColumn *> &candidates, const std::string &owner, Body body)
 {
+    const auto isOfOwner = [&owner](const RawColumn &column) {
+        return isOfUnnamedBody(&column) && column.meaning.owner == owner;
+    };
+    if (body == Body::Crank) {
+        removeColumns(candidates, ColumnReason::UnknownBody, [&](const RawColumn &column) {
+            return isOfOwner(column) && !isAngle(column.use.channel.coordinate);
+        });
+        return;
+    }
     for (RawColumn *const column : candidates) {
-        if (!isOfUnnamedBody(column) || column->meaning.owner != owner) {
+        Coordinate &coordinate = column->use.channel.coordinate;
+        if (!isOfOwner(*column)) {
             continue;
         }
-        Coordinate &coordinate = column->use.channel.coordinate;
-        if (isAngle(coordinate)) {
-            coordinate = body == Body::Slider ? Theta4 : coordinate;
-        } else if (body == Body::Crank) {
-            column->meaning.doubt = Doubt::IsPointOfCrank;
-        } else if (body == Body::Coupler) {
+        if (!isAngle(coordinate) && body == Body::Coupler) {
             coordinate = coordinate == R4y ? R3y : R3x;
+        } else if (isAngle(coordinate) && body == Body::Slider) {
+            coordinate = Theta4;
         }
     }
 }
@@ -160,7 +167,7 @@ void assignToBody(std::vector<RawColumn *> &candidates, const std::string &owner
 /// Finds the bodies of the columns x, y and an angle, which programs write for each body.
 void findBodiesOfPoses(std::vector<RawColumn *> &candidates)
 {
-    for (RawColumn *const angle : candidates) {
+    for (const std::vector<RawColumn *> all = candidates; RawColumn *const angle : all) {
         const Channel channel = angle->use.channel;
         const std::string owner = angle->meaning.owner;
         if (!isOfUnnamedBody(angle) || channel.order != Order::Position || !isAngle(channel.coordinate)) {
@@ -359,9 +366,7 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
     findBodiesOfPoses(candidates);
     removeColumns(candidates, ColumnReason::Constant, isRestingAngle);
     removeColumns(candidates, ColumnReason::UnknownBody, [](const RawColumn &column) {
-        const Doubt doubt = column.meaning.doubt;
-        return doubt == Doubt::IsPointOfCrank ||
-               (doubt == Doubt::IsAngleOfUnknown && column.use.channel.coordinate != Theta2);
+        return column.meaning.doubt == Doubt::IsAngleOfUnknown && column.use.channel.coordinate != Theta2;
     });
 }
 
