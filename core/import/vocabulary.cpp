@@ -82,27 +82,33 @@ const Spellings kLetterSpellings = [] {
     return table;
 }();
 
-constexpr std::string_view kTimeWords =
+/// The words of names that consist of few: at least one of `words`, and beside them only `companions` and numbers.
+struct ShortNames {
+    std::string_view words;
+    std::string_view companions{};
+};
+
+constexpr ShortNames kTimes{
     "time times t ts tiempo timestamp stamp zeit zeitpunkt temps tempo instante tijd denbora 시간 "
-    "czas tid cas timp zaman sure epoch millis micros время 时间 時間 時刻 ido aika";
-constexpr std::string_view kTimeCompanions =
+    "czas tid cas timp zaman sure epoch millis micros время 时间 時間 時刻 ido aika",
     "elapsed row sim simulation simulacion transcurrido de la since start date relative run "
-    "latest data set ch mechanism kin current reference ref cycle";
-constexpr std::string_view kTimesOfDay = "uhrzeit clock hora heure ora godzina";
+    "latest data set ch mechanism kin current reference ref cycle"};
+constexpr ShortNames kTimesOfDay{"uhrzeit clock hora heure ora godzina"};
+constexpr ShortNames kMethods{"num anal exp sim calc theo teo ber gem mess med fem mbs abs"};
+constexpr ShortNames kDifferences{"diff dif fd differences differenzen diferencias differenze",
+                                  "finite central forward backward num numeric numerical numerisch finitas centradas "
+                                  "finies"};
+constexpr ShortNames kStatistics{
+    "mean average avg media medio promedio mittelwert durchschnitt moyenne moyen gemiddelde srednia max maximum maximo "
+    "massimo maksimum min minimum minimo minimal minimaal sum suma summe somme soma rms median mediana std stdev",
+    "value valor valeur valore wert waarde of de"};
+constexpr ShortNames kRowNumbers{"n i no nr num index row id fila frame slice image imagen bild scan paso step sample "
+                                 "count counter point node nodo element elemento",
+                                 "data of de der measurement messung messpunkt medicion medida mesure misura medicao "
+                                 "pomiar"};
+
 constexpr std::string_view kTurnsPerMinute = "rpm drehzahl regime giri revoluciones toerental obroty";
 constexpr std::string_view kTurnsPerSecond = "rps drehfrequenz crank_frequency rotation_frequency";
-constexpr std::string_view kMethods = "num anal exp sim calc theo teo ber gem mess med fem mbs abs";
-constexpr std::string_view kDifferences = "diff dif fd differences differenzen diferencias differenze";
-constexpr std::string_view kDifferenceCompanions =
-    "finite central forward backward num numeric numerical numerisch finitas centradas finies";
-constexpr std::string_view kStatistics =
-    "mean average avg media medio promedio mittelwert durchschnitt moyenne moyen gemiddelde srednia max maximum maximo "
-    "massimo maksimum min minimum minimo minimal minimaal sum suma summe somme soma rms median mediana std stdev";
-constexpr std::string_view kStatisticCompanions = "value valor valeur valore wert waarde of de";
-constexpr std::string_view kRowNumbers = "n i no nr num index row id fila frame slice image imagen bild scan paso step "
-                                         "sample count counter point node nodo element elemento";
-constexpr std::string_view kRowNumberCompanions =
-    "data of de der measurement messung messpunkt medicion medida mesure misura medicao pomiar";
 
 /// The vocabulary, in the languages of core/README.md. Words with a dot are variables of Modelica and Simscape.
 namespace vocabulary
@@ -267,12 +273,12 @@ bool isLetter(char c)
     return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || byteOf(c) >= 0x80;
 }
 
-/// Returns whether one of the words is in the list, and the others are in it, among the companions, or numbers.
-bool areAmong(const Words &words, std::string_view list, std::string_view companions)
+/// Returns whether the words are such a name.
+bool areAmong(const Words &words, const ShortNames &names)
 {
-    const auto isListed = [&](const std::string &word) { return isAmong(word, list); };
+    const auto isListed = [&](const std::string &word) { return isAmong(word, names.words); };
     return std::ranges::any_of(words, isListed) && std::ranges::all_of(words, [&](const std::string &word) {
-               return isListed(word) || isAmong(word, companions) || isDigits(word);
+               return isListed(word) || isAmong(word, names.companions) || isDigits(word);
            });
 }
 
@@ -337,12 +343,12 @@ bool isDigits(std::string_view word)
 bool isTime(const Words &words)
 {
     const bool isNumberedSymbol = words.size() > 1 && words[0] == "t" && isDigits(words[1]); // "T2", a temperature
-    return (areAmong(words, kTimeWords, kTimeCompanions) && !isNumberedSymbol) || isTimeOfDay(words);
+    return (areAmong(words, kTimes) && !isNumberedSymbol) || isTimeOfDay(words);
 }
 
 bool isTimeOfDay(const Words &words)
 {
-    return areAmong(words, kTimesOfDay, "");
+    return areAmong(words, kTimesOfDay);
 }
 
 std::string_view unitOfRotation(const Words &words)
@@ -360,24 +366,23 @@ std::string_view unitOfRotation(const Words &words)
 
 bool abbreviatesMethod(const Words &words)
 {
-    return areAmong(words, kMethods, "");
+    return areAmong(words, kMethods);
 }
 
 bool namesDifferences(const Words &words)
 {
-    return areAmong(words, kDifferences, kDifferenceCompanions);
+    return areAmong(words, kDifferences);
 }
 
 bool namesStatistic(const Words &words)
 {
-    return areAmong(words, kStatistics, kStatisticCompanions);
+    return areAmong(words, kStatistics);
 }
 
 bool isRowNumber(const Words &words)
 {
     const bool isUnnamed = words.size() == 2 && words[0] == "unnamed"; // "Unnamed: 0" of pandas
-    return isUnnamed ||
-           (!words.empty() && areAmong(words, kRowNumbers, kRowNumberCompanions) && !isDigits(words.back()));
+    return isUnnamed || (!words.empty() && areAmong(words, kRowNumbers) && !isDigits(words.back()));
 }
 
 bool namesOtherQuantity(std::string_view word)
