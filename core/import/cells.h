@@ -44,6 +44,9 @@ std::string_view takeCell(std::string_view &rest, char delimiter);
 /// The delimiters of cells apart from spaces. LaTeX has "&".
 inline constexpr std::string_view kDelimiters = "\t;,|&";
 
+/// All delimiters. Spaces are the last one, because they are within cells, too.
+inline constexpr std::string_view kAllDelimiters = "\t;,|& ";
+
 using Cells = std::vector<std::string_view>;
 
 /// Returns the texts of all cells of a line, without the empty ones at the end.

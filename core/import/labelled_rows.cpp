@@ -67,7 +67,7 @@ std::vector<Heading> headingsOf(const Cells &labels, const Cells &cells)
 std::optional<TableTop> readLabelledRows(Lines lines)
 {
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-        for (const char delimiter : std::string_view("\t;,| ")) {
+        for (const char delimiter : kAllDelimiters) {
             const Cells labels = labelsOf(lines[i], delimiter);
             const bool areLabels = labels.size() > 1 && std::ranges::count(labels, std::string_view()) == 0;
             if (areLabels && labels == labelsOf(lines[i + 1], delimiter)) {

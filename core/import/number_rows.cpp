@@ -69,7 +69,7 @@ bool isProse(const std::vector<Line> &lines)
 {
     constexpr std::size_t kMinLines = 10; // in fewer lines, the fault of one of them tells more
     constexpr std::size_t kMinRows = 3;   // in succession
-    for (const char delimiter : std::string_view("\t;,|& ")) {
+    for (const char delimiter : kAllDelimiters) {
         std::size_t rows = 0;
         std::size_t cellsBefore = 0;
         for (const Line &line : lines) {
@@ -93,7 +93,7 @@ bool isTransposed(Lines lines)
     bool hasAbscissa = false;
     bool hasOther = false;
     for (const Line &line : lines) {
-        for (const char delimiter : std::string_view("\t;,| ")) {
+        for (const char delimiter : kAllDelimiters) {
             const Cells cells = splitCells(line.text, delimiter);
             const auto numbers = static_cast<std::size_t>(std::ranges::count_if(cells, isNumber));
             const bool isQuantity = numbers >= kMinNumbers && numbers + 2 >= cells.size() && !isNumber(cells[0]);
