@@ -71,7 +71,10 @@ std::optional<TableTop> readLabelledRows(Lines lines)
             const Cells labels = labelsOf(lines[i], delimiter);
             const bool areLabels = labels.size() > 1 && std::ranges::count(labels, std::string_view()) == 0;
             if (areLabels && labels == labelsOf(lines[i + 1], delimiter)) {
-                return TableTop{headingsOf(labels, splitCells(lines[i].text, delimiter)), i, delimiter};
+                return TableTop{.headings = headingsOf(labels, splitCells(lines[i].text, delimiter)),
+                                .headerLine = lines[i].number,
+                                .firstRow = i,
+                                .delimiter = delimiter};
             }
         }
     }

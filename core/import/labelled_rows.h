@@ -18,7 +18,8 @@ namespace slidercrank
 /// What is above the rows of numbers, or named in them.
 struct TableTop {
     std::vector<Heading> headings{};
-    std::size_t firstRow = 0; ///< index of the first row of numbers among the lines
+    std::size_t headerLine = 0; ///< number of the line of the headings; 0: none, the file begins with numbers
+    std::size_t firstRow = 0;   ///< index of the first row of numbers among the lines
     char delimiter = ',';
 };
 

@@ -125,7 +125,9 @@ std::size_t countEmptyHeadings(Lines lines, const HeadingCandidate &header, cons
 /// Reads a line of headings with the lines of units and further headings above and below it.
 TableTop readTop(Lines lines, const HeadingCandidate &header, const NumberRow &row)
 {
-    TableTop top{.firstRow = header.line + 1, .delimiter = row.isFound() ? row.delimiter : header.delimiter};
+    TableTop top{.headerLine = lines[header.line].number,
+                 .firstRow = header.line + 1,
+                 .delimiter = row.isFound() ? row.delimiter : header.delimiter};
     std::ranges::transform(headingsBeforeRemark(header.cells), std::back_inserter(top.headings), parseHeading);
     top.headings.resize(top.headings.size() + countEmptyHeadings(lines, header, row));
     if (header.line > 0) {
@@ -137,45 +139,48 @@ TableTop readTop(Lines lines, const HeadingCandidate &header, const NumberRow &r
     return top;
 }
 
+/// Finds the headings above the first row of numbers. A file that begins with numbers has empty ones. Throws if the
+/// quantities are the rows.
+TableTop findTop(Lines lines, const NumberRow &row)
+{
+    const std::optional<HeadingCandidate> header = findHeader(lines, row);
+    const bool isSure = header && header->isComplete() && std::ranges::none_of(header->cells, isNumber);
+    if (!isSure && isTransposed(lines)) {
+        throw ReadError{.line = lines.front().number, .fault = {ReadFault::Kind::Transposed}};
+    }
+    if (!header) {
+        return {.headings = std::vector<Heading>(row.cells.size()), .firstRow = row.line, .delimiter = row.delimiter};
+    }
+    return readTop(lines, *header, row);
+}
+
 } // namespace
 
 std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
 {
-    const Lines examined = firstLines(lines);
     if (lines.empty()) {
         throw ReadError{.fault = {ReadFault::Kind::Empty}};
     }
+    const Lines examined = firstLines(lines);
     const NumberRow row = findFirstRow(examined);
     const std::optional<TableTop> labelled = row.isFound() ? std::nullopt : readLabelledRows(examined);
     if (!row.isFound() && !labelled && isProse(lines)) { // many words, whose meanings would take long to find
         throw ReadError{.fault = {ReadFault::Kind::NotATable}};
     }
-    const std::optional<HeadingCandidate> header = labelled ? std::nullopt : findHeader(examined, row);
-    const bool isSure = header && header->isComplete() && std::ranges::none_of(header->cells, isNumber);
-    if (!isSure && isTransposed(examined)) {
-        throw ReadError{.line = lines.front().number, .fault = {ReadFault::Kind::Transposed}};
-    }
-    TableTop top{.headings = std::vector<Heading>(row.cells.size()), .firstRow = row.line, .delimiter = row.delimiter};
-    if (labelled) {
-        layout.headerLine = lines[labelled->firstRow].number;
-        top = *labelled;
-    } else if (header) {
-        layout.headerLine = lines[header->line].number;
-        top = readTop(lines, *header, row);
-    }
+    TableTop top = labelled ? *labelled : findTop(examined, row);
+    layout.headerLine = top.headerLine;
     layout.delimiter = top.delimiter;
-    std::vector<Heading> &headings = top.headings;
-    readUnitsInCells(row, lines[row.line].number, headings);
-    for (Heading &heading : headings) { // again, because the unit may be in a line of units or behind the numbers
+    readUnitsInCells(row, lines[row.line].number, top.headings);
+    for (Heading &heading : top.headings) { // again, because the unit may be in a line of units or behind the numbers
         heading.meaning = meaningOf(heading.name, heading.use.unit);
     }
     lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(top.firstRow));
     if (!labelled && !lines.empty()) {
-        findClocks(lines.front(), layout.delimiter, headings);
+        findClocks(lines.front(), layout.delimiter, top.headings);
     }
     layout.decimalSign = findDecimalSign(firstLines(lines), layout.delimiter);
     layout.mayBeThousands = mayHaveThousands(firstLines(lines), layout.delimiter);
-    return std::move(headings);
+    return std::move(top.headings);
 }
 
 } // namespace slidercrank
