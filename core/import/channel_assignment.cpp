@@ -27,13 +27,13 @@ bool isFixed(Coordinate coordinate)
     return coordinate == R1x || coordinate == R1y || coordinate == Theta1 || coordinate == Theta4 || coordinate == R4y;
 }
 
-/// Removes columns in which more than half of the cells cannot be read as numbers, if another column is better. Keeps
-/// columns whose heading is the exact name of a channel, or which a person chose: they lead to an error message.
+/// Removes columns that contain more words than numbers, if another column is better. Keeps columns whose heading is
+/// the exact name of a channel, or which a person chose: they lead to an error message.
 void removeWords(std::vector<RawColumn *> &candidates)
 {
     const auto isMostlyNumbers = [](const RawColumn *column) {
-        const auto unreadable = std::ranges::count_if(column->values, [](double value) { return std::isinf(value); });
-        return 2 * unreadable <= std::ssize(column->values);
+        const auto words = std::ranges::count_if(column->values, [](double value) { return std::isinf(value); });
+        return words <= static_cast<std::ptrdiff_t>(rangeOf(column->values).count);
     };
     if (std::ranges::any_of(candidates, isMostlyNumbers)) {
         removeColumns(candidates, ColumnReason::NoNumber, [&](const RawColumn &column) {

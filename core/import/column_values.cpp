@@ -16,6 +16,11 @@ bool isConstant(const RawColumn &column)
     return range.count >= kMinValues && range.width() == 0.0;
 }
 
+bool isSingleValue(const RawColumn &column)
+{
+    return column.values.size() >= kMinConclusiveRows && rangeOf(column.values).count == 1;
+}
+
 bool countsRows(const RawColumn &column)
 {
     const std::vector<double> values = column.finiteValues();

@@ -20,6 +20,10 @@ inline constexpr double kLargestSwing = 180.0;
 /// Returns whether the readable values are equal; false for fewer than three, which may be equal by chance.
 bool isConstant(const RawColumn &column);
 
+/// Returns whether only one of at least ten rows has a value, as beside a table of which the first row also contains
+/// parameters.
+bool isSingleValue(const RawColumn &column);
+
 /// Returns whether the values are 0, 1, 2, … or 1, 2, 3, …
 bool countsRows(const RawColumn &column);
 

@@ -27,12 +27,13 @@ bool isOfUnnamedBody(const RawColumn *column)
 }
 
 /// Removes columns that do not change, beside others of the file that do: a table may contain parameters, such as the
-/// radius of the crank. Only y, speeds, and the acceleration of the crank may be constant.
+/// radius of the crank, in every row or only in one. Of the others, y, speeds, and the acceleration of the crank may be
+/// constant.
 void removeConstants(std::vector<RawColumn *> &candidates)
 {
     std::vector<std::size_t> filesOfMotion;
     for (const RawColumn *const column : candidates) {
-        if (!isConstant(*column)) {
+        if (!isConstant(*column) && !isSingleValue(*column)) {
             filesOfMotion.push_back(column->use.file);
         }
     }
@@ -41,8 +42,9 @@ void removeConstants(std::vector<RawColumn *> &candidates)
         const bool isAcceleration =
             channel == Channel{R4x, Order::Acceleration} && column.values.size() >= kMinConclusiveRows;
         const bool mayBeConstant = channel.coordinate == R4y || (channel.order != Order::Position && !isAcceleration);
-        return isOfUnnamedBody(&column) && !mayBeConstant && isConstant(column) &&
-               column.finiteValues().front() != 0.0 && std::ranges::count(filesOfMotion, column.use.file) > 0;
+        const bool isParameter =
+            isSingleValue(column) || (!mayBeConstant && isConstant(column) && column.finiteValues().front() != 0.0);
+        return isOfUnnamedBody(&column) && isParameter && std::ranges::count(filesOfMotion, column.use.file) > 0;
     });
 }
 

@@ -524,6 +524,23 @@ private slots:
                  std::string("time? R4_x?"));
     }
 
+    /// Parameters beside a table, in its first row or with their names in a column, are no motion and cost no rows.
+    void readsNoMotionIntoParametersBesideTheTable()
+    {
+        const QByteArrayList values{"85", "84", "80", "74", "67", "60", "53", "48", "45", "46"};
+        for (const char *const parameters : {",,a,w,v\n,,20,6.28,9\n", ",,a,20\n,,b,60\n,,c,25\n"}) {
+            const QByteArrayList beside = QByteArray(parameters).split('\n');
+            QByteArray table = "t,x" + beside[0] + '\n';
+            for (int row = 0; row < values.size(); ++row) {
+                table += QByteArray::number(row) + ',' + values[row] + beside.value(row + 1) + '\n';
+            }
+            const Outcome outcome = read(table);
+            const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
+            QVERIFY2(data && data->time.size() == 10 && data->series.size() == 1 && data->skippedCount == 0,
+                     described(outcome).c_str());
+        }
+    }
+
     /// Tables over a quantity other than the time are no motion, although the values of the quantity only rise.
     void readsNoTimeIntoOtherQuantities()
     {
