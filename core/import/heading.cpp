@@ -118,7 +118,7 @@ std::string_view unitBehindSymbol(std::string_view text, std::string_view name)
 std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_t begin, std::size_t end)
 {
     const std::string_view name = trimmed(text.substr(0, begin));
-    const std::string_view bracketed = withoutOrigin(trimmed(text.substr(begin + 1, end - begin - 1)));
+    const std::string_view bracketed = withoutTrailingRemark(trimmed(text.substr(begin + 1, end - begin - 1)));
     const std::string_view content = withoutPreposition(bracketed, name);
     if (parseUnit(content) || isUnitOfNoQuantity(content)) {
         return content;
@@ -264,7 +264,7 @@ std::string withoutNumberOfCurve(std::string text)
 std::optional<Unit> unitAlone(std::string_view text)
 {
     const bool mayBeUnit = text.size() > 1 && !isAmong(lowered(text), kAlsoWords);
-    return mayBeUnit ? parseUnit(withoutOrigin(text)) : std::nullopt;
+    return mayBeUnit ? parseUnit(withoutTrailingRemark(text)) : std::nullopt;
 }
 
 /// Splits a heading that is only a unit, which is its name, too. Returns nullopt for others and for "mm", which may be
@@ -277,7 +277,7 @@ std::optional<NameAndUnit> splitUnitAlone(std::string_view text)
         return std::nullopt;
     }
     return NameAndUnit{unit->dimension == Dimension::Time ? "time" : std::string(text),
-                       std::string(withoutOrigin(text))};
+                       std::string(withoutTrailingRemark(text))};
 }
 
 /// Splits a heading in the first way that succeeds. Otherwise all of it is the name.

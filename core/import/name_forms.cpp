@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/import/name_forms.h"
 
+#include "core/import/cells.h"
 #include "core/import/vocabulary.h"
 
 #include <algorithm>
@@ -24,6 +25,19 @@ constexpr auto kRemarkBeginnings =
                                      " depuis ", " par rapport ", " à partir ",    " rispetto al ", " dal ",
                                      " vanaf ",  " od ",          " a partir ",    "_from_",        "_desde_",
                                      "_depuis_"});
+
+/// Returns the name without the value of a parameter after it: "velocity at 60 rpm", "v @ 60 rpm".
+std::string_view withoutParameter(std::string_view name)
+{
+    for (const std::string_view preposition : {" at ", " @ ", " a ", " bei ", " à "}) {
+        const std::size_t at = name.find(preposition);
+        const std::string_view value = name.substr(std::min(at, name.size()));
+        if (value.size() > preposition.size() && isDigit(value[preposition.size()])) {
+            name = name.substr(0, at);
+        }
+    }
+    return name;
+}
 
 /// Returns the name without the variable or the number of the sample behind it: "x(t)", "v[φ]", "x[n]", "x_i".
 std::string_view withoutVariable(std::string_view name)
@@ -65,12 +79,12 @@ bool isSymbol(const std::string &word)
 
 } // namespace
 
-std::string_view withoutOrigin(std::string_view name)
+std::string_view withoutTrailingRemark(std::string_view name)
 {
     for (const std::string_view beginning : kRemarkBeginnings) {
         name = name.substr(0, name.find(beginning));
     }
-    return name;
+    return withoutParameter(name);
 }
 
 int takeCalls(std::string_view &name, const std::optional<Unit> &unit)

@@ -13,8 +13,9 @@
 namespace slidercrank
 {
 
-/// Returns the name without a remark about the sensor or the origin after it: "piston position from TDC".
-std::string_view withoutOrigin(std::string_view name);
+/// Returns the name without a remark about the sensor, the origin or a parameter after it: "piston position from TDC",
+/// "piston velocity at 60 rpm".
+std::string_view withoutTrailingRemark(std::string_view name);
 
 /// Removes the variable of a name and the calls of functions that differentiate, and returns the number of derivatives:
 /// "der(x)" of Modelica, "diff(x(t), t, t)", "diff(diff(x(t), t), t)", "D(x)(t)" and "Derivative(x(t), (t, 2))" of

@@ -411,7 +411,7 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
         return *meaning;
     }
     const int derivatives = takeCalls(name, parseUnit(unit));
-    return meaningOfPath(withoutOrigin(name), derivatives, unit);
+    return meaningOfPath(withoutTrailingRemark(name), derivatives, unit);
 }
 
 std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second)
