@@ -38,12 +38,7 @@ void followTime(const Observations &observations, Fit &fit, const Drive &drive)
     model.mechanism.theta20 = drive.theta20;
     const Index column = std::ssize(model.readings) - 1;
     fit.columns.push_back(column);
-    for (const Unknown unknown : {Unknown{Unknown::Kind::CrankAngle}, {Unknown::Kind::Omega2}}) {
-        if (!fit.isFree(unknown)) {
-            fit.unknowns.push_back(unknown);
-        }
-    }
-    fit.unknowns.push_back({Unknown::Kind::Origin, column});
+    fit.unknowns = fit.unknownsWith({Parameter::Theta20, Parameter::Omega2, originOf(column)});
 }
 
 /// Makes the angle of the crank in the file a column like the others, because a constant speed predicts it, and fits it
@@ -101,13 +96,8 @@ Fit fitOverFreeAngles(Observations observations, const Fit &fit)
     Model start = fit.model;
     start.followsAngle = false;
     start.mechanism.omega2 = fit.model.angleFactor;
-    Unknowns unknowns = fit.unknowns;
-    for (const Unknown unknown : {Unknown{Unknown::Kind::CrankAngle}, {Unknown::Kind::Omega2}}) {
-        if (!fit.isFree(unknown)) {
-            unknowns.push_back(unknown);
-        }
-    }
-    return fitModel(observations, std::move(start), fit.columns, std::move(unknowns));
+    return fitModel(observations, std::move(start), fit.columns,
+                    fit.unknownsWith({Parameter::Theta20, Parameter::Omega2}));
 }
 
 /// The standard error of an unknown of a fit whose residuals are independent; 0 if it is not free.
@@ -144,14 +134,14 @@ std::optional<ObservedFit> withFittedAngles(const ObservedFit &current)
                       .searched = withMovedAngles(current.searched, stretch, shift),
                       .fit = fit};
     const Values moves = (moved.wholeFile.angle - moved.wholeFile.printedAngle).abs();
-    const double errorOfStart = standardErrorOf(freeFit, {Unknown::Kind::CrankAngle}) / std::abs(fit.model.angleFactor);
+    const double errorOfStart = standardErrorOf(freeFit, Parameter::Theta20) / std::abs(fit.model.angleFactor);
     const double halfStep = current.wholeFile.angleHalfStep;
     if (!(moves <= halfStep + std::min(kStandardErrors * errorOfStart, halfStep)).all()) {
         return std::nullopt;
     }
     for (const Parameter length : kLengths) {
         valueOf(moved.fit.model.mechanism, length) = valueOf(found, length);
-        moved.errorsOfAngles[indexOf(length)] = standardErrorOf(freeFit, toUnknown(length));
+        moved.errorsOfAngles[indexOf(length)] = standardErrorOf(freeFit, length);
     }
     moved.fit = fitModel(moved.searched, moved.fit.model, fit.columns, fit.unknowns);
     return isExact(moved.searched, moved.fit) ? std::optional(std::move(moved)) : std::nullopt;

@@ -26,7 +26,7 @@ Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
     Fit alone;
     for (const Index column : fit.columns) {
         Unknowns unknowns = fit.unknowns;
-        std::erase_if(unknowns, [&](Unknown unknown) { return !unknown.isParameter() && unknown.column != column; });
+        std::erase_if(unknowns, [&](Unknown unknown) { return unknown.isOrigin() && unknown.column != column; });
         alone = fitModel(searched, fit.model, {column}, unknowns);
         if (!isExact(searched, alone) || isShortArc(searched, alone.model)) {
             return fit;
@@ -82,7 +82,7 @@ ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observation
     Indices columns = shapeColumns(searched);
     const Indices higherColumns = higherShapeColumns(searched);
     ConstrainedFit lowest = findConstrainedGeometry(wholeFile, searched, columns, given);
-    const bool hasUsualOrigins = std::ranges::all_of(lowest.fit.unknowns, &Unknown::isParameter);
+    const bool hasUsualOrigins = std::ranges::none_of(lowest.fit.unknowns, &Unknown::isOrigin);
     const bool isUnchanged = isExact(searched, lowest.fit) && (hasUsualOrigins || searched.hasAngle());
     if (isUnchanged || higherColumns.empty()) {
         return lowest;

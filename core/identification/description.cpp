@@ -110,7 +110,7 @@ void compareWithGivenLengths(Findings &findings, const Observations &searched, c
         findings.change = findLengthChange(searched, best, given, findings.lengthUnit);
         return;
     }
-    const bool hasFreeOrigins = !std::ranges::all_of(last.unknowns, &Unknown::isParameter);
+    const bool hasFreeOrigins = std::ranges::any_of(last.unknowns, &Unknown::isOrigin);
     if (hasFreeOrigins) {
         moveToGivenLengths(findings, given);
     }

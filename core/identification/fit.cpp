@@ -30,21 +30,21 @@ Dual variable(double value, int index)
     return {value, 4, index};
 }
 
-constexpr int kKinds = static_cast<int>(Unknown::Kind::Origin) + 1; // number of values of Unknown::Kind
-constexpr int kResidual = kKinds;
-
-/// The terms that belong to one value of a column: the partial derivatives of its prediction by each kind of unknown,
-/// in the order of Unknown::Kind, and then its residual.
-using Terms = Eigen::Matrix<double, kKinds + 1, 1>;
+/// The terms that belong to one value of a column: the partial derivatives of its prediction by the parameters, at
+/// indexOf(Parameter), and by the origin of the column; and its residual.
+constexpr Index kOriginTerm = static_cast<Index>(kParameterCount);
+constexpr Index kResidualTerm = kOriginTerm + 1;
+constexpr Index kTermCount = kResidualTerm + 1;
+using Terms = Eigen::Matrix<double, kTermCount, 1>;
 
 /// Sums over the values of a column.
 struct ColumnSums {
     /// The sums of the products of all pairs of terms.
-    Eigen::Matrix<double, kKinds + 1, kKinds + 1> products = decltype(products)::Zero();
+    Eigen::Matrix<double, kTermCount, kTermCount> products = decltype(products)::Zero();
     double count = 0.0; ///< number of values
 
     /// The mean square of the residuals.
-    double meanSquare() const { return count > 0.0 ? products(kResidual, kResidual) / count : 0.0; }
+    double meanSquare() const { return count > 0.0 ? products(kResidualTerm, kResidualTerm) / count : 0.0; }
 };
 
 /// The terms of column k in one row, with the motion of the mechanism there.
@@ -123,13 +123,15 @@ void addColumn(LocalShape &shape, const ColumnSums &sums, const Observations &ob
     // too.
     const double weight = 2.0 * columnMisfitSlope(column, meanSquare, sums.count) / std::max(sums.count, 1.0);
     // A parameter changes the predictions of all columns, an origin only those of its own column.
-    const auto changesColumn = [&](Unknown unknown) { return unknown.isParameter() || unknown.column == columnIndex; };
-    const auto termOf = [](Unknown unknown) { return static_cast<Index>(unknown.kind); };
+    const auto changesColumn = [&](Unknown unknown) { return !unknown.isOrigin() || unknown.column == columnIndex; };
+    const auto termOf = [](Unknown unknown) {
+        return unknown.parameter ? static_cast<Index>(indexOf(*unknown.parameter)) : kOriginTerm;
+    };
     for (Index i = 0; i < std::ssize(unknowns); ++i) {
         if (!changesColumn(unknowns[i])) {
             continue;
         }
-        shape.gradient[i] -= weight * sums.products(termOf(unknowns[i]), kResidual);
+        shape.gradient[i] -= weight * sums.products(termOf(unknowns[i]), kResidualTerm);
         for (Index j = 0; j < std::ssize(unknowns); ++j) {
             if (changesColumn(unknowns[j])) {
                 shape.curvature(i, j) += weight * sums.products(termOf(unknowns[i]), termOf(unknowns[j]));
@@ -193,21 +195,12 @@ Model withValues(Model model, const Unknowns &unknowns, const Eigen::VectorXd &v
 
 double &valueOf(Model &model, Unknown unknown)
 {
-    switch (unknown.kind) {
-    case Unknown::Kind::A: return model.mechanism.a;
-    case Unknown::Kind::B: return model.mechanism.b;
-    case Unknown::Kind::C: return model.mechanism.c;
-    case Unknown::Kind::Omega2: return model.mechanism.omega2;
-    case Unknown::Kind::CrankAngle: return model.mechanism.theta20;
-    case Unknown::Kind::Origin: break;
-    }
-    return model.readings[unknown.column].origin;
+    return unknown.parameter ? valueOf(model.mechanism, *unknown.parameter) : model.readings[unknown.column].origin;
 }
 
 double valueOf(const Model &model, Unknown unknown)
 {
-    Model copy = model; // so that the switch above is the only one
-    return valueOf(copy, unknown);
+    return unknown.parameter ? valueOf(model.mechanism, *unknown.parameter) : model.readings[unknown.column].origin;
 }
 
 double parameterSize(Parameter parameter, const Parameters &parameters)
@@ -235,6 +228,13 @@ bool Fit::isFree(Unknown unknown) const
 Index Fit::indexOf(Unknown unknown) const
 {
     return std::ranges::find(unknowns, unknown) - unknowns.begin();
+}
+
+Unknowns Fit::unknownsWith(const Unknowns &more) const
+{
+    Unknowns result = unknowns;
+    std::ranges::copy_if(more, std::back_inserter(result), [this](Unknown unknown) { return !isFree(unknown); });
+    return result;
 }
 
 void Fit::replaceModel(const Fit &other)

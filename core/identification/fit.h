@@ -18,29 +18,36 @@
 #include "core/identification/model.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace slidercrank
 {
 
-/// A number of the model that may be free in a fit.
+/// A number of the model that may be free in a fit: a parameter of its mechanism, or the origin of a column.
 struct Unknown {
-    enum class Kind {
-        A,
-        B,
-        C,
-        Omega2,
-        CrankAngle, ///< θ20 of the model
-        Origin      ///< the origin of a column
-    };
-    Kind kind = Kind::A;
-    Index column = 0; ///< the column of the observations whose origin it is; 0 for the other kinds
+    std::optional<Parameter> parameter; ///< nullopt for an origin
+    Index column = 0;                   ///< the column of the observations whose origin it is; 0 for a parameter
 
-    /// Whether it is a parameter of the mechanism.
-    bool isParameter() const { return kind != Kind::Origin; }
+    /// Implicit, so that unknowns can be listed as {Parameter::A, Parameter::B}.
+    Unknown(Parameter parameterOfModel)
+        : parameter(parameterOfModel)
+    {
+    }
+    explicit Unknown(Index columnWithOrigin)
+        : column(columnWithOrigin)
+    {
+    }
+    bool isOrigin() const { return !parameter; }
     friend bool operator==(const Unknown &, const Unknown &) = default;
 };
 using Unknowns = std::vector<Unknown>;
+
+/// The origin of a column of the observations.
+inline Unknown originOf(Index column)
+{
+    return Unknown(column);
+}
 
 /// The value of an unknown in a model: a length in mm, an angle in rad, a speed in rad/s, the origin of a column.
 double &valueOf(Model &model, Unknown unknown);
@@ -60,23 +67,6 @@ inline constexpr double kTypedDifference = 2e-3;
 inline constexpr double kOriginTolerance = 1e-6;
 
 inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
-
-// The parameters are the first kinds of unknowns, in the same order.
-static_assert(static_cast<std::size_t>(Unknown::Kind::A) == indexOf(Parameter::A) &&
-              static_cast<std::size_t>(Unknown::Kind::B) == indexOf(Parameter::B) &&
-              static_cast<std::size_t>(Unknown::Kind::C) == indexOf(Parameter::C) &&
-              static_cast<std::size_t>(Unknown::Kind::Omega2) == indexOf(Parameter::Omega2) &&
-              static_cast<std::size_t>(Unknown::Kind::CrankAngle) == indexOf(Parameter::Theta20) &&
-              static_cast<std::size_t>(Unknown::Kind::Origin) == kParameterCount);
-inline Unknown toUnknown(Parameter parameter)
-{
-    return {static_cast<Unknown::Kind>(indexOf(parameter))};
-}
-/// Requires unknown.isParameter().
-inline Parameter toParameter(Unknown unknown)
-{
-    return static_cast<Parameter>(unknown.kind);
-}
 
 /// The size with which an error of a parameter is compared: a + b + |c| (mm) for lengths, |ω2| (rad/s), or a radian.
 double parameterSize(Parameter parameter, const Parameters &parameters);
@@ -101,6 +91,9 @@ struct Fit {
     bool isFree(Unknown unknown) const;
     Index indexOf(Unknown unknown) const; ///< its index in `unknowns`; unknowns.size() if it is not free
     double valueCount() const;            ///< number of values in all columns
+
+    /// The unknowns and those of `more` that are not among them.
+    Unknowns unknownsWith(const Unknowns &more) const;
 
     /// Replaces the model and its residuals by those of another fit of the same columns. The unknowns, the gradient and
     /// the curvature remain.

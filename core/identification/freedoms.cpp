@@ -19,12 +19,11 @@ namespace
 /// or 0 for lengths.
 double nearestUsualValue(const Observations &observations, const Model &model, Unknown unknown)
 {
-    const bool isOrigin = unknown.kind == Unknown::Kind::Origin;
-    if (isOrigin && !observations.columns[unknown.column].containsAngles()) {
+    if (unknown.isOrigin() && !observations.columns[unknown.column].containsAngles()) {
         return 0.0;
     }
     // The origin of a column is counted as the column is, for example in degrees.
-    const double halfTurn = std::numbers::pi * (isOrigin ? model.readings[unknown.column].factor : 1.0);
+    const double halfTurn = std::numbers::pi * (unknown.isOrigin() ? model.readings[unknown.column].factor : 1.0);
     return halfTurn * std::rint(valueOf(model, unknown) / halfTurn);
 }
 
@@ -83,9 +82,7 @@ bool isSmallOrigin(const Observations &observations, const Model &model, Unknown
     constexpr double kMaxOriginFraction = 0.02;            // of the range of the column
     constexpr double kMaxAngle = std::numbers::pi / 180.0; // 1°, of the crank
     const double change = std::abs(valueOf(model, unknown) - usual);
-    return change < (unknown.kind == Unknown::Kind::Origin
-                         ? kMaxOriginFraction * observations.columns[unknown.column].range
-                         : kMaxAngle);
+    return change < (unknown.isOrigin() ? kMaxOriginFraction * observations.columns[unknown.column].range : kMaxAngle);
 }
 
 /// Where sin θ3 ≈ θ3, a different unit of θ3 looks like a different length of the coupler. Returns the fit with θ3 in
@@ -165,8 +162,8 @@ bool originMayExist(const Observations &observations, const Fit &freeFit, const 
 void addPossibleErrors(ParameterErrors &errors, const Fit &freeFit, const Fit &fixedFit)
 {
     for (const Unknown unknown : fixedFit.unknowns) {
-        if (unknown.isParameter()) {
-            double &error = errors[indexOf(toParameter(unknown))];
+        if (unknown.parameter) {
+            double &error = errors[indexOf(*unknown.parameter)];
             error = std::hypot(error, valueOf(fixedFit.model, unknown) - valueOf(freeFit.model, unknown));
         }
     }
@@ -177,8 +174,8 @@ Unknowns originsAmong(const Fit &fit)
 {
     Unknowns origins;
     std::ranges::copy_if(fit.unknowns, std::back_inserter(origins), [&](Unknown unknown) {
-        const bool isOriginOfAngle = fit.model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
-        return isOriginOfAngle || unknown.kind == Unknown::Kind::Origin;
+        const bool isOriginOfAngle = fit.model.followsAngle && unknown.parameter == Parameter::Theta20;
+        return isOriginOfAngle || unknown.isOrigin();
     });
     return origins;
 }
@@ -186,8 +183,7 @@ Unknowns originsAmong(const Fit &fit)
 /// Fits again with more free origins. Does nothing if they cannot be determined.
 void freeOriginsAgain(const Observations &observations, Fit &fit, const Unknowns &origins)
 {
-    Unknowns unknowns = fit.unknowns;
-    std::ranges::copy_if(origins, std::back_inserter(unknowns), [&](Unknown origin) { return !fit.isFree(origin); });
+    const Unknowns unknowns = fit.unknownsWith(origins);
     if (unknowns.size() == fit.unknowns.size()) {
         return;
     }

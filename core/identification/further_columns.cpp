@@ -33,8 +33,7 @@ bool isMotionOfOtherProportions(const Observations &observations, const Fit &fit
         return false;
     }
     const Fit alone =
-        fitModel(observations, fit.model, {k},
-                 {{Unknown::Kind::A}, {Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}});
+        fitModel(observations, fit.model, {k}, {Parameter::A, Parameter::B, Parameter::C, Parameter::Theta20});
     if (!alone.isFinite() || alone.counts[0] < kMinValues || !isWithinRounding(observations, alone, 0)) {
         return false;
     }
@@ -83,7 +82,7 @@ std::optional<Reason> reasonWithoutPrediction(const FurtherColumns &result, cons
         return Reason::UnevenSpeed;
     }
     // In a table, ω2 is an unknown of the fit only if derivatives have shown it before (withSpeedAndSize()).
-    const bool isSpeedKnown = drive != Drive::Kind::OverAngle || result.fit.isFree({Unknown::Kind::Omega2});
+    const bool isSpeedKnown = drive != Drive::Kind::OverAngle || result.fit.isFree(Parameter::Omega2);
     if (isSpeedKnown) {
         return std::nullopt;
     }
@@ -142,7 +141,7 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
     }
     if (drive.kind == Drive::Kind::OverAngle && !observations.containDerivatives(result.fit.columns)) {
         // No derivative was used after all, so that nothing determines the speed.
-        std::erase(result.fit.unknowns, Unknown{Unknown::Kind::Omega2});
+        std::erase(result.fit.unknowns, Unknown(Parameter::Omega2));
         result.fit.model.mechanism.omega2 = given.omega2;
     }
     return result;

@@ -274,20 +274,20 @@ GridResult searchGrid(const Observations &observations, const Indices &columns, 
 /// The unknowns that the columns determine.
 Unknowns geometryUnknowns(const Observations &observations, const Indices &columns, Origins origins)
 {
-    Unknowns unknowns{{Unknown::Kind::B}, {Unknown::Kind::C}, {Unknown::Kind::CrankAngle}};
+    Unknowns unknowns{Parameter::B, Parameter::C, Parameter::Theta20};
     const auto isPosition = [&](Index k) { return !observations.columns[k].isDerivative(); };
     const auto isLength = [&](Index k) { return !observations.columns[k].containsAngles(); };
     if (std::ranges::any_of(columns, isLength)) {
-        unknowns.push_back({Unknown::Kind::A});
+        unknowns.push_back(Parameter::A);
     }
     const auto showsSpeed = [&](Index k) { return !isPosition(k) && !isLength(k); };
     // Velocities of lengths over the angle show only a ω2, accelerations a ω2².
     if (!observations.hasAngle() || std::ranges::any_of(columns, showsSpeed)) {
-        unknowns.push_back({Unknown::Kind::Omega2});
+        unknowns.push_back(Parameter::Omega2);
     }
     for (const Index k : columns) {
         if (isPosition(k) && origins == Origins::Any) {
-            unknowns.push_back({Unknown::Kind::Origin, k});
+            unknowns.push_back(originOf(k));
         }
     }
     return unknowns;
@@ -464,7 +464,7 @@ Fit fitWithFreeOrigins(const Observations &observations, const Fit &geometry, co
     Unknowns origins;
     for (const Index k : columns) {
         if (!observations.columns[k].isDerivative()) {
-            origins.push_back({Unknown::Kind::Origin, k});
+            origins.push_back(originOf(k));
         }
     }
     return fitModel(observations, withUsualFactors(observations, geometry, columns), columns, origins);

@@ -92,7 +92,7 @@ std::optional<Fit> tryReadings(const Observations &observations, const Fit &fit,
         return std::nullopt;
     }
     Fit withOrigin = fit;
-    withOrigin.unknowns.push_back({Unknown::Kind::Origin, k});
+    withOrigin.unknowns.push_back(originOf(k));
     for (const double signedFactor : {factor, -factor}) {
         model.readings[k] = {signedFactor, bestOrigin(observations, fit, k, signedFactor)};
         if (std::optional<Fit> together = tryToAddColumn(observations, withOrigin, model, k, isGeometryExact)) {

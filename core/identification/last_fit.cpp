@@ -117,18 +117,18 @@ void computeErrors(LastFit &result, const ParameterErrors &possibleErrors)
     Eigen::MatrixXd &covariance = result.covariance;
     covariance = result.dependence * computeCovariance(fit);
     Eigen::VectorXd step = stepToMinimum(fit);
-    if (!fit.model.followsAngle && fit.isFree({Unknown::Kind::Omega2}) && fit.isFree({Unknown::Kind::CrankAngle})) {
+    if (!fit.model.followsAngle && fit.isFree(Parameter::Omega2) && fit.isFree(Parameter::Theta20)) {
         // The unknown is the angle in the middle of the file: θ20 at its t = 0 is CrankAngle - ω2 timeOrigin.
-        const Index angle = fit.indexOf({Unknown::Kind::CrankAngle});
-        const Index speed = fit.indexOf({Unknown::Kind::Omega2});
+        const Index angle = fit.indexOf(Parameter::Theta20);
+        const Index speed = fit.indexOf(Parameter::Omega2);
         covariance.row(angle) -= result.observations.timeOrigin * covariance.row(speed);
         covariance.col(angle) -= result.observations.timeOrigin * covariance.col(speed);
         step[angle] -= result.observations.timeOrigin * step[speed];
     }
     covariance.diagonal() += step.cwiseAbs2();
     for (Index k = 0; k < std::ssize(fit.unknowns); ++k) {
-        if (fit.unknowns[k].isParameter()) {
-            const std::size_t i = indexOf(toParameter(fit.unknowns[k]));
+        if (const std::optional<Parameter> parameter = fit.unknowns[k].parameter) {
+            const std::size_t i = indexOf(*parameter);
             covariance(k, k) += possibleErrors[i] * possibleErrors[i];
             result.standardError[i] = std::hypot(std::sqrt(covariance(k, k)), clockErrors[i]);
         }
@@ -145,9 +145,8 @@ double LastFit::standardErrorOf(Unknown unknown) const
 
 void scaleErrors(LastFit &lastFit, Parameter parameter, double factor)
 {
-    const Unknown unknown = toUnknown(parameter);
-    if (lastFit.fit.isFree(unknown)) {
-        const Index k = lastFit.fit.indexOf(unknown);
+    if (lastFit.fit.isFree(parameter)) {
+        const Index k = lastFit.fit.indexOf(parameter);
         lastFit.covariance.row(k) *= factor;
         lastFit.covariance.col(k) *= factor;
     }

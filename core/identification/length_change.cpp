@@ -28,7 +28,7 @@ Unknowns unknownsExceptLengths(const Fit &fit)
 {
     Unknowns unknowns = fit.unknowns;
     for (const Parameter length : kLengths) {
-        std::erase(unknowns, toUnknown(length));
+        std::erase(unknowns, length);
     }
     return unknowns;
 }
@@ -39,7 +39,7 @@ double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, 
                               double lengthUnit)
 {
     const double value = valueOf(fit.model.mechanism, length);
-    const Index position = fit.indexOf(toUnknown(length));
+    const Index position = fit.indexOf(length);
     const double error = std::sqrt(dependence(fit) * computeCovariance(fit)(position, position));
     Model model = fit.model;
     valueOf(model.mechanism, length) = roundLength(value, error, lengthUnit).value;
@@ -63,7 +63,7 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
         Model changed = modelWithGivenLengths(best, given);
         valueOf(changed.mechanism, length) = valueOf(best.model.mechanism, length);
         Unknowns unknowns = unknownsExceptLengths(best);
-        unknowns.push_back(toUnknown(length));
+        unknowns.push_back(length);
         const Fit fit = fitModel(observations, changed, best.columns, unknowns);
         if (explainsAsWell(observations, fit, best)) {
             changes.push_back({length, roundIfExplainedAsWell(observations, fit, length, best, lengthUnit)});

@@ -94,7 +94,7 @@ int countUnusualCrankReadings(const Fit &fit, const Model &model)
     }
     const bool isClockwise = model.angleFactor < 0.0;
     // An origin that is not free is a multiple of half a turn (see withoutFreedoms()).
-    const bool isOriginFixed = !fit.isFree({Unknown::Kind::CrankAngle});
+    const bool isOriginFixed = !fit.isFree(Parameter::Theta20);
     const bool isHalfTurnOff = isOriginFixed && isOddHalfTurn(model.mechanism.theta20);
     return (isClockwise ? 1 : 0) + (isHalfTurnOff ? 1 : 0);
 }
@@ -127,7 +127,7 @@ SignCounts countSigns(const Observations &observations, const Fit &fit, const Mo
             continue;
         }
         const bool isNegated = model.readings[k].factor < 0.0;
-        const bool hasOrigin = fit.isFree({Unknown::Kind::Origin, k});
+        const bool hasOrigin = fit.isFree(originOf(k));
         const bool isDisplacement = hasOrigin && !column.containsAngles() && !signs.isFrameShifted;
         if (isDisplacement) {
             signs.lengths.isDisplacementNegated = signs.lengths.isDisplacementNegated || isNegated;
@@ -145,7 +145,7 @@ int countHalfTurns(const Observations &observations, const Fit &fit, const Model
 {
     const auto isHalfTurnOff = [&](Index k) {
         const ColumnReading &reading = model.readings[k];
-        const bool hasOrigin = fit.isFree({Unknown::Kind::Origin, k});
+        const bool hasOrigin = fit.isFree(originOf(k));
         return observations.columns[k].containsAngles() && !hasOrigin && isOddHalfTurn(reading.origin / reading.factor);
     };
     return static_cast<int>(std::ranges::count_if(fit.columns, isHalfTurnOff));

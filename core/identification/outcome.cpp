@@ -21,7 +21,6 @@ using Outcome = Identification::Outcome;
 using Lack = Identification::Lack;
 using Rejection = Identification::Rejection;
 using LengthScale = Identification::LengthScale;
-using UnknownKind = Unknown::Kind;
 
 /// A parameter is left open if its standard error is a larger fraction of its size (see findOpenParameters()): a value
 /// that is less certain is of no use.
@@ -66,12 +65,12 @@ ParameterErrors worstCaseErrors(const LastFit &lastFit, bool areResidualsSystema
 }
 
 /// The largest error of a parameter, relative to its size, with which it counts as determined.
-double maxRelativeError(Unknown unknown, bool areResidualsSystematic)
+double maxRelativeError(Parameter parameter, bool areResidualsSystematic)
 {
     if (areResidualsSystematic) {
         return kMaxSystematicError;
     }
-    return unknown.kind == UnknownKind::A ? kMaxErrorOfCrank : kMaxError;
+    return parameter == Parameter::A ? kMaxErrorOfCrank : kMaxError;
 }
 
 /// The size with which the error of a parameter is compared, in mm, rad and s. An offset is compared at least with the
@@ -101,9 +100,8 @@ bool hasOneCoordinate(const LastFit &lastFit)
 bool arePositionsFromOrigin(const LastFit &lastFit)
 {
     const Observations &observations = lastFit.observations;
-    const auto isOrigin = [](Unknown unknown) { return unknown.kind == UnknownKind::Origin; };
     return !observations.hasAngle() && !observations.containDerivatives(lastFit.fit.columns) &&
-           std::ranges::any_of(lastFit.fit.unknowns, isOrigin);
+           std::ranges::any_of(lastFit.fit.unknowns, &Unknown::isOrigin);
 }
 
 /// Which unknown parameters the file leaves open. `errors`: the result of worstCaseErrors(). A parameter whose error is
@@ -122,13 +120,13 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
     const ParameterErrors changes = lastFit.isExact ? ParameterErrors{} : changesByRipple(lastFit);
     ParameterFlags open{};
     for (const Unknown unknown : fit.unknowns) {
-        if (unknown.isParameter()) {
-            const std::size_t i = indexOf(toParameter(unknown));
-            const double size = comparedSize(toParameter(unknown), m);
-            const bool isCouplerOrOffset = unknown.kind == UnknownKind::B || unknown.kind == UnknownKind::C;
+        if (const std::optional<Parameter> parameter = unknown.parameter) {
+            const std::size_t i = indexOf(*parameter);
+            const double size = comparedSize(*parameter, m);
+            const bool isCouplerOrOffset = parameter == Parameter::B || parameter == Parameter::C;
             open[i] = isEverythingOpen || (isCouplerOpen && isCouplerOrOffset) ||
                       changes[i] > kMaxChangeByRipple * size ||
-                      errors[i] > maxRelativeError(unknown, areResidualsSystematic) * size;
+                      errors[i] > maxRelativeError(*parameter, areResidualsSystematic) * size;
         }
     }
     if (open[indexOf(Parameter::A)]) {
@@ -211,8 +209,8 @@ void setDeterminedParameters(Identification &result, const Findings &findings, c
     const LastFit &lastFit = findings.lastFit;
     ParameterFlags determined{};
     for (const Unknown unknown : lastFit.fit.unknowns) {
-        if (unknown.isParameter()) {
-            const std::size_t i = indexOf(toParameter(unknown));
+        if (unknown.parameter) {
+            const std::size_t i = indexOf(*unknown.parameter);
             determined[i] = !result.openParameters[i] && std::isfinite(errors[i]);
             result.standardError[i] = determined[i] ? errors[i] : kNone;
         }
@@ -251,7 +249,7 @@ ParameterFlags identifiableParameters(const Findings &findings)
     for (const Parameter length : kLengths) {
         identifiable[indexOf(length)] = determineLengths(findings.lastFit.observations, fit.columns);
     }
-    identifiable[indexOf(Parameter::Omega2)] = fit.isFree({UnknownKind::Omega2}) || findings.drive.hasChangingSpeed();
+    identifiable[indexOf(Parameter::Omega2)] = fit.isFree(Parameter::Omega2) || findings.drive.hasChangingSpeed();
     identifiable[indexOf(Parameter::Theta20)] = !fit.model.followsAngle || findings.drive.kind == Drive::Kind::RunUp;
     return identifiable;
 }

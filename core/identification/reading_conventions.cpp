@@ -84,7 +84,7 @@ std::vector<ConventionFinding> listConventions(const LastFit &lastFit)
     if (model.followsAngle) {
         // The model contains θ2 = angleFactor · angle + θ20, and not the angle in the file as a reading of θ2.
         const ColumnReading reading{1.0 / model.angleFactor, -wrapToPi(model.mechanism.theta20) / model.angleFactor};
-        const double errorOfOrigin = lastFit.standardErrorOf({Unknown::Kind::CrankAngle}) / std::abs(model.angleFactor);
+        const double errorOfOrigin = lastFit.standardErrorOf(Parameter::Theta20) / std::abs(model.angleFactor);
         constexpr bool kHadJumps = false; // θ2 is compared up to whole turns, with or without jumps
         appendReading(conventions, kCrankAngle, reading, errorOfOrigin, kHadJumps);
     }
@@ -92,7 +92,7 @@ std::vector<ConventionFinding> listConventions(const LastFit &lastFit)
     std::ranges::sort(columns);
     for (const Index k : columns) {
         const ObservedColumn &column = observations.columns[k];
-        const double errorOfOrigin = lastFit.standardErrorOf({Unknown::Kind::Origin, k});
+        const double errorOfOrigin = lastFit.standardErrorOf(originOf(k));
         appendReading(conventions, column.channel, model.readings[k], errorOfOrigin, column.hadJumps);
     }
     return conventions;

@@ -57,16 +57,17 @@ RoundNumber roundInUsualUnits(Unknown unknown, double value, double standardErro
 {
     constexpr double kDegree = std::numbers::pi / 180.0;
     constexpr double kTurnPerMinute = std::numbers::pi / 30.0;
-    switch (unknown.kind) {
-    case Unknown::Kind::A:
-    case Unknown::Kind::B:
-    case Unknown::Kind::C: return roundLength(value, standardError, lengthUnit);
-    case Unknown::Kind::Omega2:
-        return roundToFewestDigits(value, standardError, std::array{1.0, kDegree, kTurnPerMinute});
-    case Unknown::Kind::CrankAngle: return roundToFewestDigits(value, standardError, std::array{kDegree, 1.0});
-    case Unknown::Kind::Origin: break; // measured, and not chosen
+    if (unknown.isOrigin()) { // measured, and not chosen
+        return {value};
     }
-    return {value};
+    switch (*unknown.parameter) {
+    case Parameter::A:
+    case Parameter::B:
+    case Parameter::C: return roundLength(value, standardError, lengthUnit);
+    case Parameter::Omega2: return roundToFewestDigits(value, standardError, std::array{1.0, kDegree, kTurnPerMinute});
+    case Parameter::Theta20: break;
+    }
+    return roundToFewestDigits(value, standardError, std::array{kDegree, 1.0});
 }
 
 /// An unknown of the last fit.
@@ -100,9 +101,9 @@ Estimate makeEstimate(const LastFit &lastFit, const Parameters &unrounded)
         .unknowns = {}, .values = Eigen::VectorXd(lastFit.covariance.rows()), .covariance = lastFit.covariance};
     for (const Unknown unknown : lastFit.fit.unknowns) {
         const Index k = std::ssize(estimate.unknowns);
-        const bool isOriginOfAngle = model.followsAngle && unknown.kind == Unknown::Kind::CrankAngle;
-        if (unknown.isParameter() && !isOriginOfAngle) {
-            const Parameter parameter = toParameter(unknown);
+        const bool isOriginOfAngle = model.followsAngle && unknown.parameter == Parameter::Theta20;
+        if (unknown.parameter && !isOriginOfAngle) {
+            const Parameter parameter = *unknown.parameter;
             estimate.values[k] = valueOf(unrounded, parameter);
             estimate.unknowns.push_back({unknown, parameter, parameterSize(parameter, unrounded)});
         } else {
@@ -181,7 +182,7 @@ Parameters roundToErrors(const LastFit &lastFit, const Parameters &unrounded, do
         for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20}) {
             const double error = fraction * lastFit.standardError[indexOf(parameter)];
             valueOf(rounded, parameter) =
-                roundInUsualUnits(toUnknown(parameter), valueOf(unrounded, parameter), error, lengthUnit).value;
+                roundInUsualUnits(parameter, valueOf(unrounded, parameter), error, lengthUnit).value;
         }
     }
     Estimate estimate = makeEstimate(lastFit, unrounded);

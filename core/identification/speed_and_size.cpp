@@ -60,7 +60,7 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
 {
     const Order fittedOrder = orderOfLengths(observations, fit);
     Fit start = fit;
-    start.unknowns.push_back({Unknown::Kind::Omega2});
+    start.unknowns.push_back(Parameter::Omega2);
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
         if (column.containsAngles() || column.isConstant() || column.channel.order == fittedOrder) {
@@ -84,7 +84,7 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
 Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::Kind drive, bool isGeometryExact)
 {
     Fit start = fit;
-    start.unknowns.push_back({Unknown::Kind::A});
+    start.unknowns.push_back(Parameter::A);
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const ObservedColumn &column = observations.columns[k];
         const bool isPredicted = drive != Drive::Kind::Uneven || !column.isDerivative();
@@ -105,12 +105,12 @@ Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::K
 void addSpeedOfTable(SpeedAndSize &result, const Observations &observations, double givenSpeed)
 {
     Fit &fit = result.fit;
-    if (fit.isFree({Unknown::Kind::Omega2}) || showOnlyProductWithSpeed(observations, fit.columns)) {
+    if (fit.isFree(Parameter::Omega2) || showOnlyProductWithSpeed(observations, fit.columns)) {
         return;
     }
     result.speeds = findTableSpeeds(observations, fit, givenSpeed);
     if (result.speeds.size() == 1) { // the derivatives can be used, and improve it
-        fit.unknowns.push_back({Unknown::Kind::Omega2});
+        fit.unknowns.push_back(Parameter::Omega2);
         fit.model.mechanism.omega2 = result.speeds[0];
     }
 }
@@ -144,7 +144,7 @@ SpeedAndSize withSpeedAndSize(const Observations &observations, const Fit &geome
     if (observations.containOnlyAngles(fit.columns) && result.speeds.size() < 2) {
         fit = withSizeOfLengths(observations, fit, drive, isGeometryExact);
     }
-    const bool isSpeedOpen = drive == Drive::Kind::OverAngle && !fit.isFree({Unknown::Kind::Omega2});
+    const bool isSpeedOpen = drive == Drive::Kind::OverAngle && !fit.isFree(Parameter::Omega2);
     if (isSpeedOpen && showOnlyProductWithSpeed(observations, fit.columns)) {
         fit = withSpeedOfTwoOrders(observations, fit, isGeometryExact).value_or(fit);
     }

@@ -71,7 +71,7 @@ std::optional<ColumnScale> scaleOfJointFit(const Observations &observations, con
     Model &model = withSpeed.model;
     model.mechanism.omega2 = isVelocity ? start.factor : std::sqrt(std::abs(start.factor));
     model.readings[k] = {sign * signOfCoordinate(observations, fit, channel.coordinate), 0.0};
-    withSpeed.unknowns.push_back({Unknown::Kind::Omega2});
+    withSpeed.unknowns.push_back(Parameter::Omega2);
     const std::optional<Fit> together = tryToAddColumn(observations, withSpeed, model, k, areExact);
     if (!together) {
         return std::nullopt;

@@ -45,8 +45,8 @@ Eigen::MatrixXd derivativesByUnknowns(const Observations &observations, const Fi
     Eigen::MatrixXd derivatives(fit.residuals.size(), std::ssize(unknowns));
     for (Index i = 0; i < std::ssize(unknowns); ++i) {
         const Unknown unknown = unknowns[i];
-        const double size = unknown.isParameter() ? parameterSize(toParameter(unknown), fit.model.mechanism)
-                                                  : observations.columns[unknown.column].range;
+        const double size = unknown.isOrigin() ? observations.columns[unknown.column].range
+                                               : parameterSize(*unknown.parameter, fit.model.mechanism);
         derivatives.col(i) = derivativeOfPredictions(
             observations, fit, size, [unknown](Model &model, double amount) { valueOf(model, unknown) += amount; });
     }
@@ -88,8 +88,8 @@ ParameterErrors changesByRipple(const LastFit &lastFit)
     }
     const Eigen::VectorXd changesOfUnknowns = withRipple.coefficients.head(std::ssize(unknowns));
     for (Index i = 0; i < std::ssize(unknowns); ++i) {
-        if (unknowns[i].isParameter()) {
-            changes[indexOf(toParameter(unknowns[i]))] = std::abs(changesOfUnknowns[i]);
+        if (const std::optional<Parameter> parameter = unknowns[i].parameter) {
+            changes[indexOf(*parameter)] = std::abs(changesOfUnknowns[i]);
         }
     }
     return changes;

@@ -16,8 +16,6 @@ using namespace slidercrank;
 namespace tst_fit
 {
 
-using UnknownKind = Unknown::Kind;
-
 const Parameters kFitted{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
 
 /// The observations of a printed file, and the model that printed it.
@@ -65,9 +63,8 @@ private slots:
             printing.format = "%.3g"; // so that S is smooth
             printing.rows = 80;
             PrintedFile file = printedFile(random.ordinary(), printing);
-            const Unknowns unknowns{{UnknownKind::A},        {UnknownKind::B},          {UnknownKind::C},
-                                    {UnknownKind::Omega2},   {UnknownKind::CrankAngle}, {UnknownKind::Origin, 0},
-                                    {UnknownKind::Origin, 1}};
+            const Unknowns unknowns{Parameter::A,       Parameter::B, Parameter::C, Parameter::Omega2,
+                                    Parameter::Theta20, originOf(0),  originOf(1)};
             const Fit fit = fitModel(file.observations, file.model, file.columns, unknowns);
             QVERIFY(fit.isFinite());
             file.model = fit.model;
@@ -90,8 +87,7 @@ private slots:
         file.model.mechanism.b *= 1.1;
         file.model.mechanism.c *= 0.8;
         file.model.mechanism.omega2 *= 1.02;
-        const Unknowns unknowns{
-            {UnknownKind::A}, {UnknownKind::B}, {UnknownKind::C}, {UnknownKind::Omega2}, {UnknownKind::CrankAngle}};
+        const Unknowns unknowns{Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20};
         const Fit fit = fitModel(file.observations, file.model, file.columns, unknowns);
         const Eigen::MatrixXd covariance = computeCovariance(fit);
         QVERIFY(isExact(file.observations, fit));
@@ -125,7 +121,7 @@ private slots:
         PrintedFile file = printedFile(kFitted, {});
         file.model.mechanism.b = 30.0; // the offset 25 and the crank 20 need 45
         QVERIFY(!evaluateModel(file.observations, file.model, file.columns).isFinite());
-        QVERIFY(!fitModel(file.observations, file.model, file.columns, {{UnknownKind::B}}).isFinite());
+        QVERIFY(!fitModel(file.observations, file.model, file.columns, {Parameter::B}).isFinite());
     }
 };
 

@@ -22,11 +22,9 @@ using namespace slidercrank;
 namespace tst_readings
 {
 
-using UnknownKind = Unknown::Kind;
-
 const Parameters kMechanism{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
-const Unknown kAngleOrigin{UnknownKind::Origin, 0};
-const Unknown kSliderOrigin{UnknownKind::Origin, 1};
+const Unknown kAngleOrigin = originOf(0);
+const Unknown kSliderOrigin = originOf(1);
 
 /// A fit with all freedoms of θ3 (column 0) and R4_x (column 1), whose values are changed before.
 Fit freeFit(const Observations &observations)
@@ -34,14 +32,9 @@ Fit freeFit(const Observations &observations)
     Model model{.mechanism = kMechanism};
     model.mechanism.theta20 += kMechanism.omega2 * observations.timeOrigin;
     model.readings.resize(observations.columns.size());
-    return fitModel(observations, model, {0, 1},
-                    {{UnknownKind::A},
-                     {UnknownKind::B},
-                     {UnknownKind::C},
-                     {UnknownKind::Omega2},
-                     {UnknownKind::CrankAngle},
-                     kAngleOrigin,
-                     kSliderOrigin});
+    return fitModel(
+        observations, model, {0, 1},
+        {Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2, Parameter::Theta20, kAngleOrigin, kSliderOrigin});
 }
 
 using Change = std::function<double(double value, std::size_t row)>;
