@@ -21,9 +21,9 @@ namespace
 void appendAngle(Observations &observations)
 {
     ObservedColumn angle{.channel = kCrankAngle,
-                         .values = observations.angle,
-                         .range = observations.angle.maxCoeff() - observations.angle.minCoeff()};
-    angle.setHalfSteps(Values::Constant(observations.size(), observations.angleHalfStep));
+                         .values = observations.angle.values,
+                         .range = observations.angle.values.maxCoeff() - observations.angle.values.minCoeff()};
+    angle.setHalfSteps(Values::Constant(observations.size(), observations.angle.halfStep));
     observations.columns.push_back(std::move(angle));
 }
 
@@ -71,20 +71,17 @@ bool isAngleBetter(const Fit &overAngle, const ObservedFit &overTime)
 /// printed ones are an alternative.
 bool wasAbscissaMadeEven(const Observations &observations, const Model &model)
 {
-    return (model.followsAngle ? observations.printedAngle : observations.printedTime).size() > 0;
+    return (model.followsAngle ? observations.angle : observations.time).printed.size() > 0;
 }
 
 /// The observations with the abscissa of a model as it was printed. Its values are not moved within their rounding any
 /// more, but the bounds of rounding still allow for half a step of it.
 Observations withPrintedAbscissa(Observations observations, const Model &model)
 {
-    if (model.followsAngle) {
-        observations.angle = observations.printedAngle;
-    } else {
-        observations.time = observations.printedTime;
-        observations.startMargin = 0.0;
-        observations.durationMargin = 0.0;
-    }
+    Abscissa &abscissa = model.followsAngle ? observations.angle : observations.time;
+    abscissa.values = abscissa.printed;
+    abscissa.startMargin = 0.0;
+    abscissa.durationMargin = 0.0;
     return observations;
 }
 
@@ -110,8 +107,8 @@ double standardErrorOf(const Fit &fit, Unknown unknown)
 /// A table over the crank angle with exact angles, which are those in the file times `stretch` plus `shift` (rad).
 Observations withMovedAngles(Observations observations, double stretch, double shift)
 {
-    observations.angle = stretch * observations.angle + shift;
-    observations.angleHalfStep = 0.0;
+    observations.angle.values = stretch * observations.angle.values + shift;
+    observations.angle.halfStep = 0.0;
     return observations;
 }
 
@@ -133,9 +130,9 @@ std::optional<ObservedFit> withFittedAngles(const ObservedFit &current)
     ObservedFit moved{.wholeFile = withMovedAngles(current.wholeFile, stretch, shift),
                       .searched = withMovedAngles(current.searched, stretch, shift),
                       .fit = fit};
-    const Values moves = (moved.wholeFile.angle - moved.wholeFile.printedAngle).abs();
+    const Values moves = (moved.wholeFile.angle.values - moved.wholeFile.angle.printed).abs();
     const double errorOfStart = standardErrorOf(freeFit, Parameter::Theta20) / std::abs(fit.model.angleFactor);
-    const double halfStep = current.wholeFile.angleHalfStep;
+    const double halfStep = current.wholeFile.angle.halfStep;
     if (!(moves <= halfStep + std::min(kStandardErrors * errorOfStart, halfStep)).all()) {
         return std::nullopt;
     }

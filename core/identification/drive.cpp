@@ -29,7 +29,7 @@ LinearFit fitPowers(const Observations &observations, const Values &angles, Inde
 {
     Eigen::MatrixXd basis(angles.size(), terms);
     for (Index k = 0; k < terms; ++k) {
-        basis.col(k) = (observations.time / (0.5 * observations.span())).pow(static_cast<double>(k));
+        basis.col(k) = (observations.time.values / (0.5 * observations.span())).pow(static_cast<double>(k));
     }
     return fitLinearly(basis, angles);
 }
@@ -62,7 +62,7 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
     const Values errors = fit.residuals.abs();
     // Half a rounding step of the angle, the motion of the crank during half a step of the time, and the arithmetic of
     // the program that printed all digits of the angle (of 1 rad).
-    const double bound = halfStep + std::abs(fit.coefficients[1]) / halfSpan * observations.timeHalfStep + kArithmetic;
+    const double bound = halfStep + std::abs(fit.coefficients[1]) / halfSpan * observations.time.halfStep + kArithmetic;
     // As in the misfit (fit.h), not below the variance of rounding, even if a few residuals happen to be smaller. If
     // all errors are rounding, it counts twice, so that the standard errors become too large and not too small.
     const double variance = errors.square().mean() + bound * bound / 3.0;
@@ -116,18 +116,19 @@ Drive findDrive(const Observations &observations, const Model &model)
     if (!observations.hasTime() || !hasSeveralSlopes) {
         return {.kind = Drive::Kind::OverAngle};
     }
-    const Values angles = model.angleFactor * observations.angle + model.mechanism.theta20;
-    const double halfStep = std::abs(model.angleFactor) * observations.angleHalfStep;
+    const Values angles = model.angleFactor * observations.angle.values + model.mechanism.theta20;
+    const double halfStep = std::abs(model.angleFactor) * observations.angle.halfStep;
     const Polynomial line = fitPolynomial(observations, angles, halfStep, kLineTerms);
     const Polynomial parabola = fitPolynomial(observations, angles, halfStep, kParabolaTerms);
     const Index fromFirstToLastRow = observations.size() - 1;
-    Drive drive{.kind = Drive::Kind::Uneven, .omega2 = computeSlopes(angles, observations.time, fromFirstToLastRow)[0]};
+    Drive drive{.kind = Drive::Kind::Uneven,
+                .omega2 = computeSlopes(angles, observations.time.values, fromFirstToLastRow)[0]};
     if (line.explainsAngles) {
         drive = {.kind = Drive::Kind::Constant, .theta20 = line.coefficients[0], .omega2 = line.coefficients[1]};
     } else if (parabola.explainsAngles) {
         drive = makeRunUp(parabola, observations.timeOrigin);
     }
-    const Values speeds = computeSlopes(angles, observations.time, kSlopeStep);
+    const Values speeds = computeSlopes(angles, observations.time.values, kSlopeStep);
     drive.minSpeed = speeds.minCoeff();
     drive.maxSpeed = speeds.maxCoeff();
     return drive;

@@ -58,7 +58,7 @@ Terms computeTerms(const TextbookMotion<Dual> &motion, const Model &model, const
     const auto [byA, byB, byC, byAngle] = std::array{prediction.derivatives()[0], prediction.derivatives()[1],
                                                      prediction.derivatives()[2], prediction.derivatives()[3]};
     // ω2 changes the angle of the crank, which is ω2 t + θ20 unless the model follows that in the file, …
-    double bySpeed = model.followsAngle ? 0.0 : byAngle * observations.time[row];
+    double bySpeed = model.followsAngle ? 0.0 : byAngle * observations.time.values[row];
     // … and the derivatives at that angle: by ω, f'ω changes by f', and f''ω² + f'α by 2 f''ω.
     if (column.isDerivative()) {
         const double order = static_cast<double>(column.channel.order);

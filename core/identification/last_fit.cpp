@@ -96,8 +96,8 @@ ParameterErrors errorsOfClock(const Observations &observations, const Fit &fit)
     if (!fit.model.followsAngle) {
         const Parameters &m = fit.model.mechanism;
         const double speed = std::abs(m.omega2) / std::numbers::sqrt3; // √3: of an even distribution
-        errors[indexOf(Parameter::Theta20)] = speed * observations.startMargin;
-        errors[indexOf(Parameter::Omega2)] = speed * observations.durationMargin / observations.span();
+        errors[indexOf(Parameter::Theta20)] = speed * observations.time.startMargin;
+        errors[indexOf(Parameter::Omega2)] = speed * observations.time.durationMargin / observations.span();
         const double relativeError = errors[indexOf(Parameter::Omega2)] / std::abs(m.omega2);
         for (const Parameter length : kLengths) {
             const double order = static_cast<double>(lowestOrderOfLengths(observations, fit));

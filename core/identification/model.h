@@ -56,26 +56,26 @@ struct Model {
     double crankAngle(const Observations &observations, Index row) const
     {
         if (followsAngle) {
-            return mechanism.theta20 + angleFactor * observations.angle[row];
+            return mechanism.theta20 + angleFactor * observations.angle.values[row];
         }
-        const double phase = mechanism.omega2 * observations.time[row];
+        const double phase = mechanism.omega2 * observations.time.values[row];
         return mechanism.theta20 + phase + (ripple.isZero() ? 0.0 : ripple.angle(phase));
     }
     double crankSpeed(const Observations &observations, Index row) const
     {
         double speed = mechanism.omega2;
         if (alpha2 != 0.0) {
-            speed += alpha2 * observations.time[row];
+            speed += alpha2 * observations.time.values[row];
         }
         if (!ripple.isZero()) {
-            speed += mechanism.omega2 * ripple.derivative(mechanism.omega2 * observations.time[row]);
+            speed += mechanism.omega2 * ripple.derivative(mechanism.omega2 * observations.time.values[row]);
         }
         return speed;
     }
     double crankAcceleration(const Observations &observations, Index row) const
     {
         const double w = mechanism.omega2;
-        return alpha2 - (ripple.isZero() ? 0.0 : w * w * ripple.angle(w * observations.time[row]));
+        return alpha2 - (ripple.isZero() ? 0.0 : w * w * ripple.angle(w * observations.time.values[row]));
     }
 };
 

@@ -176,26 +176,32 @@ Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<
     return grid;
 }
 
+/// Reads the time stamps of a file, or the angles of a table over the crank angle, in some rows. Evenly spaced ones are
+/// exact (clock.h), also if they were rounded.
+Abscissa readAbscissa(const std::vector<double> &stamps, const Rounding &rounding, const Indices &rows)
+{
+    const Clock clock = clockOf(stamps, rounding);
+    const Values printed = Eigen::Map<const Values>(stamps.data(), std::ssize(stamps));
+    if (!clock.rounded) {
+        return {.values = printed(rows), .halfStep = 0.5 * clock.step()};
+    }
+    const auto halfStep = [&](double stamp) { return 0.5 * rounding.stepAt(stamp); };
+    const Grid grid = findGrid(printed, printed.unaryExpr(halfStep), clock.gridNumbers);
+    return {.values = grid.times(rows),
+            .printed = printed(rows),
+            .halfStep = 0.5 * clock.step(),
+            .startMargin = grid.startMargin,
+            .durationMargin = grid.durationMargin};
+}
+
 /// Reads the time stamps of a file over the time.
 void observeTime(Observations &observations, const ReferenceData &data)
 {
-    const Clock clock = clockOf(data.time, data.timeRounding);
-    const Indices &rows = observations.rows;
-    const Values printed = Eigen::Map<const Values>(data.time.data(), std::ssize(data.time));
-    Values time = printed;
-    if (clock.rounded) {
-        const auto halfStep = [&](double stamp) { return 0.5 * data.timeRounding.stepAt(stamp); };
-        Grid grid = findGrid(printed, printed.unaryExpr(halfStep), clock.gridNumbers);
-        time = std::move(grid.times);
-        observations.startMargin = grid.startMargin;
-        observations.durationMargin = grid.durationMargin;
-    }
-    observations.timeOrigin = 0.5 * (time[rows.front()] + time[rows.back()]);
-    observations.time = time(rows) - observations.timeOrigin;
-    if (clock.rounded) {
-        observations.printedTime = printed(rows) - observations.timeOrigin;
-    }
-    observations.timeHalfStep = 0.5 * clock.step();
+    Abscissa &time = observations.time;
+    time = readAbscissa(data.time, data.timeRounding, observations.rows);
+    observations.timeOrigin = 0.5 * (time.values[0] + time.values[observations.size() - 1]);
+    time.values -= observations.timeOrigin;
+    time.printed -= observations.timeOrigin;
 }
 
 /// Whether the rows are too far apart to show how many turns the crank makes, and in which direction. Half a turn
@@ -226,20 +232,14 @@ void countTurnsInGaps(Values &angle, const Values &time)
     }
 }
 
-/// Reads the abscissa of a table over the crank angle. Evenly spaced angles are exact, as evenly spaced time stamps are
-/// (clock.h).
+/// Reads the abscissa of a table over the crank angle.
 void observeTableAngle(Observations &observations, const CrankAngles &crank)
 {
-    const Clock clock = clockOf(crank.degrees, crank.rounding);
-    const Values printed = Eigen::Map<const Values>(crank.degrees.data(), std::ssize(crank.degrees));
-    Values degrees = printed;
-    if (clock.rounded) {
-        const auto halfStep = [&](double angle) { return 0.5 * crank.rounding.stepAt(angle); };
-        degrees = findGrid(printed, printed.unaryExpr(halfStep), clock.gridNumbers).times;
-        observations.printedAngle = printed(observations.rows) / kDegreesPerRadian;
-    }
-    observations.angle = degrees(observations.rows) / kDegreesPerRadian;
-    observations.angleHalfStep = 0.5 * clock.step() / kDegreesPerRadian;
+    Abscissa &angle = observations.angle;
+    angle = readAbscissa(crank.degrees, crank.rounding, observations.rows);
+    angle.values /= kDegreesPerRadian;
+    angle.printed /= kDegreesPerRadian;
+    angle.halfStep /= kDegreesPerRadian;
 }
 
 /// Whether the angles are evenly spaced multiples of a simple fraction of their distance, as 30°, 45°, 60° or 105°,
@@ -266,12 +266,14 @@ void observeAngleColumn(Observations &observations, const ReferenceData &data)
     }
     const ObservedColumn column = readColumn(data, *crank, observations.rows);
     if (column.values.isFinite().all() && !hidesTurns(column.values)) {
-        const double rounding = column.halfSteps.maxCoeff();
-        const double motionOfClock = observations.timeHalfStep / observations.span() * column.range;
-        const double exact = motionOfClock + kArithmetic * column.range;
-        observations.angleHalfStep = areChosen(column.values) ? std::min(rounding, exact) : rounding;
-        observations.angle = column.values;
-        countTurnsInGaps(observations.angle, observations.time);
+        Abscissa &angle = observations.angle;
+        angle.values = column.values;
+        angle.halfStep = column.halfSteps.maxCoeff();
+        if (areChosen(column.values)) { // exact, apart from the motion during half a rounding step of the time
+            const double motionOfClock = observations.time.halfStep / observations.span() * column.range;
+            angle.halfStep = std::min(angle.halfStep, motionOfClock + kArithmetic * column.range);
+        }
+        countTurnsInGaps(angle.values, observations.time.values);
     }
 }
 
@@ -281,10 +283,11 @@ Observations withRows(const Observations &observations, const Indices &rows)
     Observations selected = observations;
     selected.rows.resize(rows.size());
     std::ranges::transform(rows, selected.rows.begin(), [&](Index row) { return observations.rows[row]; });
-    selected.time = observations.hasTime() ? Values(observations.time(rows)) : Values();
-    selected.printedTime = observations.printedTime.size() > 0 ? Values(observations.printedTime(rows)) : Values();
-    selected.angle = observations.hasAngle() ? Values(observations.angle(rows)) : Values();
-    selected.printedAngle = observations.printedAngle.size() > 0 ? Values(observations.printedAngle(rows)) : Values();
+    for (Abscissa *abscissa : {&selected.time, &selected.angle}) {
+        for (Values *values : {&abscissa->values, &abscissa->printed}) {
+            *values = values->size() > 0 ? Values((*values)(rows)) : Values();
+        }
+    }
     for (std::size_t k = 0; k < observations.columns.size(); ++k) {
         selected.columns[k].values = observations.columns[k].values(rows);
         selected.columns[k].halfSteps = observations.columns[k].halfSteps(rows);

@@ -52,25 +52,28 @@ struct ObservedColumn {
     }
 };
 
+/// What the columns are observed over: time stamps (s) or angles of the crank (rad).
+struct Abscissa {
+    Values values{};             ///< empty if the file does not contain them
+    Values printed{};            ///< as in the file, if `values` are evenly spaced and were rounded; otherwise empty
+    double halfStep = 0.0;       ///< half of the rounding step of the values; 0 if they are evenly spaced
+    double startMargin = 0.0;    ///< how far rounding leaves the start of evenly spaced values uncertain
+    double durationMargin = 0.0; ///< how far it leaves the distance from the first to the last one uncertain
+};
+
 struct Observations {
-    Values time;               ///< s, zero in the middle of the file; empty in a table over the crank angle
-    Values printedTime;        ///< the rounded time stamps if `time` is evenly spaced before rounding; otherwise empty
-    Values angle;              ///< θ2 as in the file, rad, without jumps; empty if the file does not contain it
-    Values printedAngle;       ///< the rounded `angle` of a table if `angle` is evenly spaced before rounding
-    double timeOrigin = 0.0;   ///< time of the file at which `time` is zero, s
-    double timeHalfStep = 0.0; ///< half of the rounding step of the time stamps, s; 0 if the file's are evenly spaced
-    double startMargin = 0.0;  ///< how far the start of the evenly spaced time stamps is uncertain by rounding, s
-    double durationMargin = 0.0; ///< the same for the time from the first to the last one, s
-    double angleHalfStep = 0.0;  ///< half of the rounding step of `angle`, rad; 0 in a table with evenly spaced angles
-    Indices rows;                ///< index in the file of each row
+    Abscissa time;           ///< zero in the middle of the file; empty in a table over the crank angle
+    double timeOrigin = 0.0; ///< time of the file at which `time` is zero, s
+    Abscissa angle;          ///< θ2 as in the file, without jumps
+    Indices rows;            ///< index in the file of each row
     std::vector<ObservedColumn>
         columns;          ///< without those that tell nothing; θ2 only if withDriveOfFile() has made it one
     std::stop_token stop; ///< requests the end of every computation with these observations
 
     Index size() const { return std::ssize(rows); }
-    bool hasTime() const { return time.size() > 0; }
-    bool hasAngle() const { return angle.size() > 0; } ///< θ2
-    const Values &abscissa() const { return hasTime() ? time : angle; }
+    bool hasTime() const { return time.values.size() > 0; }
+    bool hasAngle() const { return angle.values.size() > 0; } ///< θ2
+    const Values &abscissa() const { return hasTime() ? time.values : angle.values; }
 
     /// The distance of the first and the last row: s, or rad in a table over the crank angle.
     double span() const { return std::abs(abscissa()[size() - 1] - abscissa()[0]); }

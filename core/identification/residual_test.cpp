@@ -14,8 +14,8 @@ Values roundingBounds(const Observations &observations, const Fit &fit, Index pl
 {
     constexpr double kTieFactor = 1.0 + 1e-6; // a value in the middle of two printable ones is not exact in binary
     const ObservedColumn &column = observations.columns[fit.columns[place]];
-    const double shift = fit.model.followsAngle ? std::abs(fit.model.angleFactor) * observations.angleHalfStep
-                                                : std::abs(fit.model.mechanism.omega2) * observations.timeHalfStep;
+    const double shift = fit.model.followsAngle ? std::abs(fit.model.angleFactor) * observations.angle.halfStep
+                                                : std::abs(fit.model.mechanism.omega2) * observations.time.halfStep;
     Values motion = Values::Zero(column.values.size()); // during half a rounding step of the abscissa
     for (const double side : {-shift, shift}) {
         if (side == 0.0) {

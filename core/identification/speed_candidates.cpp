@@ -46,8 +46,8 @@ int countMiddleCrossings(const ObservedColumn &column)
 /// The misfit of a constant and two harmonics of one speed (rad/s) in the columns: the value of the periodogram there.
 double misfitOfHarmonics(const Observations &observations, const Indices &columns, double speed)
 {
-    const Values cosine = (speed * observations.time).cos();
-    const Values sine = (speed * observations.time).sin();
+    const Values cosine = (speed * observations.time.values).cos();
+    const Values sine = (speed * observations.time.values).sin();
     Eigen::MatrixXd harmonics(cosine.size(), 5);
     harmonics << Values::Ones(cosine.size()), cosine, sine, 2.0 * cosine.square() - 1.0, 2.0 * sine * cosine;
     double misfit = 0.0;
@@ -82,7 +82,7 @@ std::vector<Trial> findLocalMinima(const std::vector<Trial> &trials)
 double computeCoverage(const Observations &observations)
 {
     const Index pairs = observations.size() - 1;
-    const Values distances = observations.time.tail(pairs) - observations.time.head(pairs);
+    const Values distances = observations.time.values.tail(pairs) - observations.time.values.head(pairs);
     return std::min(1.0, static_cast<double>(pairs) * median(distances) / observations.span());
 }
 

@@ -228,7 +228,7 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
         Parameters changed = fit.model.mechanism;
         changed.omega2 *= scale.factor;
         // The angle of the crank in the first row remains.
-        changed.theta20 += (fit.model.mechanism.omega2 - changed.omega2) * observations.time[0];
+        changed.theta20 += (fit.model.mechanism.omega2 - changed.omega2) * observations.time.values[0];
         Model model = fit.model;
         model.mechanism = changed;
         Fit other = fitModel(observations, model, fit.columns, fit.unknowns);

@@ -27,11 +27,11 @@ template <class Angle>
 Observations observationsOf(const Angle &angle, double step, Index rows = 201)
 {
     Observations observations;
-    observations.time = Values::LinSpaced(rows, -1.0, 1.0);
+    observations.time.values = Values::LinSpaced(rows, -1.0, 1.0);
     observations.timeOrigin = 1.0;
-    observations.angle =
-        observations.time.unaryExpr([&](double time) { return step * std::rint(angle(time + 1.0) / step); });
-    observations.angleHalfStep = 0.5 * step;
+    observations.angle.values =
+        observations.time.values.unaryExpr([&](double time) { return step * std::rint(angle(time + 1.0) / step); });
+    observations.angle.halfStep = 0.5 * step;
     observations.rows.resize(static_cast<std::size_t>(rows));
     return observations;
 }
