@@ -23,7 +23,7 @@ const OutputChannel kTheta2 = Channel{Theta2, Order::Position};
 double periodOf(const OutputChannel &channel)
 {
     if (channel == kTheta3) {
-        return 0.5 * kTurn;
+        return kHalfTurn;
     }
     return channel == kTheta2 ? kTurn : 0.0;
 }
@@ -68,7 +68,7 @@ CheckedValue checkValue(const CrankPosition &position, const GivenValue &typed, 
     CheckedValue checked;
     checked.deviation = difference(given.channel, given.value, exact);
     checked.isRight = roundsTo(given, exact);
-    const double omittedHalfTurns = std::round((given.value - exact - checked.deviation) / (0.5 * kTurn));
+    const double omittedHalfTurns = std::round((given.value - exact - checked.deviation) / kHalfTurn);
     const bool isOddNumber = std::remainder(omittedHalfTurns, 2.0) != 0.0;
     checked.isMeasuredAtB = checked.isRight && given.channel == kTheta3 && isOddNumber;
     return checked;

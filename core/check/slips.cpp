@@ -6,7 +6,6 @@
 #include "core/mechanism/two_part_angle.h"
 
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -186,7 +185,7 @@ void scaleLengths(Calculation &hand, double factor)
 template <int halfTurns>
 void scaleAngles(Calculation &hand, double factor)
 {
-    hand.values.state.q[Theta3] += halfTurns * std::numbers::pi;
+    hand.values.state.q[Theta3] += halfTurns * kHalfTurn;
     scaleCoordinates(hand.values.state, isAngle, factor);
     scale(hand.values.derived.transmissionAngle, factor);
 }
@@ -232,7 +231,7 @@ void roundTheta3(Calculation &hand, double shift)
 
 constexpr double kMillimetresPerInch = 25.4;
 constexpr double kCentimetresPerInch = 2.54;
-constexpr double kRadiansPerSecondPerRpm = std::numbers::pi / 30.0;
+constexpr double kRadiansPerSecondPerRpm = kTurn / 60.0;
 
 /// Where a slip is made.
 enum class Stage {
@@ -338,10 +337,10 @@ std::span<const SlipRow> allSlips()
         {ObtuseAngle, Result,
          [](Hand &hand) {
              double &angle = hand.values.derived.transmissionAngle.position;
-             angle = std::numbers::pi - angle;
+             angle = kHalfTurn - angle;
          }},
         {CouplerAngleRounded, Formula, [](Hand &hand) { roundTheta3(hand, 0.0); }},
-        {CouplerAngleRounded, Formula, [](Hand &hand) { roundTheta3(hand, -std::numbers::pi); }},
+        {CouplerAngleRounded, Formula, [](Hand &hand) { roundTheta3(hand, -kHalfTurn); }},
     };
     return kSlips;
 }

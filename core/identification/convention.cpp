@@ -40,7 +40,7 @@ void changeValues(const Convention &convention, int timePower, std::vector<doubl
     const bool unwraps = kind == Kind::HalfTurn || kind == Kind::WholeTurns;
     if (unwraps) {
         rounding = rounding.withDecimalsAt(rangeOf(values).size()); // those of 359.948, not of -0.052
-        removeJumps(values, 360.0);
+        removeJumps(values, kTurnInDegrees);
     }
     if (unwraps || kind == Kind::ZeroPoint || kind == Kind::TimeShift) {
         shift(values, rounding, convention.amount);
@@ -53,9 +53,8 @@ void changeValues(const Convention &convention, int timePower, std::vector<doubl
 /// angles are measured from the new x axis.
 void rotateAxes(ReferenceSeries &series)
 {
-    constexpr double kQuarterTurn = 90.0; // °
     if (isAngle(series.channel.coordinate)) {
-        shift(series.values, series.rounding, -kQuarterTurn);
+        shift(series.values, series.rounding, -0.25 * kTurnInDegrees);
     } else if (series.channel.coordinate == R4x) {
         series.channel.coordinate = R4y;
         multiply(series.values, series.rounding, -1.0);

@@ -49,6 +49,8 @@ inline constexpr std::array kLengthUnits{1.0, 10.0, 25.4, 1000.0};
 inline constexpr double kMillisecond = 1e-3;
 inline constexpr std::array kTimeUnits{1.0, kMillisecond};
 
+inline constexpr double kTurnInDegrees = 360.0;
+
 /// A convention and the columns that it changes. In a table over the crank angle, AngleUnit, Sign and ZeroPoint of θ2
 /// change the abscissa.
 struct Convention {

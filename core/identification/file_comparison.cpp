@@ -5,7 +5,6 @@
 #include "core/identification/whole_file_conventions.h"
 
 #include "core/import/crank_angles.h"
-#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +27,7 @@ ReferenceData tableOverAngle(const ReferenceData &data)
 {
     const ReferenceSeries &crank = *data.find(kCrankAngle);
     std::vector<double> degrees = crank.values;
-    removeJumps(degrees, 360.0);
+    removeJumps(degrees, kTurnInDegrees);
     std::vector<std::size_t> rows(degrees.size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     std::erase_if(rows, [&](std::size_t row) { return !std::isfinite(degrees[row]); });
@@ -156,9 +155,8 @@ ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention
 void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 {
     const auto isTurn = [](const ConventionFinding &finding) {
-        const Convention turn{.kind = Convention::Kind::WholeTurns,
-                              .channels = {{Theta3, Order::Position}},
-                              .amount = kTurn * kDegreesPerRadian};
+        const Convention turn{
+            .kind = Convention::Kind::WholeTurns, .channels = {{Theta3, Order::Position}}, .amount = kTurnInDegrees};
         return finding.convention == turn;
     };
     if (std::ranges::count_if(conventions, isTurn) == 2) {

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace slidercrank
 {
@@ -19,12 +18,12 @@ namespace
 /// or 0 for lengths.
 double nearestUsualValue(const Observations &observations, const Model &model, Unknown unknown)
 {
-    if (unknown.isOrigin() && !observations.columns[unknown.column].containsAngles()) {
-        return 0.0;
+    if (!unknown.isOrigin()) {
+        return nearestHalfTurns(model.mechanism.theta20, 1.0);
     }
-    // The origin of a column is counted as the column is, for example in degrees.
-    const double halfTurn = std::numbers::pi * (unknown.isOrigin() ? model.readings[unknown.column].factor : 1.0);
-    return halfTurn * std::rint(valueOf(model, unknown) / halfTurn);
+    const ColumnReading &reading = model.readings[unknown.column];
+    return observations.columns[unknown.column].containsAngles() ? nearestHalfTurns(reading.origin, reading.factor)
+                                                                 : 0.0;
 }
 
 /// Fits with `unknown` fixed at a value. The other unknowns start at the values that their covariance with it predicts.
@@ -79,8 +78,8 @@ bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 /// linearly has an origin that nobody has chosen.)
 bool isSmallOrigin(const Observations &observations, const Model &model, Unknown unknown, double usual)
 {
-    constexpr double kMaxOriginFraction = 0.02;            // of the range of the column
-    constexpr double kMaxAngle = std::numbers::pi / 180.0; // 1°, of the crank
+    constexpr double kMaxOriginFraction = 0.02;           // of the range of the column
+    constexpr double kMaxAngle = 1.0 / kDegreesPerRadian; // 1°, of the crank
     const double change = std::abs(valueOf(model, unknown) - usual);
     return change < (unknown.isOrigin() ? kMaxOriginFraction * observations.columns[unknown.column].range : kMaxAngle);
 }
@@ -121,7 +120,7 @@ Fit withUsualSign(const Observations &observations, Fit fit)
 {
     Model start = fit.model;
     start.mechanism.omega2 = -start.mechanism.omega2;
-    start.mechanism.theta20 = std::numbers::pi - start.mechanism.theta20;
+    start.mechanism.theta20 = kHalfTurn - start.mechanism.theta20;
     bool isNegated = false;
     for (const Index k : fit.columns) {
         double &factor = start.readings[k].factor;

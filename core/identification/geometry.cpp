@@ -10,7 +10,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <set>
 #include <span>
 
@@ -67,7 +66,7 @@ Regression fitOrigin(const Moments &m, double factor, ColumnOrigin columnOrigin)
 {
     double origin = columnOrigin == ColumnOrigin::Zero ? 0.0 : (m.y - factor * m.f) / m.n;
     if (columnOrigin == ColumnOrigin::HalfTurns) {
-        origin = std::numbers::pi * factor * std::rint(origin / (std::numbers::pi * factor));
+        origin = nearestHalfTurns(origin, factor);
     }
     const double squares = m.yy + factor * factor * m.ff + m.n * origin * origin -
                            2.0 * (factor * m.fy + origin * m.y - factor * origin * m.f);

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -60,9 +59,8 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
         return readings;
     }
     for (const double signedFactor : {factor, -factor}) {
-        const double halfTurn = std::numbers::pi * signedFactor;
         const double origin = bestOrigin(observations, fit, k, signedFactor);
-        readings.push_back({signedFactor, column.containsAngles() ? halfTurn * std::rint(origin / halfTurn) : 0.0});
+        readings.push_back({signedFactor, column.containsAngles() ? nearestHalfTurns(origin, signedFactor) : 0.0});
     }
     return readings;
 }

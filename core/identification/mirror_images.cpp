@@ -8,15 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <compare>
-#include <numbers>
 
 namespace slidercrank
 {
 
 namespace
 {
-
-constexpr double kHalfTurn = std::numbers::pi;
 
 /// The model whose crank is at `sum` - θ2 (rad) where that of the given model is at θ2.
 Model withReversedCrank(Model model, double sum)
@@ -63,7 +60,7 @@ Model mirroredInY(const Model &model, const Observations &observations)
 /// Whether an angle that is a multiple of half a turn, apart from rounding errors, is an odd multiple.
 bool isOddHalfTurn(double angle)
 {
-    return std::abs(wrapToPi(angle)) > 0.5 * kHalfTurn;
+    return std::abs(wrapToPi(angle)) > kQuarterTurn;
 }
 
 /// How many columns of one kind (lengths or angles) are negated. A displacement, which is a position with a free

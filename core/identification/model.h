@@ -14,6 +14,7 @@
 
 #include "core/closed_form/textbook_motion.h"
 #include "core/mechanism/mechanism.h"
+#include "core/mechanism/turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,13 @@ struct ColumnReading {
 
     friend bool operator==(const ColumnReading &, const ColumnReading &) = default;
 };
+
+/// The multiple of half a turn that is nearest to the origin of a column of angles. `factor`: that of its reading.
+inline double nearestHalfTurns(double origin, double factor)
+{
+    const double halfTurn = kHalfTurn * factor;
+    return halfTurn * std::rint(origin / halfTurn);
+}
 
 /// An oscillation of the angle of the crank, once per turn: cosine · cos φ + sine · sin φ (rad) with φ = ω2 t. A crank
 /// whose speed varies has it.

@@ -39,10 +39,10 @@ void appendForColumn(std::vector<ConventionFinding> &conventions, Kind kind, Cha
 void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, double amount, double errorOfAmount,
                  bool hadJumps)
 {
-    constexpr double kHalfTurnInDegrees = 180.0;
+    constexpr double kHalfTurnInDegrees = 0.5 * kTurnInDegrees;
     const double usual =
         isAngle(channel.coordinate) ? kHalfTurnInDegrees * std::rint(amount / kHalfTurnInDegrees) : 0.0;
-    const bool areWholeTurns = std::fmod(usual, 2.0 * kHalfTurnInDegrees) == 0.0;
+    const bool areWholeTurns = std::fmod(usual, kTurnInDegrees) == 0.0;
     if (std::abs(amount - usual) > kOriginTolerance) {
         if (hadJumps) {
             appendForColumn(conventions, Kind::WholeTurns, channel, 0.0);

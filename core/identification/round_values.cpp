@@ -4,10 +4,11 @@
 #include "core/comparison/comparison.h"
 #include "core/identification/residual_test.h"
 
+#include "core/mechanism/turn.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -55,8 +56,8 @@ std::optional<Decimal> shortestDecimal(double value, double tolerance, double mi
 /// in which a number that nobody has chosen is rounded.
 RoundNumber roundInUsualUnits(Unknown unknown, double value, double standardError, double lengthUnit)
 {
-    constexpr double kDegree = std::numbers::pi / 180.0;
-    constexpr double kTurnPerMinute = std::numbers::pi / 30.0;
+    constexpr double kDegree = 1.0 / kDegreesPerRadian;
+    constexpr double kTurnPerMinute = kTurn / 60.0;
     if (unknown.isOrigin()) { // measured, and not chosen
         return {value};
     }

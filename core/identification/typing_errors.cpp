@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/typing_errors.h"
 
+#include "core/identification/convention.h"
 #include "core/import/crank_angles.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ SuspiciousValue findMostSuspicious(const ReferenceSeries &series)
     constexpr double kMinUsualError = 0.5; // rounding steps: about the rms of the errors that rounding causes
     std::vector<double> values = series.values;
     if (isAngle(series.channel.coordinate) && series.channel.order == Order::Position) {
-        removeJumps(values, 360.0);
+        removeJumps(values, kTurnInDegrees);
     }
     std::vector<PossibleError> errors = fitErrors(values);
     const auto largest = std::ranges::max_element(errors, {}, &PossibleError::explained);

@@ -107,7 +107,7 @@ void appendFactors(std::vector<ConventionFinding> &conventions, const WholeFileF
                          [](Channel channel) { return isAngle(channel.coordinate) || isAlongY(channel.coordinate); });
         const Channel coupler{Theta3, Order::Position};
         if (branch == Branch::Crossed && data.find(coupler)) {
-            appendForColumns(conventions, data, Kind::WholeTurns, kTurn * kDegreesPerRadian,
+            appendForColumns(conventions, data, Kind::WholeTurns, kTurnInDegrees,
                              [&](Channel channel) { return channel == coupler; });
         }
     }

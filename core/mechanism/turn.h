@@ -10,6 +10,7 @@ namespace slidercrank
 {
 
 inline constexpr double kTurn = 2.0 * std::numbers::pi;
+inline constexpr double kHalfTurn = std::numbers::pi;
 inline constexpr double kQuarterTurn = 0.5 * std::numbers::pi;
 
 /// Wraps an angle to [-π, π).
