@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/abscissa.h"
 
+#include "core/identification/noise.h"
 #include "core/identification/residual_test.h"
 #include "core/identification/speed_and_size.h"
 

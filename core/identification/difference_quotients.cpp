@@ -41,7 +41,7 @@ Quotients computeQuotients(const Stencil &stencil, const Values &abscissa, const
     const Values widths = 0.5 * (abscissa.segment(kReach + 1, rows) - abscissa.segment(kReach - 1, rows)).abs();
     Quotients quotients{Values::Zero(rows), Values::Zero(rows)};
     for (Index k = 0; k < std::ssize(stencil.factors); ++k) {
-        if (const double factor = stencil.factors[k]; factor != 0.0) { // the value may be a gap
+        if (const double factor = stencil.factors[k]; factor != 0.0) { // otherwise a gap, which is NaN, would count
             quotients.values += factor * column.values.segment(k, rows) / widths.pow(stencil.order);
             quotients.bounds += std::abs(factor) * column.halfSteps.segment(k, rows) / widths.pow(stencil.order);
         }
@@ -92,10 +92,8 @@ bool arePrintedQuotients(const ScaledQuotients &quotients, const ObservedColumn 
 {
     constexpr double kMaxError = 0.02; // fraction of the largest error that the rounding causes
     constexpr Index kMinRows = 6;      // with a free factor, fewer quotients may agree by chance
-    // Fraction of the range of `lower`. The half steps of values with all digits are overestimated, because they also
-    // allow for errors of the arithmetic.
-    constexpr double kMinHalfStep = 1e-9;
-    const bool isRounded = lower.halfSteps.maxCoeff() > kMinHalfStep * lower.range;
+    // The half steps of values with all digits are overestimated, because they also allow for errors of the arithmetic.
+    const bool isRounded = lower.halfSteps.maxCoeff() > kArithmetic * lower.range;
     return isRounded && quotients.values.size() >= kMinRows && quotients.areWithin(kMaxError * quotients.bounds);
 }
 

@@ -56,9 +56,6 @@ double valueOf(const Model &model, Unknown unknown);
 /// An error of each parameter, at indexOf(Parameter), in mm, rad and s.
 using ParameterErrors = std::array<double, kParameterCount>;
 
-/// How many standard errors a value may differ from the true one: it is farther away in one of 400 cases.
-inline constexpr double kStandardErrors = 3.0;
-
 /// Relative difference that a parameter may have from the same one as a person has typed it, with few digits.
 inline constexpr double kTypedDifference = 2e-3;
 

@@ -33,8 +33,7 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
 {
     constexpr double kMaxDeviations = 8.0;         // robust standard deviations: noise does not reach them in any file
     constexpr double kDeviationPerMedian = 1.4826; // standard deviation of noise over the median of its magnitudes
-    constexpr double kMaxBounds = 2.0;   // bounds of rounding: one for the value, one for the error of the fit
-    constexpr double kMaxLateness = 0.2; // intervals between rows by which a row may be late or early
+    constexpr double kMaxLateness = 0.2;           // intervals between rows by which a row may be late or early
     const ObservedColumn &column = observations.columns[fit.columns[place]];
     const Values residuals = fit.residuals.col(place);
     const Values errors = residuals.abs();
@@ -45,7 +44,7 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
         return Eigen::ArrayX<bool>::Constant(residuals.size(), false);
     }
     const Values predictions = predictValues(fit.model, observations, {fit.columns[place]}).col(0);
-    const Values harmless = (kMaxBounds * roundingBounds(observations, fit, place))
+    const Values harmless = (kMaxBoundsBesideFit * roundingBounds(observations, fit, place))
                                 .max(kMaxLateness * largestChangeToNeighbours(predictions));
     return errors > limit && errors > harmless;
 }
@@ -53,7 +52,6 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
 /// Replaces the rows with an outlier by gaps, and returns them; no rows if they are too many.
 Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
-    constexpr double kMaxOutlierFraction = 0.05; // of the rows: more are no accidents
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
     for (Index place = 0; place < fit.residuals.cols(); ++place) {
         isFarOff = isFarOff || findOutliers(observations, fit, place);

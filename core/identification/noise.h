@@ -11,6 +11,9 @@
 namespace slidercrank
 {
 
+/// How many standard errors a value may differ from the true one: it is farther away in one of 400 cases.
+inline constexpr double kStandardErrors = 3.0;
+
 /// How many residuals prove as much as one independent residual: 1 for noise, whose sign changes in every second row on
 /// average; more for systematic residuals, which keep their sign for some rows.
 inline double dependence(const Values &residuals)
@@ -39,7 +42,7 @@ inline bool changeSignLikeNoise(const Values &residuals)
     // The number of changes of independent errors has a binomial distribution with the probability 1/2.
     const double expectedChanges = 0.5 * pairsWithValues;
     const double standardDeviation = 0.5 * std::sqrt(pairsWithValues);
-    return changes > expectedChanges - 3.0 * standardDeviation;
+    return changes > expectedChanges - kStandardErrors * standardDeviation;
 }
 
 /// Whether residuals without gaps differ from row to row as much as independent errors of one size do: the mean square
@@ -50,7 +53,7 @@ inline bool differLikeNoise(const Values &residuals)
     const Index pairs = residuals.size() - 1;
     const double squareOfDifferences = (residuals.tail(pairs) - residuals.head(pairs)).square().mean();
     const double standardDeviation = 2.0 / std::sqrt(static_cast<double>(pairs));
-    return squareOfDifferences > (2.0 - 3.0 * standardDeviation) * residuals.square().mean();
+    return squareOfDifferences > (2.0 - kStandardErrors * standardDeviation) * residuals.square().mean();
 }
 
 } // namespace slidercrank

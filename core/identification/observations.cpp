@@ -123,6 +123,10 @@ struct Grid {
     double durationMargin = 0.0;
 };
 
+/// Number of bits of a grid's start and spacing that are computed: half of those of a double, because the minimum of a
+/// function shows no more of its argument.
+constexpr int kBits = 26;
+
 /// The argument between `minimum` and `end` farthest from the minimum of a convex function where it is not positive:
 /// its root, or `end`. `minimum` if the function is positive everywhere.
 template <class Function>
@@ -134,7 +138,6 @@ double farthestBelowZero(const Function &function, double minimum, double end)
     if (function(minimum) >= 0.0) {
         return minimum;
     }
-    constexpr int kBits = 26; // that are correct in the result
     std::uintmax_t evaluations = 50;
     const boost::math::tools::eps_tolerance<double> isClose(kBits);
     const auto [left, right] = boost::math::tools::toms748_solve(function, std::min(minimum, end),
@@ -148,7 +151,6 @@ double farthestBelowZero(const Function &function, double minimum, double end)
 /// the first one.
 Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<double> &gridNumbers)
 {
-    constexpr int kBits = 26; // that are correct in the result; more are lost in rounding errors
     const Index last = printed.size() - 1;
     const Values numbers = Eigen::Map<const Values>(gridNumbers.data(), std::ssize(gridNumbers));
     const Values fractions = numbers / numbers[last]; // of the duration of the grid
@@ -208,9 +210,8 @@ void observeTime(Observations &observations, const ReferenceData &data)
 /// between two rows hides the direction; a quarter leaves a margin. `angle`: rad, without jumps.
 bool hidesTurns(const Values &angle)
 {
-    constexpr double kMinFraction = 0.05; // of the pairs of neighbouring rows: more than some outliers and gaps
     const Index pairs = angle.size() - 1;
-    return ((angle.tail(pairs) - angle.head(pairs)).abs() > kQuarterTurn).cast<double>().mean() > kMinFraction;
+    return ((angle.tail(pairs) - angle.head(pairs)).abs() > kQuarterTurn).cast<double>().mean() > kMaxOutlierFraction;
 }
 
 /// Continues the angle of the crank at its usual speed across gaps in time, in which the crank may have made turns that

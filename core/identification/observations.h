@@ -26,6 +26,9 @@ inline constexpr Channel kSliderLine{R4y, Order::Position};
 /// Rounding errors of numbers that a program has computed and not rounded any further, relative to their size.
 inline constexpr double kArithmetic = 1e-9;
 
+/// Fraction of the rows that may be outliers: more are no accidents.
+inline constexpr double kMaxOutlierFraction = 0.05;
+
 struct ObservedColumn {
     Channel channel{};
     Values values{};         ///< NaN in a gap

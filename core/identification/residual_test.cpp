@@ -52,9 +52,8 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index pl
 
 bool isNearRounding(const Observations &observations, const Fit &fit, Index place)
 {
-    constexpr double kMaxBounds = 2.0; // the error of a fit is seldom larger than the rounding of its values
     return isWithinRounding(observations, fit, place) ||
-           fit.rms[place] < kMaxBounds * std::sqrt(roundingBounds(observations, fit, place).square().mean());
+           fit.rms[place] < kMaxBoundsBesideFit * std::sqrt(roundingBounds(observations, fit, place).square().mean());
 }
 
 bool isExplained(const Observations &observations, const Fit &fit, Index place)

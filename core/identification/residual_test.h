@@ -19,6 +19,10 @@ inline constexpr double kLargestSystematicResidual = 0.007;
 /// likelihoods is less than exp(10) then: even among a thousand fits, chance seldom prefers one by more.
 inline constexpr double kMaxMisfitIncrease = 20.0;
 
+/// How many bounds of rounding a residual may reach because of rounding: one for the value itself, and one for the
+/// error of the fit, which is seldom larger.
+inline constexpr double kMaxBoundsBesideFit = 2.0;
+
 /// How far the values of fit.columns[place] may be off by their rounding: half a rounding step of the value, plus the
 /// motion during half a rounding step of the abscissa.
 Values roundingBounds(const Observations &observations, const Fit &fit, Index place);
@@ -33,7 +37,8 @@ double columnSize(const Observations &observations, const Fit &fit, Index place)
 bool isWithinRounding(const Observations &observations, const Fit &fit, Index place);
 
 /// Whether the residuals of fit.columns[place] are as small as rounding, although the fit has errors, too: their rms is
-/// at most twice that of the bounds. Difference quotients of rounded values have far larger residuals.
+/// at most kMaxBoundsBesideFit times that of the bounds. Difference quotients of rounded values have far larger
+/// residuals.
 bool isNearRounding(const Observations &observations, const Fit &fit, Index place);
 
 /// Whether rounding explains the residuals of fit.columns[place], or they are noise or systematic and small.

@@ -2,6 +2,7 @@
 #include "core/identification/round_values.h"
 
 #include "core/comparison/comparison.h"
+#include "core/identification/noise.h"
 #include "core/identification/residual_test.h"
 
 #include "core/mechanism/turn.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/identification/whole_file_conventions.h"
 
+#include "core/identification/noise.h"
 #include "core/identification/round_values.h"
 
 #include "core/import/crank_angles.h"
