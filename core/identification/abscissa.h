@@ -14,13 +14,15 @@ struct ObservedFit {
     Observations wholeFile; ///< all rows of the file
     Observations searched;  ///< the rows to which the model was fitted
     Fit fit;
-    ParameterErrors errorsOfAngles{}; ///< possible errors of the lengths because the angles were fitted; else 0
+    ParameterErrors errorsOfAngles{}; ///< possible errors of the lengths if the angles were fitted, too; otherwise 0
 };
 
-/// Chooses the evenly spaced time stamps or angles that observe() has put in the place of rounded ones, the printed
-/// ones if these explain the columns better (a program may have computed its values at rounded times), or, in a table
-/// of positions over the crank angle, other evenly spaced ones: if these agree with the printed angles within rounding,
-/// and explain the columns within the rounding of the columns alone, the values were computed at these angles.
+/// Chooses between the time stamps or angles at which the values may have been computed, if observe() has replaced
+/// rounded ones by evenly spaced ones:
+///   1. in a table of positions over the crank angle, different evenly spaced angles, which are fitted: if they agree
+///      with the printed ones within rounding, and are needed to explain the columns within their own rounding;
+///   2. the printed ones, if these explain the columns better: a program may have computed its values at rounded times;
+///   3. otherwise those of observe().
 ObservedFit withBestAbscissa(ObservedFit current);
 
 /// A fit, and the drive that it uses.

@@ -65,7 +65,7 @@ double usualFactor(const Observations &observations, const Fit &fit, Index k)
     const ObservedColumn &column = observations.columns[k];
     const Coordinate coordinate = column.channel.coordinate;
     if (column.channel == kSliderLine) {
-        return 1.0; // -12 mm means c = -12 mm, and not a negated column
+        return 1.0; // its value is c, which may be negative: -12 mm are no sign of a negated column
     }
     const bool isSpeedOfCrank = coordinate == Theta2; // constant, but not zero
     if (column.isConstant() && !isSpeedOfCrank) {

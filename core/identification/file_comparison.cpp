@@ -263,7 +263,7 @@ void compareWithBothMechanisms(Identification &result, const ReferenceData &corr
 bool isRowContradicted(const Identification &result, const ReferenceData &data, std::size_t row,
                        const Findings &findings)
 {
-    constexpr double kFarInBounds = 4.0; // bounds of rounding
+    constexpr double kFarInBounds = 4.0; // bounds of rounding: more than rounding and the error of a fit together
     ReferenceData corrected = applyAll(result.conventions, data);
     for (ReferenceSeries &series : corrected.series) {
         for (std::size_t other = 0; series.channel != kCrankAngle && other < series.values.size(); ++other) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The conventions of a file, and its comparison, after they are applied, with the mechanism found.
+// Lists the conventions of a file, applies them, and compares the corrected file with the mechanism found.
 
 #include "core/identification/findings.h"
 

@@ -125,10 +125,12 @@ Scale scaleOfColumns(const Observations &observations, const Indices &columns,
                      const std::vector<Regression> &regressions, const Model &model, const Parameters &given)
 {
     Scale scale{.crankLength = given.a};
-    if (given.omega2 != 0.0) { // derivatives of a crank at rest would show no size
+    if (given.omega2 != 0.0) { // at a speed of 0, all derivatives are 0 and show no length
         scale.speed = given.omega2;
     }
-    for (std::size_t i = 0; i < columns.size(); ++i) { // θ3 first, which shows the speed without a length
+    // θ3 is the first of the columns (shapeColumns()): its derivatives show the speed, with which those of R4_x show
+    // the length.
+    for (std::size_t i = 0; i < columns.size(); ++i) {
         const ObservedColumn &column = observations.columns[columns[i]];
         const auto order = static_cast<double>(column.channel.order);
         const double size = std::abs(regressions[i].reading.factor);
@@ -162,7 +164,8 @@ struct Candidate {
     Model model;
 };
 
-/// The misfit of some columns, apart from their numbers of values, which are nearly equal.
+/// The misfit of some columns, as if each had one value. (They have nearly the same number of values, so that this
+/// orders the candidates as the misfit would.)
 double misfitOfRegressions(const Observations &observations, const Indices &columns,
                            const std::vector<Regression> &regressions)
 {
@@ -226,43 +229,47 @@ void keepBest(std::vector<Candidate> &candidates)
     candidates.resize(std::min(kCandidates, candidates.size()));
 }
 
-/// Tries mechanisms of all proportions with all angles of the crank at t = 0. For each of the proportions, the best
-/// angle becomes a candidate. Couplers shorter than a + |c| belong to cranks that oscillate. Neighbouring proportions
-/// are so near that a fit which starts at one reaches mechanisms up to the next; it also reaches those beyond the
-/// longest coupler and offset.
+/// Tries a mechanism with a = 1 mm with all angles of the crank at t = 0, and appends the best angle to the candidates:
+/// one if the columns have their usual origins, and one if they may have any.
+void addBestAngles(GridResult &result, Model model, const Observations &observations, const Indices &columns,
+                   const Parameters &given)
+{
+    constexpr int kAngles = 16; // every 22.5°
+    Candidate usual, any;
+    for (int i = 0; i < kAngles; ++i) {
+        model.mechanism.theta20 = kTurn * i / kAngles;
+        const Eigen::ArrayXXd motion = computeMotion(model, observations, columns);
+        std::vector<Moments> moments;
+        for (Index k = 0; k < motion.cols(); ++k) {
+            moments.push_back(computeMoments(motion.col(k), observations.columns[columns[k]].values));
+        }
+        const auto candidateWith = [&](Origins origins) {
+            return scaleToColumns(model, observations, columns,
+                                  fitColumns(observations, columns, moments, model, origins), given);
+        };
+        replaceIfBetter(usual, candidateWith(Origins::Usual));
+        replaceIfBetter(any, candidateWith(Origins::Any));
+    }
+    result.usualOrigins.push_back(std::move(usual));
+    result.anyOrigins.push_back(std::move(any));
+}
+
+/// Tries mechanisms of all proportions, each with the best angle of the crank. Couplers shorter than a + |c| belong to
+/// cranks that oscillate. Neighbouring proportions are so near that a fit which starts at one reaches mechanisms up to
+/// the next; it also reaches those beyond the longest coupler and offset.
 GridResult searchGrid(const Observations &observations, const Indices &columns, const Model &start,
                       const Parameters &given)
 {
     constexpr std::array kCouplers{0.6, 0.85, 1.08, 1.25, 1.5, 1.9, 2.5, 3.5, 5.5, 10.0};        // b / (a + |c|)
     constexpr std::array kOffsets{0.0, -0.3, 0.3, -0.6, 0.6, -0.9, 0.9, -2.0, 2.0, -12.0, 12.0}; // c / a
-    constexpr int kAngles = 16; // of the crank, every 22.5°
     GridResult result;
     Model model = start;
     // Over the angle in the file, derivatives are compared with those by the angle, which are those of ω2 = 1.
     const double speed = start.followsAngle ? 1.0 : start.mechanism.omega2;
     for (const double offset : kOffsets) {
         for (const double coupler : kCouplers) {
-            Candidate usual, any;
-            for (int i = 0; i < kAngles; ++i) {
-                model.mechanism = {.a = 1.0,
-                                   .b = coupler * (1.0 + std::abs(offset)),
-                                   .c = offset,
-                                   .omega2 = speed,
-                                   .theta20 = kTurn * i / kAngles};
-                const Eigen::ArrayXXd motion = computeMotion(model, observations, columns);
-                std::vector<Moments> moments;
-                for (Index k = 0; k < motion.cols(); ++k) {
-                    moments.push_back(computeMoments(motion.col(k), observations.columns[columns[k]].values));
-                }
-                const auto candidateWith = [&](Origins origins) {
-                    return scaleToColumns(model, observations, columns,
-                                          fitColumns(observations, columns, moments, model, origins), given);
-                };
-                replaceIfBetter(usual, candidateWith(Origins::Usual));
-                replaceIfBetter(any, candidateWith(Origins::Any));
-            }
-            result.usualOrigins.push_back(std::move(usual));
-            result.anyOrigins.push_back(std::move(any));
+            model.mechanism = {.a = 1.0, .b = coupler * (1.0 + std::abs(offset)), .c = offset, .omega2 = speed};
+            addBestAngles(result, model, observations, columns, given);
         }
     }
     keepBest(result.usualOrigins);
@@ -359,19 +366,18 @@ Indices changingColumns(const Observations &observations, Coordinate coordinate)
     return columns;
 }
 
-/// A position in the orders of a coordinate (position, velocity, acceleration) that the file contains.
-enum class OrderInFile { Lowest, SecondLowest };
+/// The places in changingColumns() of the columns that show the shape of a mechanism.
+constexpr std::size_t kLowestOrder = 0;
+constexpr std::size_t kSecondLowestOrder = 1;
 
-/// The column of this order of each of some coordinates, as far as it exists; only columns that change count.
-Indices columnsOfOrderInFile(const Observations &observations, std::span<const Coordinate> coordinates,
-                             OrderInFile orderInFile)
+/// The column at this place of changingColumns() for each of some coordinates, as far as it exists.
+Indices columnsOfOrder(const Observations &observations, std::span<const Coordinate> coordinates, std::size_t place)
 {
-    const std::size_t lowerOrders = orderInFile == OrderInFile::Lowest ? 0 : 1;
     Indices columns;
     for (const Coordinate coordinate : coordinates) {
         const Indices changing = changingColumns(observations, coordinate);
-        if (changing.size() > lowerOrders) {
-            columns.push_back(changing[lowerOrders]);
+        if (changing.size() > place) {
+            columns.push_back(changing[place]);
         }
     }
     return columns;
@@ -393,9 +399,9 @@ Model withUsualFactors(const Observations &observations, const Fit &geometry, co
 
 Indices shapeColumns(const Observations &observations)
 {
-    Indices columns = columnsOfOrderInFile(observations, std::array{Theta3, R4x}, OrderInFile::Lowest);
+    Indices columns = columnsOfOrder(observations, std::array{Theta3, R4x}, kLowestOrder);
     if (columns.empty()) {
-        columns = columnsOfOrderInFile(observations, std::array{R3x, R3y, R2x, R2y}, OrderInFile::Lowest);
+        columns = columnsOfOrder(observations, std::array{R3x, R3y, R2x, R2y}, kLowestOrder);
     }
     const auto isDerivative = [&](Index k) { return observations.columns[k].isDerivative(); };
     if (observations.hasAngle() && !std::ranges::all_of(columns, isDerivative)) {
@@ -406,7 +412,7 @@ Indices shapeColumns(const Observations &observations)
 
 Indices higherShapeColumns(const Observations &observations)
 {
-    return columnsOfOrderInFile(observations, std::array{Theta3, R4x}, OrderInFile::SecondLowest);
+    return columnsOfOrder(observations, std::array{Theta3, R4x}, kSecondLowestOrder);
 }
 
 bool determineLengths(const Observations &observations, const Indices &columns)

@@ -34,7 +34,8 @@ double bestOrigin(const Observations &observations, const Fit &fit, Index k, dou
     return column.isDerivative() ? 0.0 : median(differences);
 }
 
-/// Whether an origin of the column can be told from the motion: that of a position that changes, or of R4_y.
+/// Whether the column may be measured from a different origin. Only positions have an origin; one that does not change
+/// shows none, apart from R4_y, which is constant in every mechanism.
 bool mayHaveOrigin(const ObservedColumn &column)
 {
     return !column.isDerivative() && (!column.isConstant() || column.channel == kSliderLine);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Fits a further column together with those of a fit.
+// Adds a column to a fit: all of its columns are fitted together.
 
 #include "core/identification/fit.h"
 

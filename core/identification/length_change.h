@@ -16,8 +16,8 @@ Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const
 
 /// Returns the only length that has to be changed so that the given mechanism explains the file as well as `best` does,
 /// in the reading of `best`, with the drive and the origins fitted again. It is a round number of `lengthUnit` (mm) if
-/// that explains the file as well. nullopt if no length, or if any of several could be the wrong one: all three if
-/// nothing has to be changed.
+/// that explains the file as well. Returns nullopt if no single change suffices, or if any of several lengths could be
+/// the wrong one, as all three could if the given mechanism itself explains the file.
 std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best, const Parameters &given,
                                              double lengthUnit);
 

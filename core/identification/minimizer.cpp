@@ -36,7 +36,7 @@ std::optional<Minimum> minimize(const Objective &function, Eigen::VectorXd start
     // A rejected step is repeated with ten times the damping, and a successful one is followed by a tenth of it.
     constexpr double kFactor = 10.0;
     constexpr double kFirstDamping = 1e-3;     // hardly any, because the starts are good
-    constexpr double kSmallestDamping = 1e-12; // less is lost in rounding errors
+    constexpr double kSmallestDamping = 1e-12; // a smaller one is lost in rounding errors
     constexpr double kLargestDamping = 1e8;    // with more, steps are lost in rounding errors
     constexpr double kUndamped = 1e-2;         // with more damping, a small gain may only mean a short step
     std::optional<LocalShape> shape = function(start);

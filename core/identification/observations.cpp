@@ -243,11 +243,11 @@ void observeTableAngle(Observations &observations, const CrankAngles &crank)
     angle.halfStep /= kDegreesPerRadian;
 }
 
-/// Whether the angles are evenly spaced multiples of a simple fraction of their distance, as 30°, 45°, 60° or 105°,
-/// 115°, 125°: somebody chose them, and computed the other columns from them.
+/// Whether somebody has chosen the angles and computed the other columns from them: they are evenly spaced, and each is
+/// a multiple of a half or a third of their distance, as 30°, 45°, 60° or 105°, 115°, 125°.
 bool areChosen(const Values &angle)
 {
-    constexpr double kPartsOfDistance = 6.0; // halves and thirds
+    constexpr double kPartsOfDistance = 6.0; // so that halves and thirds are whole numbers of parts
     if (angle.size() < 2) {
         return false;
     }

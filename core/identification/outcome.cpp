@@ -104,6 +104,15 @@ bool arePositionsFromOrigin(const LastFit &lastFit)
            std::ranges::any_of(lastFit.fit.unknowns, &Unknown::isOrigin);
 }
 
+/// Whether systematic residuals leave every parameter open: the columns belong to one coordinate, so that no other one
+/// confirms the mechanism, and they are an arc, on which many motions resemble each other, or positions behind a
+/// filter, which resemble those of a different mechanism with a different origin.
+bool leaveEverythingOpen(const LastFit &lastFit)
+{
+    const bool isAmbiguous = isShortArc(lastFit.observations, lastFit.fit.model) || arePositionsFromOrigin(lastFit);
+    return isAmbiguous && hasOneCoordinate(lastFit);
+}
+
 /// Which unknown parameters the file leaves open. `errors`: the result of worstCaseErrors(). A parameter whose error is
 /// NaN belongs to the drive, and is open only if all are.
 ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors &errors, bool areResidualsSystematic)
@@ -112,11 +121,7 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
     const Parameters &m = fit.model.mechanism;
     // A motion that is only approximately that of a long coupler hardly shows its length, however small the errors are.
     const bool isCouplerOpen = !lastFit.isExact && hidesLengths(m);
-    // On an arc, many motions resemble each other, and over the time so do the positions behind a filter and those of a
-    // different mechanism with a different origin. If a mechanism explains one coordinate only approximately, no other
-    // one confirms that it is the one that moved.
-    const bool isAmbiguous = isShortArc(lastFit.observations, fit.model) || arePositionsFromOrigin(lastFit);
-    const bool isEverythingOpen = areResidualsSystematic && isAmbiguous && hasOneCoordinate(lastFit);
+    const bool isEverythingOpen = areResidualsSystematic && leaveEverythingOpen(lastFit);
     const ParameterErrors changes = lastFit.isExact ? ParameterErrors{} : changesByRipple(lastFit);
     ParameterFlags open{};
     for (const Unknown unknown : fit.unknowns) {

@@ -51,11 +51,11 @@ bool haveRatioOfTen(double speed, double other)
 /// degrees, rates of angles without a stated unit may have any.
 bool contradictsUnit(const ObservedColumn &column, const Model &model, double unit)
 {
-    const double unitOfAngles = 1.0 / std::abs(model.angleFactor);
     if (column.statesUnit || !column.containsAngles()) {
         return unit != 1.0;
     }
-    return unitOfAngles != 1.0 && unit != unitOfAngles;
+    const double unitOfCrankAngle = 1.0 / std::abs(model.angleFactor);
+    return unitOfCrankAngle != 1.0 && unit != unitOfCrankAngle;
 }
 
 /// The scale of a derivative at 1 rad/s by a mechanism that is fitted to it together with the columns of the fit;

@@ -16,8 +16,8 @@ namespace slidercrank
 namespace
 {
 
-/// The fourth differences of equally spaced values, which are small for smooth curves. An error of one value adds it,
-/// multiplied by these numbers, to five of them.
+/// The factors of five equally spaced values in their fourth difference, which is small for smooth curves. If one value
+/// is wrong, the five differences that contain it change by its error times these factors.
 constexpr std::array kFourthDifference{1.0, -4.0, 6.0, -4.0, 1.0};
 
 /// An error of one value, and how much of the squares of the fourth differences around it this error explains.
