@@ -65,7 +65,7 @@ CheckedValue checkValue(const CrankPosition &position, const GivenValue &typed, 
     };
     const GivenValue given{.channel = typed.channel, .value = cleaned(typed.value), .halfStep = typed.halfStep};
     const double exact = cleaned(computed);
-    CheckedValue checked;
+    CheckedValue checked{.given = typed};
     checked.deviation = difference(given.channel, given.value, exact);
     checked.isRight = roundsTo(given, exact);
     const double omittedHalfTurns = std::round((given.value - exact - checked.deviation) / kHalfTurn);
@@ -88,11 +88,11 @@ struct ChannelsByVerdict {
     std::vector<OutputChannel> right;
 };
 
-ChannelsByVerdict channelsByVerdict(std::span<const GivenValue> given, std::span<const CheckedValue> checked)
+ChannelsByVerdict channelsByVerdict(std::span<const CheckedValue> values)
 {
     ChannelsByVerdict channels;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        (checked[i].isRight ? channels.right : channels.wrong).push_back(given[i].channel);
+    for (const CheckedValue &value : values) {
+        (value.isRight ? channels.right : channels.wrong).push_back(value.given.channel);
     }
     return channels;
 }
@@ -125,56 +125,57 @@ bool isConsidered(Slip slip, const ChannelsByVerdict &channels)
 
 /// Returns whether the slip cannot be the reason, because it would change a position that is right. The crank angle is
 /// given, not computed: it does not count.
-bool contradictsPositions(const SlipOutcome &outcome, std::span<const GivenValue> given,
-                          std::span<const CheckedValue> checked)
+bool contradictsPositions(const SlipOutcome &outcome, std::span<const CheckedValue> values)
 {
-    if (!outcome.affectsPositions) {
-        return false;
-    }
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        const OutputChannel &channel = given[i].channel;
+    const auto isContradicted = [&](const CheckedValue &value) {
+        const OutputChannel &channel = value.given.channel;
         const bool isComputedPosition = orderOf(channel) == Order::Position && channel != kTheta2;
-        if (checked[i].isRight && isComputedPosition && !gives(outcome, given[i])) {
-            return true;
-        }
-    }
-    return false;
+        return value.isRight && isComputedPosition && !gives(outcome, value.given);
+    };
+    return outcome.affectsPositions && std::ranges::any_of(values, isContradicted);
 }
 
-/// How a slip compares with the given values. Slips that neither fit nor change every wrong value by more than its
-/// rounding are left out.
+/// How a slip compares with the given values.
 struct Comparison {
     Slip slip;
     bool fits = true;             ///< gives every wrong value
     bool keepsRightValues = true; ///< leaves every right value right
+    bool changesAll = true;       ///< changes every wrong value by more than its rounding
     double change = 1.0;          ///< product of the changes of the wrong values
 };
 
-/// Compares every slip that is considered with the given values.
-std::vector<Comparison> compareSlips(const CrankPosition &position, const OutputState &exact,
-                                     std::span<const GivenValue> given, std::span<const CheckedValue> checked)
+Comparison compareSlip(const SlipOutcome &outcome, const OutputState &exact, std::span<const CheckedValue> values)
 {
-    const ChannelsByVerdict channels = channelsByVerdict(given, checked);
-    std::vector<Comparison> comparisons;
-    for (const SlipOutcome &outcome : slipOutcomes(position, exact)) {
-        if (!isConsidered(outcome.slip, channels) || contradictsPositions(outcome, given, checked)) {
+    Comparison comparison{outcome.slip};
+    for (const CheckedValue &value : values) {
+        const GivenValue &given = value.given;
+        const bool givesValue = gives(outcome, given);
+        if (value.isRight) {
+            comparison.keepsRightValues &= givesValue;
             continue;
         }
-        Comparison comparison{outcome.slip};
-        bool changesAll = true;
-        for (std::size_t i = 0; i < given.size(); ++i) {
-            const bool givesValue = gives(outcome, given[i]);
-            if (checked[i].isRight) {
-                comparison.keepsRightValues &= givesValue;
-                continue;
-            }
-            const double predicted = outcome.values.valueOf(given[i].channel);
-            const double change = std::abs(difference(given[i].channel, predicted, exact.valueOf(given[i].channel)));
-            comparison.fits &= givesValue;
-            comparison.change *= change;
-            changesAll &= change > given[i].halfStep;
+        const double predicted = outcome.values.valueOf(given.channel);
+        const double change = std::abs(difference(given.channel, predicted, exact.valueOf(given.channel)));
+        comparison.fits &= givesValue;
+        comparison.changesAll &= change > given.halfStep;
+        comparison.change *= change;
+    }
+    return comparison;
+}
+
+/// Compares every slip that is considered with the given values. Slips that neither fit nor change every wrong value
+/// are left out.
+std::vector<Comparison> compareSlips(const CrankPosition &position, const OutputState &exact,
+                                     std::span<const CheckedValue> values)
+{
+    const ChannelsByVerdict channels = channelsByVerdict(values);
+    std::vector<Comparison> comparisons;
+    for (const SlipOutcome &outcome : slipOutcomes(position, exact)) {
+        if (!isConsidered(outcome.slip, channels) || contradictsPositions(outcome, values)) {
+            continue;
         }
-        if (changesAll || comparison.fits) {
+        const Comparison comparison = compareSlip(outcome, exact, values);
+        if (comparison.changesAll || comparison.fits) {
             comparisons.push_back(comparison);
         }
     }
@@ -231,16 +232,12 @@ void explainBySlips(CheckResult &result, std::vector<Comparison> comparisons, do
 }
 
 /// Returns whether all deviations are within the error of intermediate results that are rounded to three digits.
-bool areRoundedEarlier(const CrankPosition &position, const OutputState &exact, std::span<const GivenValue> given,
-                       std::span<const CheckedValue> checked)
+bool areRoundedEarlier(const CrankPosition &position, const OutputState &exact, std::span<const CheckedValue> values)
 {
     const OutputState errors = roundingErrors(position, exact);
-    for (std::size_t i = 0; i < given.size(); ++i) {
-        if (!(std::abs(checked[i].deviation) <= errors.valueOf(given[i].channel) + given[i].halfStep)) {
-            return false;
-        }
-    }
-    return true;
+    return std::ranges::all_of(values, [&](const CheckedValue &value) {
+        return std::abs(value.deviation) <= errors.valueOf(value.given.channel) + value.given.halfStep;
+    });
 }
 
 } // namespace
@@ -264,8 +261,8 @@ CheckResult check(const CrankPosition &position, std::span<const GivenValue> giv
     if (exact.state.status != Status::Solved) {
         return result;
     }
-    explainBySlips(result, compareSlips(position, exact, given, result.values), coincidence);
-    if (result.slips.empty() && areRoundedEarlier(position, exact, given, result.values)) {
+    explainBySlips(result, compareSlips(position, exact, result.values), coincidence);
+    if (result.slips.empty() && areRoundedEarlier(position, exact, result.values)) {
         result.explanation = CheckOutcome::RoundedEarlier;
     }
     return result;

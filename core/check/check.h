@@ -44,6 +44,8 @@ struct GivenValue {
 };
 
 struct CheckedValue {
+    GivenValue given;
+
     /// The given value minus the exact one; for an angle, reduced to within half a turn. NaN if the exact value does
     /// not exist.
     double deviation = kNone;
