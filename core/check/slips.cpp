@@ -111,6 +111,17 @@ void moveHarmonically(Calculation &hand, double middle)
     setSlider(hand, middle + a * cos, -a * sin, -a * cos);
 }
 
+void moveLikeCrankPin(Calculation &hand)
+{
+    moveHarmonically(hand, 0.0);
+}
+
+/// Sets the slider to the motion of the crank pin, shifted by the length of the coupler.
+void moveLikeShiftedCrankPin(Calculation &hand)
+{
+    moveHarmonically(hand, hand.directedCoupler());
+}
+
 void approximateByTwoHarmonics(Calculation &hand)
 {
     const double a = hand.parameters.a;
@@ -196,11 +207,41 @@ void measureAnglesClockwise(Calculation &hand)
     scaleAngles<0>(hand, -1.0);
 }
 
+void measureFromOuterDeadCentre(Calculation &hand)
+{
+    setSlider(hand, hand.values.derived.displacement);
+}
+
 /// Measures as many textbooks do: the slider from the outer dead centre towards the crank, and the coupler clockwise.
 void measureTowardsCrank(Calculation &hand)
 {
-    setSlider(hand, hand.values.derived.displacement);
+    measureFromOuterDeadCentre(hand);
     measureAnglesClockwise(hand);
+}
+
+/// Makes another slip first.
+template <void (*makeFirst)(Calculation &)>
+void thenMeasureTowardsCrank(Calculation &hand)
+{
+    makeFirst(hand);
+    measureTowardsCrank(hand);
+}
+
+void takeCouplerCentre(Calculation &hand)
+{
+    const State &state = hand.values.state;
+    setSlider(hand, {state.q[R3x], state.qDot[R3x], state.qDDot[R3x]});
+}
+
+void turnCouplerByHalfTurn(Calculation &hand)
+{
+    hand.coupler = {-hand.coupler.sin, -hand.coupler.cos};
+}
+
+void subtractTransmissionAngleFrom(Calculation &hand, double angle)
+{
+    double &transmissionAngle = hand.values.derived.transmissionAngle.position;
+    transmissionAngle = angle - transmissionAngle;
 }
 
 template <int halfTurns>
@@ -242,10 +283,16 @@ enum class Stage {
 };
 
 /// One way to make a slip; a slip may have several.
-struct SlipRow {
-    Slip slip;
+struct Way {
     Stage stage;
-    void (*make)(Calculation &hand);
+    void (*make)(Calculation &hand); ///< nullptr: there is no further way
+};
+constexpr std::size_t kMaxWays = 8;
+
+struct SlipRow {
+    Slip key;
+    std::string_view name; ///< in JSON
+    Way ways[kMaxWays];
 };
 
 std::span<const SlipRow> allSlips()
@@ -254,136 +301,109 @@ std::span<const SlipRow> allSlips()
     using enum Stage;
     using Hand = Calculation;
     static constexpr SlipRow kSlips[] = {
-        {OtherAssembly, Input, [](Hand &hand) { hand.parameters.branch = oppositeBranch(hand.parameters.branch); }},
-        {OffsetSign, Input, [](Hand &hand) { hand.parameters.c *= -1.0; }},
-        {OffsetOmitted, Input, [](Hand &hand) { hand.parameters.c = 0.0; }},
-        {CrankSpeedSign, Input, [](Hand &hand) { hand.parameters.omega2 *= -1.0; }},
-        {CrankAccelerationSign, Input, [](Hand &hand) { hand.alpha2 *= -1.0; }},
-        {CrankAccelerationOmitted, Input, [](Hand &hand) { hand.alpha2 = 0.0; }},
-        {CrankAngleSign, Input, [](Hand &hand) { hand.parameters.theta20 *= -1.0; }},
-        {CrankAngleUnit, Input, [](Hand &hand) { hand.parameters.theta20 *= kDegreesPerRadian; }},
-        {CrankAngleUnit, Input, [](Hand &hand) { hand.parameters.theta20 /= kDegreesPerRadian; }},
-        {CrankSpeedInRpm, Input, [](Hand &hand) { hand.parameters.omega2 *= kRadiansPerSecondPerRpm; }},
-        {CrankSpeedInRpm, Input, [](Hand &hand) { hand.parameters.omega2 /= kRadiansPerSecondPerRpm; }},
-        {CrankSpeedInDegrees, Input, [](Hand &hand) { hand.parameters.omega2 *= kDegreesPerRadian; }},
-        {CrankSpeedInDegrees, Input, [](Hand &hand) { hand.parameters.omega2 /= kDegreesPerRadian; }},
-        {LinksExchanged, Input, [](Hand &hand) { std::swap(hand.parameters.a, hand.parameters.b); }},
-        {DiameterForRadius, Input, [](Hand &hand) { hand.parameters.a *= 2.0; }},
-        {DiameterForRadius, Input, [](Hand &hand) { hand.parameters.a /= 2.0; }},
-        {CouplerAngleSign, Measurement, [](Hand &hand) { hand.values.state.q[Theta3] *= -1.0; }},
-        {CouplerAngleSign, Measurement, measureAnglesClockwise},
-        {CrankSineForCosine, Input,
-         [](Hand &hand) { hand.parameters.theta20 = kQuarterTurn - hand.parameters.theta20; }},
-        {CrankSineForCosine, Formula, [](Hand &hand) { std::swap(hand.crank.sin, hand.crank.cos); }},
-        {CouplerSineForCosine, Formula, [](Hand &hand) { std::swap(hand.coupler.sin, hand.coupler.cos); }},
-        {CouplerAngleEnd, Formula,
-         [](Hand &hand) {
-             hand.coupler = {-hand.coupler.sin, -hand.coupler.cos};
-         }},
-        {CrankSpeedNotSquared, Formula, [](Hand &hand) { hand.crankNormal = hand.parameters.omega2; }},
-        {CrankSpeedNotSquared, Result, omitSquareOfSpeed},
-        {CrankNormalOmitted, Formula, [](Hand &hand) { hand.crankNormal = 0.0; }},
-        {CouplerNormalOmitted, Formula, [](Hand &hand) { hand.couplerNormalFactor = 0.0; }},
-        {NormalsOmitted, Formula, [](Hand &hand) { hand.crankNormal = hand.couplerNormalFactor = 0.0; }},
-        {HarmonicMotion, Result, [](Hand &hand) { moveHarmonically(hand, 0.0); }},
-        {HarmonicMotion, Result, [](Hand &hand) { moveHarmonically(hand, hand.directedCoupler()); }},
-        {HarmonicMotion, Result,
-         [](Hand &hand) {
-             moveHarmonically(hand, hand.directedCoupler());
-             measureTowardsCrank(hand);
-         }},
-        {TwoHarmonics, Result, approximateByTwoHarmonics},
-        {TwoHarmonics, Result,
-         [](Hand &hand) {
-             approximateByTwoHarmonics(hand);
-             measureTowardsCrank(hand);
-         }},
-        {SecondHarmonicDouble, Result, doubleSecondHarmonicOfVelocity},
-        {SecondHarmonicDouble, Result,
-         [](Hand &hand) {
-             doubleSecondHarmonicOfVelocity(hand);
-             measureTowardsCrank(hand);
-         }},
-        {CouplerCentre, Result,
-         [](Hand &hand) {
-             const State &state = hand.values.state;
-             setSlider(hand, {state.q[R3x], state.qDot[R3x], state.qDDot[R3x]});
-         }},
-        {FromOuterDeadCentre, Measurement, [](Hand &hand) { setSlider(hand, hand.values.derived.displacement); }},
-        {FromOuterDeadCentre, Measurement, measureTowardsCrank},
-        {FromInnerDeadCentre, Measurement, measureFromInnerDeadCentre},
-        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, kMillimetresPerInch); }},
-        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kMillimetresPerInch); }},
-        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, kCentimetresPerInch); }},
-        {InchesAsMetricUnits, Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kCentimetresPerInch); }},
-        {MetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 1000.0); }},
-        {MetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 0.001); }},
-        {CentimetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 10.0); }},
-        {CentimetresAsMillimetres, Result, [](Hand &hand) { scaleLengths(hand, 0.1); }},
+        {OtherAssembly,
+         "other-assembly",
+         {{Input, [](Hand &hand) { hand.parameters.branch = oppositeBranch(hand.parameters.branch); }}}},
+        {OffsetSign, "offset-sign", {{Input, [](Hand &hand) { hand.parameters.c *= -1.0; }}}},
+        {OffsetOmitted, "offset-omitted", {{Input, [](Hand &hand) { hand.parameters.c = 0.0; }}}},
+        {CrankSpeedSign, "crank-speed-sign", {{Input, [](Hand &hand) { hand.parameters.omega2 *= -1.0; }}}},
+        {CrankAccelerationSign, "crank-acceleration-sign", {{Input, [](Hand &hand) { hand.alpha2 *= -1.0; }}}},
+        {CrankAccelerationOmitted, "crank-acceleration-omitted", {{Input, [](Hand &hand) { hand.alpha2 = 0.0; }}}},
+        {CrankAngleSign, "crank-angle-sign", {{Input, [](Hand &hand) { hand.parameters.theta20 *= -1.0; }}}},
+        {CrankAngleUnit,
+         "crank-angle-unit",
+         {{Input, [](Hand &hand) { hand.parameters.theta20 *= kDegreesPerRadian; }},
+          {Input, [](Hand &hand) { hand.parameters.theta20 /= kDegreesPerRadian; }}}},
+        {CrankSpeedInRpm,
+         "crank-speed-in-rpm",
+         {{Input, [](Hand &hand) { hand.parameters.omega2 *= kRadiansPerSecondPerRpm; }},
+          {Input, [](Hand &hand) { hand.parameters.omega2 /= kRadiansPerSecondPerRpm; }}}},
+        {CrankSpeedInDegrees,
+         "crank-speed-in-degrees",
+         {{Input, [](Hand &hand) { hand.parameters.omega2 *= kDegreesPerRadian; }},
+          {Input, [](Hand &hand) { hand.parameters.omega2 /= kDegreesPerRadian; }}}},
+        {LinksExchanged,
+         "links-exchanged",
+         {{Input, [](Hand &hand) { std::swap(hand.parameters.a, hand.parameters.b); }}}},
+        {DiameterForRadius,
+         "diameter-for-radius",
+         {{Input, [](Hand &hand) { hand.parameters.a *= 2.0; }},
+          {Input, [](Hand &hand) { hand.parameters.a /= 2.0; }}}},
+        {CouplerAngleSign,
+         "coupler-angle-sign",
+         {{Measurement, [](Hand &hand) { hand.values.state.q[Theta3] *= -1.0; }},
+          {Measurement, measureAnglesClockwise}}},
+        {CrankSineForCosine,
+         "crank-sine-for-cosine",
+         {{Input, [](Hand &hand) { hand.parameters.theta20 = kQuarterTurn - hand.parameters.theta20; }},
+          {Formula, [](Hand &hand) { std::swap(hand.crank.sin, hand.crank.cos); }}}},
+        {CouplerSineForCosine,
+         "coupler-sine-for-cosine",
+         {{Formula, [](Hand &hand) { std::swap(hand.coupler.sin, hand.coupler.cos); }}}},
+        {CouplerAngleEnd, "coupler-angle-end", {{Formula, turnCouplerByHalfTurn}}},
+        {CrankSpeedNotSquared,
+         "crank-speed-not-squared",
+         {{Formula, [](Hand &hand) { hand.crankNormal = hand.parameters.omega2; }}, {Result, omitSquareOfSpeed}}},
+        {CrankNormalOmitted, "crank-normal-omitted", {{Formula, [](Hand &hand) { hand.crankNormal = 0.0; }}}},
+        {CouplerNormalOmitted,
+         "coupler-normal-omitted",
+         {{Formula, [](Hand &hand) { hand.couplerNormalFactor = 0.0; }}}},
+        {NormalsOmitted,
+         "normals-omitted",
+         {{Formula, [](Hand &hand) { hand.crankNormal = hand.couplerNormalFactor = 0.0; }}}},
+        {HarmonicMotion,
+         "harmonic-motion",
+         {{Result, moveLikeCrankPin},
+          {Result, moveLikeShiftedCrankPin},
+          {Result, thenMeasureTowardsCrank<moveLikeShiftedCrankPin>}}},
+        {TwoHarmonics,
+         "two-harmonics",
+         {{Result, approximateByTwoHarmonics}, {Result, thenMeasureTowardsCrank<approximateByTwoHarmonics>}}},
+        {SecondHarmonicDouble,
+         "second-harmonic-double",
+         {{Result, doubleSecondHarmonicOfVelocity}, {Result, thenMeasureTowardsCrank<doubleSecondHarmonicOfVelocity>}}},
+        {CouplerCentre, "coupler-centre", {{Result, takeCouplerCentre}}},
+        {FromOuterDeadCentre,
+         "from-outer-dead-centre",
+         {{Measurement, measureFromOuterDeadCentre}, {Measurement, measureTowardsCrank}}},
+        {FromInnerDeadCentre, "from-inner-dead-centre", {{Measurement, measureFromInnerDeadCentre}}},
+        {InchesAsMetricUnits,
+         "inches",
+         {{Result, [](Hand &hand) { scaleLengths(hand, kMillimetresPerInch); }},
+          {Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kMillimetresPerInch); }},
+          {Result, [](Hand &hand) { scaleLengths(hand, kCentimetresPerInch); }},
+          {Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kCentimetresPerInch); }}}},
+        {MetresAsMillimetres,
+         "metres",
+         {{Result, [](Hand &hand) { scaleLengths(hand, 1000.0); }},
+          {Result, [](Hand &hand) { scaleLengths(hand, 0.001); }}}},
+        {CentimetresAsMillimetres,
+         "centimetres",
+         {{Result, [](Hand &hand) { scaleLengths(hand, 10.0); }},
+          {Result, [](Hand &hand) { scaleLengths(hand, 0.1); }}}},
         // θ3 may be measured at A or B and in either direction, so that up to two half turns are added to it.
-        {ValueInRadians, Result, takeRadiansAsDegrees<-2>},
-        {ValueInRadians, Result, takeRadiansAsDegrees<-1>},
-        {ValueInRadians, Result, takeRadiansAsDegrees<0>},
-        {ValueInRadians, Result, takeRadiansAsDegrees<1>},
-        {ValueInRadians, Result, takeDegreesAsRadians<-2>},
-        {ValueInRadians, Result, takeDegreesAsRadians<-1>},
-        {ValueInRadians, Result, takeDegreesAsRadians<0>},
-        {ValueInRadians, Result, takeDegreesAsRadians<1>},
-        {PressureAngle, Result,
-         [](Hand &hand) {
-             double &angle = hand.values.derived.transmissionAngle.position;
-             angle = kQuarterTurn - angle;
-         }},
-        {ObtuseAngle, Result,
-         [](Hand &hand) {
-             double &angle = hand.values.derived.transmissionAngle.position;
-             angle = kHalfTurn - angle;
-         }},
-        {CouplerAngleRounded, Formula, [](Hand &hand) { roundTheta3(hand, 0.0); }},
-        {CouplerAngleRounded, Formula, [](Hand &hand) { roundTheta3(hand, -kHalfTurn); }},
+        {ValueInRadians,
+         "value-in-radians",
+         {{Result, takeRadiansAsDegrees<-2>},
+          {Result, takeRadiansAsDegrees<-1>},
+          {Result, takeRadiansAsDegrees<0>},
+          {Result, takeRadiansAsDegrees<1>},
+          {Result, takeDegreesAsRadians<-2>},
+          {Result, takeDegreesAsRadians<-1>},
+          {Result, takeDegreesAsRadians<0>},
+          {Result, takeDegreesAsRadians<1>}}},
+        {PressureAngle,
+         "pressure-angle",
+         {{Result, [](Hand &hand) { subtractTransmissionAngleFrom(hand, kQuarterTurn); }}}},
+        {ObtuseAngle, "obtuse-angle", {{Result, [](Hand &hand) { subtractTransmissionAngleFrom(hand, kHalfTurn); }}}},
+        {CouplerAngleRounded,
+         "coupler-angle-rounded",
+         {{Formula, [](Hand &hand) { roundTheta3(hand, 0.0); }},
+          {Formula, [](Hand &hand) { roundTheta3(hand, -kHalfTurn); }}}},
     };
+    static_assert(isCompleteTable(kSlips, CouplerAngleRounded));
     return kSlips;
 }
-
-struct SlipName {
-    Slip key;
-    std::string_view name;
-};
-
-constexpr SlipName kNames[] = {{Slip::OtherAssembly, "other-assembly"},
-                               {Slip::OffsetSign, "offset-sign"},
-                               {Slip::OffsetOmitted, "offset-omitted"},
-                               {Slip::CrankSpeedSign, "crank-speed-sign"},
-                               {Slip::CrankAccelerationSign, "crank-acceleration-sign"},
-                               {Slip::CrankAccelerationOmitted, "crank-acceleration-omitted"},
-                               {Slip::CrankAngleSign, "crank-angle-sign"},
-                               {Slip::CrankAngleUnit, "crank-angle-unit"},
-                               {Slip::CrankSpeedInRpm, "crank-speed-in-rpm"},
-                               {Slip::CrankSpeedInDegrees, "crank-speed-in-degrees"},
-                               {Slip::LinksExchanged, "links-exchanged"},
-                               {Slip::DiameterForRadius, "diameter-for-radius"},
-                               {Slip::CouplerAngleSign, "coupler-angle-sign"},
-                               {Slip::CrankSineForCosine, "crank-sine-for-cosine"},
-                               {Slip::CouplerSineForCosine, "coupler-sine-for-cosine"},
-                               {Slip::CrankSpeedNotSquared, "crank-speed-not-squared"},
-                               {Slip::CrankNormalOmitted, "crank-normal-omitted"},
-                               {Slip::CouplerNormalOmitted, "coupler-normal-omitted"},
-                               {Slip::NormalsOmitted, "normals-omitted"},
-                               {Slip::HarmonicMotion, "harmonic-motion"},
-                               {Slip::CouplerAngleEnd, "coupler-angle-end"},
-                               {Slip::TwoHarmonics, "two-harmonics"},
-                               {Slip::SecondHarmonicDouble, "second-harmonic-double"},
-                               {Slip::CouplerCentre, "coupler-centre"},
-                               {Slip::FromOuterDeadCentre, "from-outer-dead-centre"},
-                               {Slip::FromInnerDeadCentre, "from-inner-dead-centre"},
-                               {Slip::InchesAsMetricUnits, "inches"},
-                               {Slip::MetresAsMillimetres, "metres"},
-                               {Slip::CentimetresAsMillimetres, "centimetres"},
-                               {Slip::ValueInRadians, "value-in-radians"},
-                               {Slip::PressureAngle, "pressure-angle"},
-                               {Slip::ObtuseAngle, "obtuse-angle"},
-                               {Slip::CouplerAngleRounded, "coupler-angle-rounded"}};
-static_assert(isCompleteTable(kNames, Slip::CouplerAngleRounded));
 
 /// Computes the motion from a wrong input. Returns whether there is such a mechanism.
 bool solveMechanism(Calculation &hand)
@@ -395,30 +415,39 @@ bool solveMechanism(Calculation &hand)
     return hand.values.state.status == Status::Solved;
 }
 
+/// Appends what a slip leads to if it is made in this way: nothing if the mechanism is impossible then.
+void addOutcomes(std::vector<SlipOutcome> &outcomes, Slip slip, const Way &way, Calculation hand)
+{
+    way.make(hand);
+    if (way.stage == Stage::Input && !solveMechanism(hand)) {
+        return;
+    }
+    if (way.stage == Stage::Formula) { // in the formulas of the slider only, or in those of the coupler, too
+        solveSlider(hand);
+        outcomes.push_back({.slip = slip, .values = hand.values, .affectsPositions = false});
+        solveCoupler(hand);
+        solveSlider(hand);
+    }
+    const bool affectsPositions = way.stage == Stage::Input || way.stage == Stage::Measurement;
+    outcomes.push_back({.slip = slip, .values = hand.values, .affectsPositions = affectsPositions});
+}
+
 } // namespace
 
 std::string_view nameOf(Slip slip)
 {
-    return rowOf(kNames, slip).name;
+    return allSlips()[static_cast<std::size_t>(slip)].name;
 }
 
 std::vector<SlipOutcome> slipOutcomes(const CrankPosition &position, const OutputState &exact)
 {
     std::vector<SlipOutcome> outcomes;
-    for (const auto &[slip, stage, make] : allSlips()) {
-        Calculation hand(position, exact);
-        make(hand);
-        if (stage == Stage::Input && !solveMechanism(hand)) {
-            continue;
+    for (const SlipRow &row : allSlips()) {
+        for (const Way &way : row.ways) {
+            if (way.make) {
+                addOutcomes(outcomes, row.key, way, Calculation(position, exact));
+            }
         }
-        if (stage == Stage::Formula) { // in the formulas of the slider only, or in those of the coupler, too
-            solveSlider(hand);
-            outcomes.push_back({.slip = slip, .values = hand.values, .affectsPositions = false});
-            solveCoupler(hand);
-            solveSlider(hand);
-        }
-        const bool affectsPositions = stage == Stage::Input || stage == Stage::Measurement;
-        outcomes.push_back({.slip = slip, .values = hand.values, .affectsPositions = affectsPositions});
     }
     return outcomes;
 }

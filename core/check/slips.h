@@ -39,12 +39,12 @@ enum class Slip {
     CouplerAngleSign,         ///< measured clockwise
     CrankSineForCosine,       ///< sin θ2 and cos θ2 exchanged
     CouplerSineForCosine,     ///< sin θ3 and cos θ3 exchanged
+    CouplerAngleEnd,          ///< θ3 at A in a formula for the angle at B, or the reverse
     CrankSpeedNotSquared,     ///< ω2 for ω2² in the accelerations
     CrankNormalOmitted,       ///< the centripetal term a ω2²
     CouplerNormalOmitted,     ///< the centripetal term b ω3²
     NormalsOmitted,           ///< both of them
     HarmonicMotion,           ///< the simple harmonic motion of the crank pin A, taken for that of the wrist pin B
-    CouplerAngleEnd,          ///< θ3 at A in a formula for the angle at B, or the reverse
     TwoHarmonics,             ///< the approximation x ≈ a cos θ2 + b - a²/4b (1 - cos 2θ2)
     SecondHarmonicDouble,     ///< sin 2θ2 / n instead of sin 2θ2 / 2n in the velocity of TwoHarmonics, n = b/a
     CouplerCentre,            ///< the midpoint of A-B instead of the wrist pin B
