@@ -98,13 +98,6 @@ Fit fitOverFreeAngles(Observations observations, const Fit &fit)
                     fit.unknownsWith({Parameter::Theta20, Parameter::Omega2}));
 }
 
-/// The standard error of an unknown of a fit whose residuals are independent; 0 if it is not free.
-double standardErrorOf(const Fit &fit, Unknown unknown)
-{
-    const Index k = fit.indexOf(unknown);
-    return fit.isFree(unknown) ? std::sqrt(computeCovariance(fit)(k, k)) : 0.0;
-}
-
 /// A table over the crank angle with exact angles, which are those in the file times `stretch` plus `shift` (rad).
 Observations withMovedAngles(Observations observations, double stretch, double shift)
 {

@@ -245,6 +245,13 @@ void Fit::replaceModel(const Fit &other)
     misfit = other.misfit;
 }
 
+Indices Fit::places() const
+{
+    Indices places(static_cast<std::size_t>(residuals.cols()));
+    std::iota(places.begin(), places.end(), Index{0});
+    return places;
+}
+
 double Fit::valueCount() const
 {
     return std::accumulate(counts.begin(), counts.end(), 0.0);
@@ -261,7 +268,7 @@ Fit evaluateModel(const Observations &observations, Model model, Indices columns
     Fit fit{.model = std::move(model), .columns = std::move(columns)};
     fit.residuals = -predictValues(fit.model, observations, fit.columns);
     fit.misfit = hasPositiveLinks(fit.model.mechanism) ? 0.0 : kInfinity;
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+    for (const Index place : fit.places()) {
         const ObservedColumn &column = observations.columns[fit.columns[place]];
         fit.residuals.col(place) += column.values;
         const double count = static_cast<double>(column.values.isFinite().count());
@@ -311,7 +318,7 @@ bool isShortArc(const Observations &observations, const Model &model)
 double dependence(const Fit &fit)
 {
     double largest = 1.0;
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+    for (const Index place : fit.places()) {
         largest = std::max(largest, dependence(fit.residuals.col(place)));
     }
     return largest;
@@ -336,6 +343,12 @@ Eigen::MatrixXd computeCovariance(const Fit &fit)
     const Eigen::MatrixXd vectors = system.scale.asDiagonal() * system.vectors;
     // The covariance is the inverse of the second derivatives of S/2, which is minus the logarithm of the likelihood.
     return 2.0 * (vectors * inverse.asDiagonal() * vectors.transpose());
+}
+
+double standardErrorOf(const Fit &fit, Unknown unknown)
+{
+    const Index k = fit.indexOf(unknown);
+    return fit.isFree(unknown) ? std::sqrt(computeCovariance(fit)(k, k)) : 0.0;
 }
 
 } // namespace slidercrank

@@ -88,6 +88,7 @@ struct Fit {
     bool isFree(Unknown unknown) const;
     Index indexOf(Unknown unknown) const; ///< its index in `unknowns`; unknowns.size() if it is not free
     double valueCount() const;            ///< number of values in all columns
+    Indices places() const;               ///< 0, 1, …: the places of the columns; none if there are no residuals
 
     /// The unknowns and those of `more` that are not among them.
     Unknowns unknownsWith(const Unknowns &more) const;
@@ -133,5 +134,8 @@ double conditionNumber(const Fit &fit);
 
 /// The covariance matrix of the unknowns; very large variances for unknowns that the columns do not determine.
 Eigen::MatrixXd computeCovariance(const Fit &fit);
+
+/// The standard error of an unknown if the residuals are independent; 0 if it is not free.
+double standardErrorOf(const Fit &fit, Unknown unknown);
 
 } // namespace slidercrank

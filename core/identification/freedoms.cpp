@@ -48,29 +48,21 @@ bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown u
     Model moved = fit.model;
     valueOf(moved, unknown) = value;
     const Eigen::ArrayXXd change = evaluateModel(observations, moved, fit.columns).residuals - fit.residuals;
-    for (Index place = 0; place < change.cols(); ++place) {
+    return std::ranges::all_of(fit.places(), [&](Index place) {
         const double squaredStep = 12.0 * observations.columns[fit.columns[place]].variance;
-        if (!(gapsAsZeros(change.col(place)).square().sum() <= squaredStep * fit.counts[place])) {
-            return false;
-        }
-    }
-    return true;
+        return gapsAsZeros(change.col(place)).square().sum() <= squaredStep * fit.counts[place];
+    });
 }
 
 /// Whether the residuals of every column are rounding, or as small as those that a filter or an interpolation leaves.
 bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 {
     constexpr double kMaxFraction = 0.01; // of the size of a column (rms): a moving average of R4_x leaves that much
-    if (!fit.isFinite()) {
-        return false;
-    }
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
-        const bool isSmall = fit.rms[place] < kMaxFraction * columnSize(observations, fit, place);
-        if (!isSmall && !isWithinRounding(observations, fit, place)) { // a constant column has the size 0
-            return false;
-        }
-    }
-    return true;
+    const auto isSmall = [&](Index place) {
+        return fit.rms[place] < kMaxFraction * columnSize(observations, fit, place) ||
+               isWithinRounding(observations, fit, place); // a constant column has the size 0
+    };
+    return fit.isFinite() && std::ranges::all_of(fit.places(), isSmall);
 }
 
 /// Whether an origin is so close to its usual value that a filter or an interpolation may have shifted the curve by as

@@ -53,7 +53,7 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
 Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+    for (const Index place : fit.places()) {
         isFarOff = isFarOff || findOutliers(observations, fit, place);
     }
     Indices rows;

@@ -39,8 +39,7 @@ double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, 
                               double lengthUnit)
 {
     const double value = valueOf(fit.model.mechanism, length);
-    const Index position = fit.indexOf(length);
-    const double error = std::sqrt(dependence(fit) * computeCovariance(fit)(position, position));
+    const double error = std::sqrt(dependence(fit)) * standardErrorOf(fit, length);
     Model model = fit.model;
     valueOf(model.mechanism, length) = roundLength(value, error, lengthUnit).value;
     const Fit rounded = fitModel(observations, model, fit.columns, unknownsExceptLengths(fit));

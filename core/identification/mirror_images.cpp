@@ -25,18 +25,24 @@ Model withReversedCrank(Model model, double sum)
     return model;
 }
 
+/// Changes the reading of a column whose motion in the image is `sum` minus that of the model: its values are the same.
+void subtractMotionFrom(double sum, ColumnReading &reading)
+{
+    reading = {-reading.factor, reading.origin + reading.factor * sum};
+}
+
 /// The image in the x axis: all y and all angles are negated.
 Model mirroredInX(const Model &model, const Observations &observations)
 {
     Model image = withReversedCrank(model, 0.0);
     image.mechanism.c = -model.mechanism.c;
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
-        const Coordinate coordinate = observations.columns[k].channel.coordinate;
-        image.readings[k].factor *= isAngle(coordinate) || isAlongY(coordinate) ? -1.0 : 1.0;
-        if (observations.columns[k].channel == Channel{Theta3, Order::Position} &&
-            image.mechanism.branch == Branch::Crossed) {
+        const Channel channel = observations.columns[k].channel;
+        if (channel == Channel{Theta3, Order::Position} && model.mechanism.branch == Branch::Crossed) {
             // The model has θ3 of the crossed assembly between 90° and 270°, and not between -270° and -90°.
-            image.readings[k].origin += kTurn * model.readings[k].factor;
+            subtractMotionFrom(kTurn, image.readings[k]);
+        } else if (isAngle(channel.coordinate) || isAlongY(channel.coordinate)) {
+            subtractMotionFrom(0.0, image.readings[k]);
         }
     }
     return image;
@@ -50,9 +56,10 @@ Model mirroredInY(const Model &model, const Observations &observations)
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const Channel channel = observations.columns[k].channel;
         if (isAngle(channel.coordinate) && channel.order == Order::Position) {
-            image.readings[k].origin += model.readings[k].factor * kHalfTurn;
+            subtractMotionFrom(kHalfTurn, image.readings[k]);
+        } else if (isAngle(channel.coordinate) || isAlongX(channel.coordinate)) {
+            subtractMotionFrom(0.0, image.readings[k]);
         }
-        image.readings[k].factor *= isAngle(channel.coordinate) || isAlongX(channel.coordinate) ? -1.0 : 1.0;
     }
     return image;
 }
@@ -194,8 +201,7 @@ Model withReflectedCrank(const Model &model, const Observations &observations)
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const Channel channel = observations.columns[k].channel;
         if (channel.coordinate == Theta2) {
-            image.readings[k].origin += channel.order == Order::Position ? model.readings[k].factor * kHalfTurn : 0.0;
-            image.readings[k].factor = -model.readings[k].factor;
+            subtractMotionFrom(channel.order == Order::Position ? kHalfTurn : 0.0, image.readings[k]);
         }
     }
     return image;

@@ -170,12 +170,9 @@ std::optional<Rejection> findRejection(const Findings &findings)
         return Rejection::SliderLine;
     }
     const LastFit &lastFit = findings.lastFit;
-    for (Index place = 0; place < lastFit.fit.residuals.cols(); ++place) {
-        if (!isExplained(lastFit.observations, lastFit.fit, place)) {
-            return Rejection::LargeResiduals;
-        }
-    }
-    return std::nullopt;
+    const auto isColumnExplained = [&](Index place) { return isExplained(lastFit.observations, lastFit.fit, place); };
+    const bool areExplained = std::ranges::all_of(lastFit.fit.places(), isColumnExplained);
+    return areExplained ? std::nullopt : std::optional(Rejection::LargeResiduals);
 }
 
 /// Replaces the parameters that are not determined by those of the given mechanism. `isDetermined`: whether
@@ -333,7 +330,7 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
         result.rejection = Rejection::CannotBeAssembled;
         return result;
     }
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+    for (const Index place : fit.places()) {
         result.residuals.push_back(describeResidual(observations, fit, place));
     }
     result.iterations = fit.iterations;

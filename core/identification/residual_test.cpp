@@ -65,15 +65,8 @@ bool isExplained(const Observations &observations, const Fit &fit, Index place)
 
 bool isExact(const Observations &observations, const Fit &fit)
 {
-    if (!fit.isFinite()) {
-        return false;
-    }
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
-        if (!isWithinRounding(observations, fit, place)) {
-            return false;
-        }
-    }
-    return true;
+    return fit.isFinite() &&
+           std::ranges::all_of(fit.places(), [&](Index place) { return isWithinRounding(observations, fit, place); });
 }
 
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best)
@@ -82,7 +75,7 @@ bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit 
         return fit.isFinite();
     }
     double growth = 0.0;
-    for (Index place = 0; place < best.residuals.cols(); ++place) {
+    for (const Index place : best.places()) {
         growth += (columnMisfit(observations, fit, place) - columnMisfit(observations, best, place)) /
                   dependence(best.residuals.col(place));
     }
@@ -91,14 +84,11 @@ bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit 
 
 bool isSystematic(const Observations &observations, const Fit &fit)
 {
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+    return std::ranges::any_of(fit.places(), [&](Index place) {
         const bool isLikeNoise =
             changeSignLikeNoise(fit.residuals.col(place)) && !observations.columns[fit.columns[place]].isInterpolated;
-        if (!isLikeNoise && !isWithinRounding(observations, fit, place)) {
-            return true;
-        }
-    }
-    return false;
+        return !isLikeNoise && !isWithinRounding(observations, fit, place);
+    });
 }
 
 } // namespace slidercrank

@@ -236,13 +236,11 @@ bool areStillExplained(const Observations &observations, const Fit &rounded, con
     // The misfit of the true values of five parameters is higher than that of the fit by 5 on average, and seldom
     // by 10.
     constexpr double kMaxGrowth = 10.0;
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
-        if (areNearlyAllWithinRounding(observations, fit, place) &&
-            !areNearlyAllWithinRounding(observations, rounded, place)) {
-            return false;
-        }
-    }
-    return rounded.misfit - fit.misfit < kMaxGrowth;
+    const auto isStillWithinRounding = [&](Index place) {
+        return !areNearlyAllWithinRounding(observations, fit, place) ||
+               areNearlyAllWithinRounding(observations, rounded, place);
+    };
+    return rounded.misfit - fit.misfit < kMaxGrowth && std::ranges::all_of(fit.places(), isStillWithinRounding);
 }
 
 /// The number that a person may have chosen for a value, see roundToFewestDigits(). nullopt if there is none.

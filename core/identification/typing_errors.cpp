@@ -105,7 +105,7 @@ std::optional<std::size_t> findRowWithLargestResidual(const LastFit &lastFit)
     }
     constexpr double kMinResidual = 8.0; // times the median of the column: noise of 400 values seldom reaches five
     Values largest = Values::Zero(lastFit.observations.size());
-    for (Index place = 0; place < fit.residuals.cols(); ++place) {
+    for (const Index place : fit.places()) {
         const double usual = median(fit.residuals.col(place).abs());
         if (usual > 0.0) {
             largest = largest.max(gapsAsZeros(fit.residuals.col(place)).abs() / usual);
