@@ -107,7 +107,7 @@ void compareWithGivenLengths(Findings &findings, const Observations &searched, c
         return;
     }
     if (!explainsAsWell(searched, fitWithGivenLengths(searched, best, given), best)) {
-        findings.change = findLengthChange(searched, best, given, findings.lengthUnit);
+        findings.change = findLengthChange(searched, best, given);
         return;
     }
     const bool hasFreeOrigins = std::ranges::any_of(last.unknowns, &Unknown::isOrigin);
@@ -123,7 +123,7 @@ void chooseExpectedDescription(Findings &findings, const Observations &searched,
     LastFit &last = findings.lastFit;
     convertToUnitOfMostColumns(last, given);
     const Parameters unrounded = parametersAtTimeZero(last.fit.model, last.observations, findings.drive);
-    moveToChosenNumbers(last, unrounded, findings.lengthUnit);
+    moveToChosenNumbers(last, unrounded);
     chooseImage(findings, given);
     compareWithGivenLengths(findings, searched, given);
 }

@@ -18,7 +18,6 @@ struct Findings {
     std::vector<double> speeds;         ///< the values of ω2 that a table over the crank angle allows, rad/s
     std::vector<Model> otherImages;     ///< other mechanisms that need the same reading of the file
     std::optional<LengthChange> change; ///< the one wrong length of the given mechanism
-    double lengthUnit = 1.0;            ///< the unit of the lengths in the file, mm
 };
 
 } // namespace slidercrank

@@ -82,11 +82,11 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGe
                        const Parameters &given)
 {
     Findings findings;
-    findings.lengthUnit = findLengthUnit(data);
     const Observations withoutOutliers = withoutSpikes(wholeFile);
     Observations searched = selectRows(withoutOutliers, kSearchedRows);
     const ConstrainedFit geometry = findGeometry(withoutOutliers, searched, given);
     if (!geometry.fit.isFinite()) {
+        findings.lastFit.observations = std::move(wholeFile);
         return findings;
     }
     auto [current, drive, further] =
@@ -113,13 +113,21 @@ struct IdentifiedTable {
     Findings findings{};
 };
 
+/// The arguments of identify(), with the table as it is in the file or without some of its rows.
+struct Task {
+    const ReferenceData &table;
+    const Parameters &given;
+    const std::stop_token &stop;
+};
+
 /// Identifies the mechanism of a table. `tableConvention`: the one that is applied before the table is observed;
 /// nullopt if it is observed as it is in the file.
-IdentifiedTable identifyTable(const ReferenceData &file, const std::optional<Convention> &tableConvention,
-                              FindGeometry findGeometry, const Parameters &given, const std::stop_token &stop)
+IdentifiedTable identifyTable(const Task &task, const std::optional<Convention> &tableConvention,
+                              FindGeometry findGeometry)
 {
-    const ReferenceData data = tableConvention ? applied(*tableConvention, file) : file;
-    Observations wholeFile = withComputedColumnsMarked(observe(data, stop));
+    const Parameters &given = task.given;
+    const ReferenceData data = tableConvention ? applied(*tableConvention, task.table) : task.table;
+    Observations wholeFile = withComputedColumnsMarked(observe(data, task.stop));
     if (const Identification::Lack lack = findLack(wholeFile); lack != Identification::Lack::Nothing) {
         return {
             {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack}};
@@ -128,7 +136,7 @@ IdentifiedTable identifyTable(const ReferenceData &file, const std::optional<Con
     table.findings = findMechanism(data, std::move(wholeFile), findGeometry, given);
     table.result = judge(data, table.findings, given);
     if (table.result.hasMechanism()) {
-        addConventionsAndComparisons(table.result, file, tableConvention, table.findings, given);
+        addConventionsAndComparisons(table.result, task.table, tableConvention, table.findings, given);
         if (!allAgree(table.result.channels)) { // the comparison, which the user can repeat, has the last word
             table.result.outcome = Identification::Outcome::Approximate;
         }
@@ -148,13 +156,12 @@ bool isBetter(const Identification &result, const Identification &other)
 
 /// Identifies the mechanism of a table whose slider moves along y, after the axes are rotated: those of the positions,
 /// or also those of the angles. Returns nullopt if the slider moves along x.
-std::optional<Identification> identifyRotated(const ReferenceData &data, const Parameters &given,
-                                              const std::stop_token &stop)
+std::optional<Identification> identifyRotated(const Task &task)
 {
     std::optional<Identification> best;
     for (const bool rotatesAngles : {false, true}) {
-        if (const std::optional<Convention> rotation = findAxisRotation(data, rotatesAngles)) {
-            Identification result = identifyTable(data, rotation, findBestGeometry, given, stop).result;
+        if (const std::optional<Convention> rotation = findAxisRotation(task.table, rotatesAngles)) {
+            Identification result = identifyTable(task, rotation, findBestGeometry).result;
             if (!best || isBetter(result, *best)) {
                 best = std::move(result);
             }
@@ -188,12 +195,11 @@ std::optional<Identification> withExcludedRows(IdentifiedTable table, const Refe
 /// Identifies the mechanism of a table without the rows that may contain typing errors: one after the other, the most
 /// suspicious row is left out until a mechanism explains the others exactly. Returns nullopt if there is no such
 /// mechanism, or if it also explains a row that was left out. `table`: the result for all rows.
-std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table, const ReferenceData &data,
-                                                          const Parameters &given, const std::stop_token &stop)
+std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table, const Task &task)
 {
-    ReferenceData remaining = data;
+    ReferenceData remaining = task.table;
     std::vector<std::size_t> rows;
-    while (rows.size() < maxTypingErrors(data)) {
+    while (rows.size() < maxTypingErrors(task.table)) {
         std::optional<std::size_t> row = findSuspiciousRow(remaining);
         if (!row) {
             row = findRowWithLargestResidual(table.findings.lastFit);
@@ -203,9 +209,9 @@ std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table,
         }
         rows.push_back(*row);
         remaining = withoutRow(std::move(remaining), *row);
-        table = identifyTable(remaining, std::nullopt, findBestGeometry, given, stop);
+        table = identifyTable({remaining, task.given, task.stop}, std::nullopt, findBestGeometry);
         if (explainsAll(table.result)) {
-            return withExcludedRows(std::move(table), data, rows);
+            return withExcludedRows(std::move(table), task.table, rows);
         }
     }
     return std::nullopt;
@@ -238,8 +244,7 @@ bool needsOrigin(const Identification &result)
 /// Identifies the mechanism with which the approximate formula of textbooks explains a table exactly; nullopt if there
 /// is none, or if the exact motion explains the table as well and as simply. `asInFile`: the result with the exact
 /// motion, which may need an origin of R4_x where the formula needs none.
-std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable &asInFile, const ReferenceData &data,
-                                                           const Parameters &given, const std::stop_token &stop)
+std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable &asInFile, const Task &task)
 {
     const LastFit &exactMotion = asInFile.findings.lastFit;
     const bool isBetter = isApproximateFormulaBetter(exactMotion);
@@ -247,7 +252,7 @@ std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable
     if (!isBetter && !maySaveOrigin) {
         return std::nullopt;
     }
-    IdentifiedTable table = identifyTable(data, std::nullopt, findGeometryOfApproximateFormula, given, stop);
+    IdentifiedTable table = identifyTable(task, std::nullopt, findGeometryOfApproximateFormula);
     Identification &result = table.result;
     const bool explainsTable = result.outcome == Identification::Outcome::Approximate &&
                                table.findings.lastFit.isExact && result.leftOut.empty() && result.excludedRows.empty();
@@ -262,13 +267,12 @@ std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable
 
 /// Tries unlikely readings of a table. Returns the best result of one that explains everything exactly, or that of
 /// `asInFile`, the table as it is in the file, if that is as good.
-Identification tryUnlikelyReadings(IdentifiedTable asInFile, const ReferenceData &data, const Parameters &given,
-                                   const std::stop_token &stop)
+Identification tryUnlikelyReadings(IdentifiedTable asInFile, const Task &task)
 {
-    if (std::optional<Identification> result = identifyByApproximateFormula(asInFile, data, given, stop)) {
+    if (std::optional<Identification> result = identifyByApproximateFormula(asInFile, task)) {
         return *std::move(result);
     }
-    const std::vector<Convention> conventions = possibleTableConventions(data, asInFile.result);
+    const std::vector<Convention> conventions = possibleTableConventions(task.table, asInFile.result);
     Identification best = asInFile.result;
     const auto tryResult = [&](Identification result) {
         if (explainsAll(result) && isBetter(result, best)) {
@@ -277,13 +281,13 @@ Identification tryUnlikelyReadings(IdentifiedTable asInFile, const ReferenceData
     };
     if (!explainsAll(best)) {
         // Coarsely rounded positions may have been explained by a mechanism that contradicts their derivatives.
-        tryResult(identifyTable(data, std::nullopt, findGeometryOfHigherDerivatives, given, stop).result);
+        tryResult(identifyTable(task, std::nullopt, findGeometryOfHigherDerivatives).result);
     }
     for (const Convention &convention : conventions) {
-        tryResult(identifyTable(data, convention, findBestGeometry, given, stop).result);
+        tryResult(identifyTable(task, convention, findBestGeometry).result);
     }
     if (!explainsAll(best) || !best.conventions.empty() || best.drive) { // a wrong θ2 looks like an uneven speed
-        if (auto result = identifyWithoutTypingErrors(std::move(asInFile), data, given, stop)) {
+        if (auto result = identifyWithoutTypingErrors(std::move(asInFile), task)) {
             tryResult(*std::move(result));
         }
     }
@@ -295,10 +299,10 @@ Identification tryUnlikelyReadings(IdentifiedTable asInFile, const ReferenceData
 Identification identify(const ReferenceData &data, const Mechanism &given, std::stop_token stop)
 {
     const Parameters &parameters = given.parameters();
-    std::optional<Identification> result = identifyRotated(data, parameters, stop);
+    const Task task{.table = data, .given = parameters, .stop = stop};
+    std::optional<Identification> result = identifyRotated(task);
     if (!result) {
-        IdentifiedTable asInFile = identifyTable(data, std::nullopt, findBestGeometry, parameters, stop);
-        result = tryUnlikelyReadings(std::move(asInFile), data, parameters, stop);
+        result = tryUnlikelyReadings(identifyTable(task, std::nullopt, findBestGeometry), task);
     }
     if (stop.stop_requested()) {
         Identification stopped{.parameters = parameters, .rounded = parameters};

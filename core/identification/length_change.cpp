@@ -35,13 +35,12 @@ Unknowns unknownsExceptLengths(const Fit &fit)
 
 /// The round number near the value that `fit` has found for a length, if it explains the file as well as `best` does;
 /// otherwise that value (mm).
-double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, Parameter length, const Fit &best,
-                              double lengthUnit)
+double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, Parameter length, const Fit &best)
 {
     const double value = valueOf(fit.model.mechanism, length);
     const double error = std::sqrt(dependence(fit)) * standardErrorOf(fit, length);
     Model model = fit.model;
-    valueOf(model.mechanism, length) = roundLength(value, error, lengthUnit).value;
+    valueOf(model.mechanism, length) = roundLength(value, error, observations.lengthUnit).value;
     const Fit rounded = fitModel(observations, model, fit.columns, unknownsExceptLengths(fit));
     return explainsAsWell(observations, rounded, best) ? valueOf(model.mechanism, length) : value;
 }
@@ -54,8 +53,7 @@ Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const
     return fitModel(observations, start, best.columns, unknownsExceptLengths(best));
 }
 
-std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best, const Parameters &given,
-                                             double lengthUnit)
+std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best, const Parameters &given)
 {
     std::vector<LengthChange> changes;
     for (const Parameter length : kLengths) {
@@ -65,7 +63,7 @@ std::optional<LengthChange> findLengthChange(const Observations &observations, c
         unknowns.push_back(length);
         const Fit fit = fitModel(observations, changed, best.columns, unknowns);
         if (explainsAsWell(observations, fit, best)) {
-            changes.push_back({length, roundIfExplainedAsWell(observations, fit, length, best, lengthUnit)});
+            changes.push_back({length, roundIfExplainedAsWell(observations, fit, length, best)});
         }
     }
     return changes.size() == 1 ? std::optional(changes[0]) : std::nullopt;

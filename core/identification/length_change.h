@@ -15,10 +15,10 @@ namespace slidercrank
 Fit fitWithGivenLengths(const Observations &observations, const Fit &best, const Parameters &given);
 
 /// Returns the only length that has to be changed so that the given mechanism explains the file as well as `best` does,
-/// in the reading of `best`, with the drive and the origins fitted again. It is a round number of `lengthUnit` (mm) if
-/// that explains the file as well. Returns nullopt if no single change suffices, or if any of several lengths could be
-/// the wrong one, as all three could if the given mechanism itself explains the file.
-std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best, const Parameters &given,
-                                             double lengthUnit);
+/// in the reading of `best`, with the drive and the origins fitted again. It is a round number in the unit of the file
+/// if that explains the file as well. Returns nullopt if no single change suffices, or if any of several lengths could
+/// be the wrong one, as all three could if the given mechanism itself explains the file.
+std::optional<LengthChange> findLengthChange(const Observations &observations, const Fit &best,
+                                             const Parameters &given);
 
 } // namespace slidercrank

@@ -302,6 +302,7 @@ Observations observe(const ReferenceData &data, std::stop_token stop)
 {
     Observations observations;
     observations.stop = std::move(stop);
+    observations.lengthUnit = findLengthUnit(data);
     observations.rows = rowsWithValues(data);
     if (observations.rows.empty()) {
         return observations;

@@ -68,6 +68,7 @@ struct Observations {
     Abscissa time;           ///< zero in the middle of the file; empty in a table over the crank angle
     double timeOrigin = 0.0; ///< time of the file at which `time` is zero, s
     Abscissa angle;          ///< θ2 as in the file, without jumps
+    double lengthUnit = 1.0; ///< the unit of the lengths in the file, mm: the result of findLengthUnit()
     Indices rows;            ///< index in the file of each row
     std::vector<ObservedColumn>
         columns;          ///< without those that tell nothing; θ2 only if withDriveOfFile() has made it one

@@ -283,7 +283,7 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
         isFromFit[indexOf(length)] = true; // if only their ratios are identifiable, the fit has kept the given a or ω2
     }
     const Parameters unrounded = parametersAtTimeZero(lastFit.fit.model, lastFit.observations, findings.drive);
-    const Parameters rounded = roundedParameters(lastFit, unrounded, findings.lengthUnit);
+    const Parameters rounded = roundedParameters(lastFit, unrounded);
     result.parameters = completedByGiven(unrounded, isFromFit, given);
     result.rounded = completedByGiven(rounded, isFromFit, given);
     result.drive = describeUnevenDrive(findings.drive, unrounded);
@@ -325,7 +325,7 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
     const LastFit &lastFit = findings.lastFit;
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
-    Identification result{.parameters = given, .rounded = given, .lengthUnit = findings.lengthUnit};
+    Identification result{.parameters = given, .rounded = given, .lengthUnit = observations.lengthUnit};
     if (!fit.isFinite()) {
         result.rejection = Rejection::CannotBeAssembled;
         return result;

@@ -85,6 +85,7 @@ struct Estimate {
     std::vector<EstimatedUnknown> unknowns;
     Eigen::VectorXd values;     ///< the value of each unknown
     Eigen::MatrixXd covariance; ///< covariance of the values
+    double lengthUnit = 1.0;    ///< the unit in which lengths are rounded, mm
 
     double standardError(Index k) const
     {
@@ -99,8 +100,10 @@ struct Estimate {
 Estimate makeEstimate(const LastFit &lastFit, const Parameters &unrounded)
 {
     const Model &model = lastFit.fit.model;
-    Estimate estimate{
-        .unknowns = {}, .values = Eigen::VectorXd(lastFit.covariance.rows()), .covariance = lastFit.covariance};
+    Estimate estimate{.unknowns = {},
+                      .values = Eigen::VectorXd(lastFit.covariance.rows()),
+                      .covariance = lastFit.covariance,
+                      .lengthUnit = lastFit.observations.lengthUnit};
     for (const Unknown unknown : lastFit.fit.unknowns) {
         const Index k = std::ssize(estimate.unknowns);
         const bool isOriginOfAngle = model.followsAngle && unknown.parameter == Parameter::Theta20;
@@ -145,18 +148,19 @@ Indices notFixedUnknowns(const Estimate &estimate)
 }
 
 /// Rounds the current value of an unknown to its current standard error.
-RoundNumber roundUnknown(const Estimate &estimate, Index k, double lengthUnit)
+RoundNumber roundUnknown(const Estimate &estimate, Index k)
 {
-    return roundInUsualUnits(estimate.unknowns[k].unknown, estimate.values[k], estimate.standardError(k), lengthUnit);
+    return roundInUsualUnits(estimate.unknowns[k].unknown, estimate.values[k], estimate.standardError(k),
+                             estimate.lengthUnit);
 }
 
 /// Fixes unknowns at chosen numbers. Each that is fixed makes the others more certain, so that these may follow.
-void fixChosenNumbers(Estimate &estimate, double lengthUnit)
+void fixChosenNumbers(Estimate &estimate)
 {
     for (bool isAnyFixed = true; isAnyFixed;) {
         isAnyFixed = false;
         for (const Index k : notFixedUnknowns(estimate)) {
-            const RoundNumber number = roundUnknown(estimate, k, lengthUnit);
+            const RoundNumber number = roundUnknown(estimate, k);
             if (number.isChosen) {
                 fixUnknown(estimate, k, number.value);
                 isAnyFixed = true;
@@ -177,27 +181,27 @@ Parameters replaceByEstimate(Parameters parameters, const Estimate &estimate)
 }
 
 /// Rounds the parameters of the last fit to a fraction of their standard errors, with the origins that it has found.
-Parameters roundToErrors(const LastFit &lastFit, const Parameters &unrounded, double fraction, double lengthUnit)
+Parameters roundToErrors(const LastFit &lastFit, const Parameters &unrounded, double fraction)
 {
     Parameters rounded = unrounded;
+    Estimate estimate = makeEstimate(lastFit, unrounded);
     if (lastFit.fit.model.followsAngle) { // the drive has errors of its own
         for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20}) {
             const double error = fraction * lastFit.standardError[indexOf(parameter)];
             valueOf(rounded, parameter) =
-                roundInUsualUnits(parameter, valueOf(unrounded, parameter), error, lengthUnit).value;
+                roundInUsualUnits(parameter, valueOf(unrounded, parameter), error, estimate.lengthUnit).value;
         }
     }
-    Estimate estimate = makeEstimate(lastFit, unrounded);
     estimate.covariance *= fraction * fraction;
     for (const Index k : notFixedUnknowns(estimate)) {
         if (!estimate.unknowns[k].parameter) {
             fixUnknown(estimate, k, estimate.values[k]);
         }
     }
-    fixChosenNumbers(estimate, lengthUnit);
+    fixChosenNumbers(estimate);
     // Nobody has chosen the other numbers. Their digits below the standard errors mean nothing.
     for (const Index k : notFixedUnknowns(estimate)) {
-        fixUnknown(estimate, k, roundUnknown(estimate, k, lengthUnit).value);
+        fixUnknown(estimate, k, roundUnknown(estimate, k).value);
     }
     return replaceByEstimate(rounded, estimate);
 }
@@ -293,7 +297,7 @@ RoundNumber roundLength(double value, double standardError, double unit)
     return rounded;
 }
 
-Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded, double lengthUnit)
+Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded)
 {
     // Fractions of the standard errors, tried in this order: with larger ones, the rounded values together may change
     // the motion too much.
@@ -301,7 +305,7 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded
     const Observations &observations = lastFit.observations;
     const Fit &fit = lastFit.fit;
     for (const double fraction : kFractions) {
-        const Parameters rounded = roundToErrors(lastFit, unrounded, fraction, lengthUnit);
+        const Parameters rounded = roundToErrors(lastFit, unrounded, fraction);
         const Model model = withParameters(fit.model, rounded, observations);
         if (!findFault(rounded) &&
             areStillExplained(observations, evaluateModel(observations, model, fit.columns), fit)) {
@@ -311,7 +315,7 @@ Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded
     return unrounded;
 }
 
-void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double lengthUnit)
+void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded)
 {
     Fit &fit = lastFit.fit;
     Estimate estimate = makeEstimate(lastFit, unrounded);
@@ -319,7 +323,7 @@ void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double l
     if (std::ranges::all_of(estimate.unknowns, isParameter)) {
         return;
     }
-    fixChosenNumbers(estimate, lengthUnit);
+    fixChosenNumbers(estimate);
     Model model = withParameters(fit.model, replaceByEstimate(unrounded, estimate), lastFit.observations);
     for (Index k = 0; k < estimate.values.size(); ++k) {
         if (!estimate.unknowns[k].parameter) {

@@ -26,14 +26,13 @@ RoundNumber roundToFewestDigits(double value, double standardError, std::span<co
 RoundNumber roundLength(double value, double standardError, double unit);
 
 /// Rounds the lengths, ω2 (in rad/s, °/s or rpm) and θ20 (in ° or rad) of a last fit, as far as they explain the file
-/// as well with the origins that the fit has found. `unrounded`: the parameters without rounding. `lengthUnit`: the
-/// unit of the lengths in the file, mm.
-Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded, double lengthUnit);
+/// as well with the origins that the fit has found. `unrounded`: the parameters without rounding.
+Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded);
 
 /// If a fit has free origins, moves it to the chosen numbers of its parameters and of the origin of θ2, and to the
 /// other origins that suit them. Does nothing if these do not explain the file as well. (An origin depends on the
 /// lengths: if a coupler is 0.3 mm longer and the origin 0.3 mm farther away, the positions in the file are nearly the
 /// same.)
-void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded, double lengthUnit);
+void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded);
 
 } // namespace slidercrank
