@@ -11,10 +11,10 @@
 namespace slidercrank
 {
 
-double largestFurtherResidual(bool othersAreExact)
+double largestFurtherResidual(const Observations &observations, const Fit &fit)
 {
     constexpr double kLargestBesideExactColumns = 1e-3; // of the range: a program may compute derivatives less exactly
-    return othersAreExact ? kLargestBesideExactColumns : kLargestNoise;
+    return isExact(observations, fit) ? kLargestBesideExactColumns : kLargestNoise;
 }
 
 std::span<const double> unitFactors(Channel channel)
@@ -47,16 +47,17 @@ double bestFactor(const Observations &observations, const Model &model, Index k)
     return fitLinearly(basis, hasBoth.select(column.values, 0.0)).coefficients[0];
 }
 
-ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index k, bool othersAreExact)
+ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index k)
 {
     const ObservedColumn &column = observations.columns[k];
     const double factor = bestFactor(observations, model, k);
     Model scaled = model;
     scaled.readings[k] = {factor, 0.0};
     const Fit fitOfColumn = evaluateModel(observations, scaled, {k});
-    const bool isSmall = fitOfColumn.rms[0] < largestFurtherResidual(othersAreExact) * column.range;
     return {.factor = factor * signOfCoordinate(observations, fit, column.channel.coordinate),
-            .isExplained = fitOfColumn.isFinite() && (isSmall || isWithinRounding(observations, fitOfColumn, 0)),
+            .isExplained = fitOfColumn.isFinite() &&
+                           (isWithinRounding(observations, fitOfColumn, 0) ||
+                            fitOfColumn.rms[0] < largestFurtherResidual(observations, fit) * column.range),
             .isNearRounding = fitOfColumn.isFinite() && isNearRounding(observations, fitOfColumn, 0)};
 }
 

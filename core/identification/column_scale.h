@@ -30,9 +30,9 @@ constexpr std::array<double, 2 * count - 1> withInverses(const std::array<double
 /// The factors that correct a column of angles: 1, or a conversion if radians and degrees were confused.
 inline constexpr std::array kAngleFactors = withInverses(kAngleUnits);
 
-/// The largest residual with which a mechanism explains a further column: rms, relative to the range of the column. If
-/// the mechanism explains the other columns exactly (within rounding), the further column may have hardly any residual.
-double largestFurtherResidual(bool othersAreExact);
+/// The largest residual with which a mechanism explains a column beside those of a fit: rms, relative to the range of
+/// the column. If rounding explains all columns of the fit, the further one may have hardly any residual.
+double largestFurtherResidual(const Observations &observations, const Fit &fit);
 
 /// The possible ratios of the unit of a column of this channel to the one that its heading states; the first is 1.
 std::span<const double> unitFactors(Channel channel);
@@ -54,9 +54,8 @@ struct ColumnScale {
 };
 
 /// Compares a derivative with its prediction by `model`, which is that of the fit at the same or at a different speed
-/// of the crank. `othersAreExact`: see largestFurtherResidual().
-ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index column,
-                     bool othersAreExact);
+/// of the crank.
+ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index column);
 
 /// The usual factor, ±1 or ± a unit conversion, that is nearest to bestFactor().
 double usualFactor(const Observations &observations, const Fit &fit, Index column);

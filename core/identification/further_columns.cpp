@@ -104,9 +104,8 @@ Reason reasonOfMismatch(const Observations &observations, const Fit &fit, Index 
     return isOtherMotion ? Reason::OtherMotion : Reason::Unknown;
 }
 
-/// Adds column k to result.fit, or to result.leftOut with a reason. `isGeometryExact`: see tryToAddColumn().
-void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Index k, Drive::Kind drive,
-                   bool isGeometryExact)
+/// Adds column k to result.fit, or to result.leftOut with a reason.
+void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Index k, Drive::Kind drive)
 {
     const ObservedColumn &column = observations.columns[k];
     const Fit &fit = result.fit;
@@ -115,7 +114,7 @@ void addOrLeaveOut(FurtherColumns &result, const Observations &observations, Ind
         result.leftOut.push_back({column.channel, *reason, percent});
         return;
     }
-    if (std::optional<Fit> together = addInSimplestReading(observations, fit, k, isGeometryExact)) {
+    if (std::optional<Fit> together = addInSimplestReading(observations, fit, k)) {
         result.fit = *std::move(together);
         return;
     }
@@ -129,13 +128,12 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
                                   const Parameters &given)
 {
     const Fit geometry = drive.kind == Drive::Kind::OverTime ? withSpeedOfVelocities(observations, fit) : fit;
-    const bool isGeometryExact = isExact(observations, geometry);
     SpeedAndSize start = withSpeedAndSize(observations, geometry, drive.kind, given.omega2);
     FurtherColumns result{.fit = std::move(start.fit), .speeds = std::move(start.speeds)};
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
         for (Index k = 0; k < std::ssize(observations.columns); ++k) {
             if (observations.columns[k].channel.order == order && !result.fit.usesColumn(k)) {
-                addOrLeaveOut(result, observations, k, drive.kind, isGeometryExact);
+                addOrLeaveOut(result, observations, k, drive.kind);
             }
         }
     }

@@ -16,14 +16,14 @@ namespace
 {
 
 /// Whether the last column of a fit, which was added to the others, is explained: its residuals are rounding, or they
-/// are below two limits, that of any explained column and the one beside exact columns. `isGeometryExact`: see
-/// tryToAddColumn().
-bool isLastColumnExplained(const Observations &observations, const Fit &together, bool isGeometryExact)
+/// are below two limits, that of any explained column and largestFurtherResidual(). `others`: the fit without it.
+bool isLastColumnExplained(const Observations &observations, const Fit &together, const Fit &others)
 {
     const Index place = std::ssize(together.columns) - 1;
-    const double largestRms = largestFurtherResidual(isGeometryExact) * columnSize(observations, together, place);
     return isWithinRounding(observations, together, place) ||
-           (isExplained(observations, together, place) && together.rms.back() < largestRms);
+           (isExplained(observations, together, place) &&
+            together.rms.back() <
+                largestFurtherResidual(observations, others) * columnSize(observations, together, place));
 }
 
 /// The origin with which the prediction, multiplied by a factor, fits a column of positions best; 0 for derivatives.
@@ -77,13 +77,13 @@ bool isLastColumnGenuine(const Observations &observations, const Fit &fit)
 
 /// Fits column k together with the columns of a fit, in the simplest reading with which a mechanism explains them all:
 /// one of simpleReadings(), otherwise with a free origin. Returns nullopt if there is none.
-std::optional<Fit> tryReadings(const Observations &observations, const Fit &fit, Index k, bool isGeometryExact)
+std::optional<Fit> tryReadings(const Observations &observations, const Fit &fit, Index k)
 {
     const double factor = usualFactor(observations, fit, k);
     Model model = fit.model;
     for (const ColumnReading &reading : simpleReadings(observations, fit, k, factor)) {
         model.readings[k] = reading;
-        if (std::optional<Fit> together = tryToAddColumn(observations, fit, model, k, isGeometryExact)) {
+        if (std::optional<Fit> together = tryToAddColumn(observations, fit, model, k)) {
             return together;
         }
     }
@@ -94,7 +94,7 @@ std::optional<Fit> tryReadings(const Observations &observations, const Fit &fit,
     withOrigin.unknowns.push_back(originOf(k));
     for (const double signedFactor : {factor, -factor}) {
         model.readings[k] = {signedFactor, bestOrigin(observations, fit, k, signedFactor)};
-        if (std::optional<Fit> together = tryToAddColumn(observations, withOrigin, model, k, isGeometryExact)) {
+        if (std::optional<Fit> together = tryToAddColumn(observations, withOrigin, model, k)) {
             return together;
         }
     }
@@ -103,22 +103,21 @@ std::optional<Fit> tryReadings(const Observations &observations, const Fit &fit,
 
 } // namespace
 
-std::optional<Fit> tryToAddColumn(const Observations &observations, const Fit &fit, const Model &model, Index k,
-                                  bool isGeometryExact)
+std::optional<Fit> tryToAddColumn(const Observations &observations, const Fit &fit, const Model &model, Index k)
 {
     Indices columns = fit.columns;
     columns.push_back(k);
     Fit together = fitModel(observations, model, columns, fit.unknowns);
-    if (!together.isFinite() || !isLastColumnExplained(observations, together, isGeometryExact)) {
+    if (!together.isFinite() || !isLastColumnExplained(observations, together, fit)) {
         return std::nullopt;
     }
     const Fit others = evaluateModel(observations, together.model, fit.columns);
     return explainsAsWell(observations, others, fit) ? std::optional(std::move(together)) : std::nullopt;
 }
 
-std::optional<Fit> addInSimplestReading(const Observations &observations, const Fit &fit, Index k, bool isGeometryExact)
+std::optional<Fit> addInSimplestReading(const Observations &observations, const Fit &fit, Index k)
 {
-    std::optional<Fit> together = tryReadings(observations, fit, k, isGeometryExact);
+    std::optional<Fit> together = tryReadings(observations, fit, k);
     return together && isLastColumnGenuine(observations, *together) ? std::move(together) : std::nullopt;
 }
 

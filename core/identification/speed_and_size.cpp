@@ -56,7 +56,7 @@ double ratioOfSpeeds(double factorOfColumn, Order order, Order fittedOrder)
 /// columns of one of these orders (and of angles) has assumed a wrong speed, it predicts lengths of other orders that
 /// are off by a factor, which shows the true speed. Returns the fit together with such a column, in which the speed is
 /// free; nullopt if no mechanism explains both, or if the column only contains difference quotients of the other one.
-std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit, bool isGeometryExact)
+std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const Fit &fit)
 {
     const Order fittedOrder = orderOfLengths(observations, fit);
     Fit start = fit;
@@ -70,7 +70,7 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
             bestFactor(observations, fit.model, k) * signOfCoordinate(observations, fit, column.channel.coordinate);
         const double ratio = ratioOfSpeeds(factor, column.channel.order, fittedOrder);
         start.model = atSpeed(observations, fit, ratio * fit.model.mechanism.omega2);
-        if (std::optional<Fit> together = addInSimplestReading(observations, start, k, isGeometryExact)) {
+        if (std::optional<Fit> together = addInSimplestReading(observations, start, k)) {
             return together;
         }
     }
@@ -81,7 +81,7 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
 /// mechanism explains in a different size; the same fit if there is none. Where a table over the crank angle leaves ω2
 /// open, a derivative only shows the size at the assumed speed. `drive`: the kind of the drive; if it is Uneven,
 /// nothing predicts derivatives.
-Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::Kind drive, bool isGeometryExact)
+Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::Kind drive)
 {
     Fit start = fit;
     start.unknowns.push_back(Parameter::A);
@@ -93,7 +93,7 @@ Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::K
         }
         start.model = fit.model;
         scaleLengths(start.model.mechanism, std::abs(bestFactor(observations, fit.model, k)));
-        if (std::optional<Fit> together = addInSimplestReading(observations, start, k, isGeometryExact)) {
+        if (std::optional<Fit> together = addInSimplestReading(observations, start, k)) {
             return *std::move(together);
         }
     }
@@ -135,18 +135,17 @@ Model atSpeed(const Observations &observations, const Fit &fit, double omega2)
 SpeedAndSize withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
                               double givenSpeed)
 {
-    const bool isGeometryExact = isExact(observations, geometry);
     SpeedAndSize result{.fit = geometry};
     Fit &fit = result.fit;
     if (drive == Drive::Kind::OverAngle) {
         addSpeedOfTable(result, observations, givenSpeed);
     }
     if (observations.containOnlyAngles(fit.columns) && result.speeds.size() < 2) {
-        fit = withSizeOfLengths(observations, fit, drive, isGeometryExact);
+        fit = withSizeOfLengths(observations, fit, drive);
     }
     const bool isSpeedOpen = drive == Drive::Kind::OverAngle && !fit.isFree(Parameter::Omega2);
     if (isSpeedOpen && showOnlyProductWithSpeed(observations, fit.columns)) {
-        fit = withSpeedOfTwoOrders(observations, fit, isGeometryExact).value_or(fit);
+        fit = withSpeedOfTwoOrders(observations, fit).value_or(fit);
     }
     return result;
 }

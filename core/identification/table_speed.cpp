@@ -61,7 +61,7 @@ bool contradictsUnit(const ObservedColumn &column, const Model &model, double un
 /// The scale of a derivative at 1 rad/s by a mechanism that is fitted to it together with the columns of the fit;
 /// nullopt if no mechanism explains them all. `start`: the scale by the fit alone, with which the search starts.
 std::optional<ColumnScale> scaleOfJointFit(const Observations &observations, const Fit &fit, Index k,
-                                           const ColumnScale &start, bool areExact)
+                                           const ColumnScale &start)
 {
     // The scale of a velocity is ω2, and that of an acceleration ±ω2².
     const Channel channel = observations.columns[k].channel;
@@ -72,7 +72,7 @@ std::optional<ColumnScale> scaleOfJointFit(const Observations &observations, con
     model.mechanism.omega2 = isVelocity ? start.factor : std::sqrt(std::abs(start.factor));
     model.readings[k] = {sign * signOfCoordinate(observations, fit, channel.coordinate), 0.0};
     withSpeed.unknowns.push_back(Parameter::Omega2);
-    const std::optional<Fit> together = tryToAddColumn(observations, withSpeed, model, k, areExact);
+    const std::optional<Fit> together = tryToAddColumn(observations, withSpeed, model, k);
     if (!together) {
         return std::nullopt;
     }
@@ -84,12 +84,12 @@ std::optional<ColumnScale> scaleOfJointFit(const Observations &observations, con
 
 /// The scale of a derivative at 1 rad/s. If the mechanism of the fit does not explain the derivative, its positions may
 /// have been rounded too coarsely to determine it; then the scale is that of scaleOfJointFit(), if there is one.
-ColumnScale scaleOfDerivative(const Observations &observations, const Fit &fit, Index k, bool areExact)
+ColumnScale scaleOfDerivative(const Observations &observations, const Fit &fit, Index k)
 {
     Model atUnitSpeed = fit.model;
     atUnitSpeed.mechanism.omega2 = 1.0;
-    const ColumnScale scale = fitScale(observations, fit, atUnitSpeed, k, areExact);
-    return scale.isExplained ? scale : scaleOfJointFit(observations, fit, k, scale, areExact).value_or(scale);
+    const ColumnScale scale = fitScale(observations, fit, atUnitSpeed, k);
+    return scale.isExplained ? scale : scaleOfJointFit(observations, fit, k, scale).value_or(scale);
 }
 
 /// The votes of a derivative, one for each of unitFactors(); those that do not contradict its unit come first. `scale`:
@@ -116,7 +116,6 @@ std::vector<Vote> votesOfColumn(const ObservedColumn &column, Index k, const Mod
 /// low.
 std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
 {
-    const bool areExact = isExact(observations, fit);
     const bool isSizeOpen = observations.containOnlyAngles(fit.columns);
     std::vector<Vote> votes;
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
@@ -125,7 +124,7 @@ std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
         if (fit.usesColumn(k) || !mayVote) {
             continue;
         }
-        const ColumnScale scale = scaleOfDerivative(observations, fit, k, areExact);
+        const ColumnScale scale = scaleOfDerivative(observations, fit, k);
         if (scale.isExplained) {
             std::ranges::copy(votesOfColumn(column, k, fit.model, scale), std::back_inserter(votes));
         }
@@ -211,14 +210,13 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
 
 Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
 {
-    const bool areExact = isExact(observations, fit);
     for (Index k = 0; k < std::ssize(observations.columns); ++k) {
         const Channel channel = observations.columns[k].channel;
         const bool isOfSliderOrCoupler = channel.coordinate == R4x || channel.coordinate == Theta3;
         if (fit.usesColumn(k) || channel.order != Order::Velocity || !isOfSliderOrCoupler) {
             continue;
         }
-        const ColumnScale scale = fitScale(observations, fit, fit.model, k, areExact);
+        const ColumnScale scale = fitScale(observations, fit, fit.model, k);
         const auto isScale = [&](double unit) { return haveSameMagnitude(scale.factor, unit); };
         // A wrong unit is likelier than a different speed.
         const bool isInOtherUnit = std::ranges::any_of(unitFactors(channel), isScale);
