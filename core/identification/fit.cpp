@@ -206,9 +206,9 @@ double valueOf(const Model &model, Unknown unknown)
 double parameterSize(Parameter parameter, const Parameters &parameters)
 {
     switch (parameter) {
-    case Parameter::A:
-    case Parameter::B:
-    case Parameter::C: return characteristicLength(parameters);
+    case Parameter::A: return parameters.a;
+    case Parameter::B: return parameters.b;
+    case Parameter::C: return std::max(parameters.a, std::abs(parameters.c));
     case Parameter::Omega2: return std::abs(parameters.omega2);
     case Parameter::Theta20: break;
     }

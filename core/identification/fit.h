@@ -65,7 +65,8 @@ inline constexpr double kOriginTolerance = 1e-6;
 
 inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
 
-/// The size with which an error of a parameter is compared: a + b + |c| (mm) for lengths, |ω2| (rad/s), or a radian.
+/// The size with which an error of a parameter is compared, in mm, rad and s: the parameter itself, but at least the
+/// crank for an offset, and a radian for an angle.
 double parameterSize(Parameter parameter, const Parameters &parameters);
 
 /// A fitted model. Where a function has a parameter `place`, it is about the column fit.columns[place] and its

@@ -73,20 +73,6 @@ double maxRelativeError(Parameter parameter, bool areResidualsSystematic)
     return parameter == Parameter::A ? kMaxErrorOfCrank : kMaxError;
 }
 
-/// The size with which the error of a parameter is compared, in mm, rad and s. An offset is compared at least with the
-/// crank, and an angle with 1 rad.
-double comparedSize(Parameter parameter, const Parameters &mechanism)
-{
-    switch (parameter) {
-    case Parameter::A: return mechanism.a;
-    case Parameter::B: return mechanism.b;
-    case Parameter::C: return std::max(mechanism.a, std::abs(mechanism.c));
-    case Parameter::Omega2: return std::abs(mechanism.omega2);
-    case Parameter::Theta20: break;
-    }
-    return 1.0;
-}
-
 /// Whether all columns of the fit are those of one coordinate, such as R4_x and its derivatives.
 bool hasOneCoordinate(const LastFit &lastFit)
 {
@@ -127,7 +113,7 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
     for (const Unknown unknown : fit.unknowns) {
         if (const std::optional<Parameter> parameter = unknown.parameter) {
             const std::size_t i = indexOf(*parameter);
-            const double size = comparedSize(*parameter, m);
+            const double size = parameterSize(*parameter, m);
             const bool isCouplerOrOffset = parameter == Parameter::B || parameter == Parameter::C;
             open[i] = isEverythingOpen || (isCouplerOpen && isCouplerOrOffset) ||
                       changes[i] > kMaxChangeByRipple * size ||
