@@ -116,9 +116,8 @@ struct CrossingCount {
     /// true need be tried.
     bool isReliable() const
     {
-        constexpr double kMinReliablePairs = 25.0; // fewer pairs exclude hardly any speed
-        constexpr double kFullCoverage = 0.95;     // with less coverage, gaps hide crossings
-        return pairs >= kMinReliablePairs && coverage >= kFullCoverage && !mayMissCrossings();
+        constexpr double kFullCoverage = 0.95; // with less coverage, gaps hide crossings
+        return coverage >= kFullCoverage && !mayMissCrossings();
     }
 };
 
