@@ -38,9 +38,10 @@ LinearFit fitPowers(const Observations &observations, const Values &angles, Inde
 /// row, and not, in large part, a curve that a polynomial with two more terms describes.
 bool areNoise(const Values &residuals, const Observations &observations, const Values &angles, Index terms)
 {
-    constexpr double kMaxNoise = 0.1;         // rad (6°): larger deviations are not those of a sensor
-    constexpr double kMinFraction = 0.5;      // of the sum of squares remains: of a curve, two more terms leave less
-    constexpr double kMinProbability = 0.001; // that noise in few rows resembles a curve by as much
+    constexpr double kMaxNoise = 0.1; // rad (6°): larger deviations are not those of a sensor
+    // Two more terms leave at least this fraction of the sum of squares of noise. Of a curve, they leave less.
+    constexpr double kMinFraction = 0.5;
+    constexpr double kMinProbability = 0.001; // that noise in few rows looks like a curve by chance
     if (residuals.abs().maxCoeff() > kMaxNoise || !changeSignLikeNoise(residuals) || !differLikeNoise(residuals)) {
         return false;
     }

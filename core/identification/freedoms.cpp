@@ -66,8 +66,8 @@ bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 }
 
 /// Whether an origin is so close to its usual value that a filter or an interpolation may have shifted the curve by as
-/// much. (Their residuals are not always recognized as systematic; without this, a coarse run that was interpolated
-/// linearly has an origin that nobody has chosen.)
+/// much. (The residuals of these are not always recognized as systematic. A coarse simulation that was interpolated
+/// linearly would otherwise get an origin that nobody has chosen.)
 bool isSmallOrigin(const Observations &observations, const Model &model, Unknown unknown, double usual)
 {
     constexpr double kMaxOriginFraction = 0.02;           // of the range of the column

@@ -45,8 +45,9 @@ ExtendedImage extendImage(ObservedFit geometry, const Model &image, const Parame
     return {.observed = std::move(observed), .drive = drive, .further = std::move(further)};
 }
 
-/// Extends the mirror image with the simplest reading, or the next one that explains more columns: the same angles are
-/// those of both assemblies, whose other motions differ.
+/// Extends the mirror image with the simplest reading. If the geometry was found from angles alone and this image
+/// leaves columns out, extends the others as well, and returns the one that leaves out the fewest: both assemblies have
+/// the same angles, but different motions of the slider.
 ExtendedImage extendBestImage(const ObservedFit &geometry, const Parameters &given)
 {
     const std::vector<Model> images = rankMirrorImages(geometry.searched, geometry.fit, given);

@@ -167,6 +167,38 @@ Support countSupport(const Vote &candidate, const std::vector<Vote> &votes)
     return support;
 }
 
+/// The speed that has the magnitude of the given one, with the sign of the given one; nullopt if there is none among
+/// those with the most votes. A wrong unit is likelier than a different speed, unless that is ten times as high or low:
+/// 60 rpm and 600 rpm are both usual. If such a speed has the best rank, the given one needs the best rank, too. (With
+/// the opposite sense of the crank, the velocities are counted in the opposite direction, which is reported then.)
+std::optional<double> findGivenSpeed(const std::vector<Support> &supports, std::pair<int, int> bestRank,
+                                     double givenSpeed)
+{
+    const bool isTenTimesGiven = std::ranges::any_of(supports, [&](const Support &support) {
+        return support.rank() == bestRank && haveRatioOfTen(support.speed, givenSpeed);
+    });
+    for (const Support &support : supports) {
+        const bool mayBeGiven = isTenTimesGiven ? support.rank() == bestRank : support.columns == bestRank.first;
+        if (mayBeGiven && isGivenSpeed(support.speed, givenSpeed)) {
+            return std::copysign(support.speed, givenSpeed);
+        }
+    }
+    return std::nullopt;
+}
+
+/// The speeds with the best rank: each magnitude once, although several columns vote for it.
+std::vector<double> findBestSpeeds(const std::vector<Support> &supports, std::pair<int, int> bestRank)
+{
+    std::vector<double> speeds;
+    for (const Support &support : supports) {
+        const auto isSame = [&](double speed) { return haveSameMagnitude(speed, support.speed); };
+        if (support.rank() == bestRank && std::ranges::none_of(speeds, isSame)) {
+            speeds.push_back(support.speed);
+        }
+    }
+    return speeds;
+}
+
 } // namespace
 
 std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed)
@@ -179,25 +211,10 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
     std::ranges::transform(votes, std::back_inserter(supports),
                            [&](const Vote &vote) { return countSupport(vote, votes); });
     const auto bestRank = std::ranges::max(supports, {}, &Support::rank).rank();
-    // A wrong unit is likelier than a different speed, unless that is ten times as high or low: 60 rpm and 600 rpm are
-    // both usual. With the opposite sense of the crank, the velocities are counted in the opposite direction, which is
-    // reported then.
-    const bool isTenTimesGiven = std::ranges::any_of(supports, [&](const Support &support) {
-        return support.rank() == bestRank && haveRatioOfTen(support.speed, givenSpeed);
-    });
-    for (const Support &support : supports) {
-        const bool mayBeGiven = isTenTimesGiven ? support.rank() == bestRank : support.columns == bestRank.first;
-        if (mayBeGiven && isGivenSpeed(support.speed, givenSpeed)) {
-            return {std::copysign(support.speed, givenSpeed)};
-        }
+    if (const std::optional<double> speed = findGivenSpeed(supports, bestRank, givenSpeed)) {
+        return {*speed};
     }
-    std::vector<double> bestSpeeds; // each magnitude once, although several columns vote for it
-    for (const Support &support : supports) {
-        const auto isSame = [&](double speed) { return haveSameMagnitude(speed, support.speed); };
-        if (support.rank() == bestRank && std::ranges::none_of(bestSpeeds, isSame)) {
-            bestSpeeds.push_back(support.speed);
-        }
-    }
+    std::vector<double> bestSpeeds = findBestSpeeds(supports, bestRank);
     // A tenth of the given speed: the values of a single velocity may be in cm/s under a heading that says mm/s.
     const Vote &vote = votes.front();
     const bool isVelocityOfLength = vote.isVelocity && !observations.columns[vote.column].containsAngles();

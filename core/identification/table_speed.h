@@ -11,14 +11,16 @@ namespace slidercrank
 {
 
 /// In a table over the crank angle, a derivative of order n is the derivative by the angle times ω2ⁿ times a unit.
-/// Every derivative that the fit does not use, and the mechanism explains up to a constant factor, votes for the speeds
-/// that follow from this factor in each unit; only those with residuals as small as rounding if there are such. Returns
-/// the speeds (rad/s) with the most votes; among these, those that contradict the fewest units. (A unit is contradicted
-/// if the file states a different one; if it states none and the column contains lengths that are not in mm; and if it
-/// states none, θ2 is in radians, and the rate of an angle is not.) These are several if the units do not determine the
-/// speed, and none if no derivative votes. If one of the speeds with the most votes has the magnitude of the given
-/// speed, returns only this one, with the sign of the given speed; but not if it contradicts more units than a speed
-/// ten times as high or low.
+/// Returns the speeds (rad/s) that the derivatives show: several if their units leave several open, none if no
+/// derivative shows one.
+///   1. Each derivative that the fit does not use, and the mechanism explains up to a factor, votes for the speeds that
+///      follow from this factor, one for each unit. If the residuals of some derivatives are as small as rounding, only
+///      these vote.
+///   2. A vote contradicts the unit of its column if the file states a different one. If it states none, lengths are
+///      expected in mm, and rates of angles in radians if θ2 is in radians.
+///   3. The speeds with the most votes are returned, and among these those that contradict the fewest units.
+///   4. If one of the speeds with the most votes has the magnitude of the given speed, it is returned alone, with the
+///      sign of the given speed; but not if it contradicts more units than a speed ten times as high or low.
 std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed);
 
 /// In a file over the time with few rows per turn, different speeds give the same positions. Returns the fit with the
