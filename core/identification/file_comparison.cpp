@@ -200,18 +200,6 @@ std::vector<ChannelComparison> compareWithMechanismFound(const Identification &r
     return allAgree(rounded) ? rounded : exact;
 }
 
-/// The largest minus the smallest value of a column.
-double rangeOf(const ReferenceSeries &series)
-{
-    ValueRange range;
-    for (const double value : series.values) {
-        if (std::isfinite(value)) {
-            range.include(value);
-        }
-    }
-    return range.width();
-}
-
 /// Replaces the residuals of the columns as they are in the file by those after the conventions are applied. Their
 /// percentages of the range remain, because a column and its range are converted by the same factor; but those of a fit
 /// by the approximate formula are replaced by those of the exact motion.
@@ -223,7 +211,8 @@ void takeResidualsFromComparison(Identification &result, const ReferenceData &co
             residual->rms = channel.rms.value_or(0.0);
             residual->max = channel.maxAbs.value_or(0.0);
             if (fitted.isApproximateFormula && channel.channel.coordinate == R4x) {
-                residual->percentOfRange = 100.0 * residual->max / rangeOf(*corrected.find(channel.channel));
+                residual->percentOfRange =
+                    100.0 * residual->max / rangeOf(corrected.find(channel.channel)->values).width();
             }
         }
     }

@@ -305,14 +305,11 @@ Fit fitModel(const Observations &observations, Model start, Indices columns, Unk
 bool isShortArc(const Observations &observations, const Model &model)
 {
     constexpr double kWholeTurn = 0.9 * kTurn; // rows every 30° may end at 330°
-    double least = kInfinity;
-    double greatest = -kInfinity;
+    ValueRange angles;
     for (Index row = 0; row < observations.size(); ++row) {
-        const double angle = model.crankAngle(observations, row);
-        least = std::min(least, angle);
-        greatest = std::max(greatest, angle);
+        angles.include(model.crankAngle(observations, row));
     }
-    return greatest - least < kWholeTurn;
+    return angles.width() < kWholeTurn;
 }
 
 double dependence(const Fit &fit)
