@@ -69,6 +69,9 @@ inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
 /// crank for an offset, and a radian for an angle.
 double parameterSize(Parameter parameter, const Parameters &parameters);
 
+/// Errors of a fitted parameter by the arithmetic, relative to its size.
+inline constexpr double kFitArithmetic = 1e-13;
+
 /// A fitted model. Where a function has a parameter `place`, it is about the column fit.columns[place] and its
 /// residuals fit.residuals.col(place); a parameter `k` is the index of a column of the observations.
 struct Fit {

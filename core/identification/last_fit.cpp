@@ -166,6 +166,11 @@ Parameters parametersAtTimeZero(const Model &model, const Observations &observat
         parameters.omega2 += model.alpha2 * t;
     }
     parameters.theta20 = -wrapToPi(-parameters.theta20); // -π becomes π
+    for (const Parameter parameter : kAllParameters) {
+        double &value = valueOf(parameters, parameter);
+        const bool isZero = std::abs(value) <= kFitArithmetic * parameterSize(parameter, parameters);
+        value = isZero ? 0.0 : value;
+    }
     return parameters;
 }
 

@@ -38,9 +38,9 @@ void scaleErrors(LastFit &lastFit, Parameter parameter, double factor);
 LastFit fitAllRows(Observations observations, const Fit &start, const ParameterErrors &possibleErrors,
                    const Drive &drive);
 
-/// The parameters at t = 0 of the file, with θ20 in (-π, π]. With a run-up, θ20 and ω2 follow from `drive`; with an
-/// uneven speed, ω2 is its mean. If the model follows the angle in the file without a run-up, θ20 is the origin of that
-/// angle.
+/// The parameters at t = 0 of the file, with θ20 in (-π, π]; an error of the arithmetic is 0. With a run-up, θ20 and ω2
+/// follow from `drive`; with an uneven speed, ω2 is its mean. If the model follows the angle in the file without a
+/// run-up, θ20 is the origin of that angle.
 Parameters parametersAtTimeZero(const Model &model, const Observations &observations, const Drive &drive);
 
 } // namespace slidercrank

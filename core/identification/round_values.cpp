@@ -89,8 +89,7 @@ struct Estimate {
 
     double standardError(Index k) const
     {
-        constexpr double kAccuracy = 1e-13; // of the computation, relative to the size
-        return std::max(std::sqrt(std::max(covariance(k, k), 0.0)), kAccuracy * unknowns[k].size);
+        return std::max(std::sqrt(std::max(covariance(k, k), 0.0)), kFitArithmetic * unknowns[k].size);
     }
 };
 

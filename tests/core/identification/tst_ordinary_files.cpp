@@ -284,6 +284,28 @@ private slots:
         QVERIFY(found.conventions.empty());
     }
 
+    /// A former defect: beside exact positions and velocities by the approximate formula, c was 2·10⁻¹⁴ mm.
+    void statesNoErrorOfTheArithmeticAsAnOffset()
+    {
+        constexpr double kCrank = 90.0;
+        constexpr double kRod = 337.5;
+        std::string text = "theta2 [deg],x [mm],v [mm/s]\n";
+        for (int degrees = 0; degrees <= 360; degrees += 10) {
+            const double angle = degrees * kDegree;
+            const double velocity =
+                -kCrank * kTurnPerSecond * (std::sin(angle) + kCrank / (2.0 * kRod) * std::sin(2.0 * angle));
+            std::array<char, 80> line{};
+            std::snprintf(line.data(), line.size(), "%d,%.2f,%.1f\n", degrees, sliderPosition(kCrank, kRod, 0.0, angle),
+                          velocity);
+            text += line.data();
+        }
+        const Identification found =
+            identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(Parameters()));
+        QCOMPARE(found.outcome, Outcome::Approximate);
+        QVERIFY(found.hasSystematicResiduals); // so that no standard error tells how far the offset may be from zero
+        QVERIFY(found.parameters.c == 0.0);
+    }
+
     /// A former defect: a tenth of the given speed was found in velocities in cm/s under a heading that says mm/s.
     void doubtsATenthOfTheGivenSpeed()
     {
