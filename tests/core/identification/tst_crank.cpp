@@ -69,7 +69,8 @@ Observations withRepeatedQuotients(bool isCentral)
         }
         return result;
     };
-    const std::vector<double> acceleration = quotients(quotients(position));
+    const std::vector<double> velocity = quotients(position);
+    const std::vector<double> acceleration = quotients(velocity);
     for (std::size_t i = 0; i < acceleration.size(); ++i) {
         valuesOf(data, {R4x, Order::Acceleration})[i] = 0.01 * std::rint(100.0 * acceleration[i]);
     }

@@ -401,7 +401,7 @@ private slots:
         QVERIFY(!isExplained());
         shown.session.pinMotion();
         shown.session.setParameter(Parameter::B, 80.0);
-        QTRY_VERIFY(isExplained());
+        AWAIT(isExplained());
     }
 
     void theDesignFormFitsBesideTheMechanism()
