@@ -329,8 +329,8 @@ bool isBy(const Words &words, std::size_t at)
 /// 1 if only the first one may be.
 std::size_t sizeOfPhrase(const Words &words, std::size_t at, Entries entries)
 {
-    constexpr std::size_t kMostWords = 3;
-    for (std::size_t size = kMostWords; size > 1; --size) {
+    constexpr std::size_t kMaxWords = 3;
+    for (std::size_t size = kMaxWords; size > 1; --size) {
         const std::string phrase = phraseAt(words, at, size);
         if (findWord(phrase, WordUse::Word) || findWord(phrase, WordUse::Filler) ||
             (entries == Entries::All && findWord(phrase, WordUse::Symbol))) {

@@ -49,8 +49,8 @@ const WordMeaning *findWord(std::string_view word, WordUse use);
 /// after a small one begins a word: "SliderPosition". Dots above a letter become primes: "ẍ" is x, ', '.
 std::vector<std::string> wordsOf(std::string_view name);
 
-/// Returns so many words from `at` on as the vocabulary joins them: "double_dot", "pie_de_biela". Empty if there are
-/// fewer.
+/// Returns `size` words from `at` on, joined as in the vocabulary: "double_dot", "pie_de_biela". Returns an empty text
+/// if there are fewer.
 std::string phraseAt(const std::vector<std::string> &words, std::size_t at, std::size_t size);
 
 bool isDigits(std::string_view word);
