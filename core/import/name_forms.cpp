@@ -96,9 +96,10 @@ int takeCalls(std::string_view &name, const std::optional<Unit> &unit)
         while (mayBeDerivative && lowered(name.substr(0, function.size())) == function && name.ends_with(')')) {
             name = name.substr(function.size(), name.size() - function.size() - 1);
             const std::size_t comma = findOuterComma(name);
+            // ", t", ", t, t", ", (t, 2)", or nothing: the second derivative has t twice, or a 2.
             const std::string_view variables = name.substr(std::min(comma, name.size()));
-            const auto times = static_cast<int>(std::ranges::count(variables, 't'));
-            count += variables.find('2') != variables.npos ? 2 : std::max(times, 1);
+            const auto variableCount = static_cast<int>(std::ranges::count(variables, 't'));
+            count += variables.find('2') != variables.npos ? 2 : std::max(variableCount, 1);
             name = name.substr(0, comma);
         }
     }
