@@ -157,7 +157,7 @@ private slots:
         int coldStarts = 0;
         for (const double gap : {1e-1, 1e-2, 1e-3}) {
             for (const int steps : {2, 3, 4, 5, 8, 15, 47}) {
-                for (int kind = 0; kind < 48; ++kind) {
+                for (int kind = 0; kind < numericRuns(48, 48); ++kind) {
                     const double c = 25.0 * (kind % 3 - 1);
                     const Parameters p{20.0,
                                        (20.0 + std::abs(c)) * (1.0 + gap),
@@ -252,12 +252,13 @@ private slots:
     {
         std::vector<NewtonOptions> combinations = optionCombinations(10, 1e-8);
         std::ranges::copy(optionCombinations(50, 0.0), std::back_inserter(combinations));
-        for (const Case &namedCase : allCases()) {
-            const Parameters &p = namedCase.parameters;
+        const std::vector<Case> cases = allCases();
+        for (std::size_t i = 0; i < cases.size(); i += kIsSanitized ? 8 : 1) { // as numericRuns()
+            const Parameters &p = cases[i].parameters;
             const double reach = characteristicLength(p);
             for (const NewtonOptions &options : combinations) {
                 const bool isRelative = options.toleranceKind == ToleranceKind::Relative;
-                for (const NewtonTimeStep &timeStep : solveInTurn(p, timeStampsOf(namedCase), options)) {
+                for (const NewtonTimeStep &timeStep : solveInTurn(p, timeStampsOf(cases[i]), options)) {
                     if (timeStep.positionStatus != Status::Solved) {
                         continue;
                     }
