@@ -17,7 +17,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kDigits = 3;
+constexpr int kResultDigits = 3;
 constexpr int kSpreadDigits = 2;
 constexpr double kSmallestDrawnError = 1e-17; // errors below this, including 0, are drawn here
 
@@ -107,13 +107,14 @@ public:
     {
         QStringList lines{nameOfRow(row), tr(textOf(row).explanation),
                           tr("%1 ns per time step (± %2), %3 channels")
-                              .arg(shortNumber(row.nsPerState, kDigits), shortNumber(0.5 * row.spread, kSpreadDigits),
-                                   QString::number(row.channels)),
-                          row.maxError ? tr("Largest error: %1 of the peak").arg(shortNumber(*row.maxError, kDigits))
-                                       : tr("No time step is solved")};
+                              .arg(shortNumber(row.nsPerState, kResultDigits),
+                                   shortNumber(0.5 * row.spread, kSpreadDigits), QString::number(row.channels)),
+                          row.maxError
+                              ? tr("Largest error: %1 of the peak").arg(shortNumber(*row.maxError, kResultDigits))
+                              : tr("No time step is solved")};
         if (row.errorBound) {
             lines << tr("Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cause an error of %1")
-                         .arg(shortNumber(*row.errorBound, kDigits));
+                         .arg(shortNumber(*row.errorBound, kResultDigits));
         }
         return lines.join(u'\n');
     }
@@ -121,12 +122,12 @@ public:
     static TableRow rowOf(const MethodResult &method)
     {
         const auto cell = [](std::optional<double> value) {
-            return TableCell{.text = shortNumber(value, kDigits), .number = value};
+            return TableCell{.text = shortNumber(value, kResultDigits), .number = value};
         };
         return {
             {{.text = nameOfRow(method), .tone = textOf(method).tone},
              {.text = QString::number(method.channels), .number = method.channels},
-             {.text = numberText(method.tolerance, kDigits), .number = method.tolerance},
+             {.text = numberText(method.tolerance, kResultDigits), .number = method.tolerance},
              cell(method.nsPerState),
              cell(method.maxError),
              cell(method.iterationsPerState),

@@ -21,18 +21,18 @@ struct LengthUnitRow {
     UnitDescription unit;
 };
 
-constexpr LengthUnitRow kLengthUnits[] = {{LengthUnit::Millimetre, {"mm", 1.0}},
-                                          {LengthUnit::Centimetre, {"cm", 1.0 / 10.0}},
-                                          {LengthUnit::Metre, {"m", 1.0 / 1000.0}},
-                                          {LengthUnit::Inch, {"in", 1.0 / 25.4}}};
-static_assert(isCompleteTable(kLengthUnits, LengthUnit::Inch));
+constexpr LengthUnitRow kLengthUnitRows[] = {{LengthUnit::Millimetre, {"mm", 1.0}},
+                                             {LengthUnit::Centimetre, {"cm", 1.0 / 10.0}},
+                                             {LengthUnit::Metre, {"m", 1.0 / 1000.0}},
+                                             {LengthUnit::Inch, {"in", 1.0 / 25.4}}};
+static_assert(isCompleteTable(kLengthUnitRows, LengthUnit::Inch));
 
 constexpr UnitDescription kDegreeUnit{"°", 1.0};
 constexpr UnitDescription kRadianUnit{"rad", 1.0 / kDegreesPerRadian};
 
 const UnitDescription &lengthUnit(const Units &units)
 {
-    return rowOf(kLengthUnits, units.length).unit;
+    return rowOf(kLengthUnitRows, units.length).unit;
 }
 
 /// Returns whether an angle or its derivative is in radians, per s or s².
@@ -63,7 +63,7 @@ QString baseUnit(Measure measure, const Units &units)
 LengthUnit lengthUnitOf(double millimetres)
 {
     constexpr double kTolerance = 1e-9; // relative rounding error of a computed factor
-    for (const auto &[unit, description] : kLengthUnits) {
+    for (const auto &[unit, description] : kLengthUnitRows) {
         if (std::abs(millimetres * description.perDefault - 1.0) < kTolerance) {
             return unit;
         }
