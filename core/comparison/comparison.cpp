@@ -252,8 +252,8 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
     double largest = 0.0;
     for (std::size_t i = 0; i < reference.time.size(); ++i) {
         const double time = reference.time[i];
-        const double step = clock.even ? clock.printedStep : reference.timeRounding.stepAt(time);
-        const double half = 0.5 * std::max(clock.rounded ? step : 0.0, kUlpSlack * std::abs(time));
+        const double step = clock.isEven ? clock.printedStep : reference.timeRounding.stepAt(time);
+        const double half = 0.5 * std::max(clock.isRoundedGrid ? step : 0.0, kUlpSlack * std::abs(time));
         early[i] -= half;
         late[i] += half;
         largest = std::max(largest, half);
@@ -284,12 +284,12 @@ void compareWithRoundedClock(std::vector<ChannelComparison> &channels, Clock clo
         // The assumption lowers the excess by kExcessOfCloseness at most, and a close column may have as much.
         const bool isTooFarOff = channel.excess > 2.0 * kExcessOfCloseness;
         return !isTooFarOff &&
-               (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.even));
+               (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.isEven));
     };
-    if (clock.rounded || std::ranges::none_of(channels, canImprove)) {
+    if (clock.isRoundedGrid || std::ranges::none_of(channels, canImprove)) {
         return;
     }
-    clock.rounded = true;
+    clock.isRoundedGrid = true;
     std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(compared.mechanism, reference, clock);
     if (!effect) {
         return;
@@ -302,8 +302,8 @@ void compareWithRoundedClock(std::vector<ChannelComparison> &channels, Clock clo
         const ChannelComparison again = compareSeries(compared, reference, reference.series[i], &*effect);
         if (again.verdict != Verdict::Differs) {
             channels[i] = again;
-            channels[i].clockIsRounded = clock.even;
-            channels[i].verdict = clock.even ? Verdict::Close : again.verdict;
+            channels[i].clockIsRounded = clock.isEven;
+            channels[i].verdict = clock.isEven ? Verdict::Close : again.verdict;
         }
     });
 }
@@ -329,10 +329,10 @@ void findRoundedTime(std::vector<ChannelComparison> &channels, const Mechanism &
 {
     const auto differs = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; };
     Clock clock = clockOf(reference.time, reference.timeRounding);
-    if (clock.even || clock.rounded || std::ranges::none_of(channels, differs)) {
+    if (clock.isEven || clock.isRoundedGrid || std::ranges::none_of(channels, differs)) {
         return;
     }
-    clock.rounded = true;
+    clock.isRoundedGrid = true;
     const std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock);
     for (std::size_t i = 0; effect && i < channels.size(); ++i) {
         if (differs(channels[i])) {

@@ -184,7 +184,7 @@ Abscissa readAbscissa(const std::vector<double> &stamps, const Rounding &roundin
 {
     const Clock clock = clockOf(stamps, rounding);
     const Values printed = Eigen::Map<const Values>(stamps.data(), std::ssize(stamps));
-    if (!clock.rounded) {
+    if (!clock.isRoundedGrid) {
         return {.values = printed(rows), .halfStep = 0.5 * clock.step()};
     }
     const auto halfStep = [&](double stamp) { return 0.5 * rounding.stepAt(stamp); };

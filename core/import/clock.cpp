@@ -14,7 +14,7 @@ namespace slidercrank
 namespace
 {
 
-/// The numbers 0, 1, 2, … of time stamps without gaps.
+/// Returns the numbers 0, 1, 2, … of time stamps without gaps.
 std::vector<double> numbersWithoutGaps(std::size_t count)
 {
     std::vector<double> numbers(count);
@@ -22,8 +22,8 @@ std::vector<double> numbersWithoutGaps(std::size_t count)
     return numbers;
 }
 
-/// The number of each time stamp on a grid with a spacing of the lower quartile of the differences, from 0. Some time
-/// stamps of the grid may be missing. Returns nothing unless most neighbours are one spacing apart.
+/// Returns the number of each time stamp on a grid whose spacing is the lower quartile of the differences, from 0. Some
+/// time stamps of the grid may be missing. Returns nothing unless most neighbours are one spacing apart.
 std::vector<double> numbersWithGaps(std::span<const double> time)
 {
     constexpr double kMaxGapFraction = 0.5; // of all differences: chosen time stamps also have a common divisor
@@ -75,9 +75,9 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
     const bool isRatherRounded = missing > kMaxMissingFraction * static_cast<double>(time.size()) &&
                                  time.size() >= kMinTimeStamps &&
                                  isStraight(time, numbersWithoutGaps(time.size()), clock.printedStep);
-    clock.even = time.size() == 1 || (mayBeGrid && spacing.width() <= slack && !isRatherRounded);
-    clock.printedStep = clock.even ? rounding.finestStep() : clock.printedStep;
-    if (clock.even || time.size() < kMinTimeStamps) {
+    clock.isEven = time.size() == 1 || (mayBeGrid && spacing.width() <= slack && !isRatherRounded);
+    clock.printedStep = clock.isEven ? rounding.finestStep() : clock.printedStep;
+    if (clock.isEven || time.size() < kMinTimeStamps) {
         return clock;
     }
     // If the rounding step is not much smaller than the spacing (0.02, 0.05, 0.07 for 0.025, 0.05, 0.075), the
@@ -85,7 +85,7 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
     for (std::vector<double> grid : {numbersWithoutGaps(time.size()), numbers}) {
         // Each time stamp may be off by half a step, and so may the first and the last, which determine the spacing.
         if (!grid.empty() && isStraight(time, grid, clock.printedStep)) {
-            clock.rounded = true;
+            clock.isRoundedGrid = true;
             clock.gridNumbers = std::move(grid);
             break;
         }

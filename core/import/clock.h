@@ -17,19 +17,26 @@
 namespace slidercrank
 {
 
+/// The precision of time stamps.
 struct Clock {
     /// Largest rounding step of the time stamps, s; that of the last printed digit if they are evenly spaced, because
     /// their digits do not show the rounding. 0 if it is unknown.
     double printedStep = 0.0;
-    bool even = true;     ///< evenly spaced, apart from gaps, within the precision of a double or 1e-3 of the step
-    bool rounded = false; ///< at least ten time stamps, evenly spaced within their rounding, but not `even`
-    std::vector<double> gridNumbers{}; ///< if rounded: how many spacings each time stamp is after the first one
+
+    /// Evenly spaced, apart from gaps, within the precision of a double or 1e-3 of the rounding step.
+    bool isEven = true;
+
+    /// At least ten time stamps that are evenly spaced within their rounding, but not `isEven`.
+    bool isRoundedGrid = false;
+
+    /// Of a rounded grid: how many spacings each time stamp is after the first one.
+    std::vector<double> gridNumbers{};
 
     /// Returns the rounding step of the time stamps, s: each may be off by half of it. 0 if they are exact.
-    double step() const { return even ? 0.0 : printedStep; }
+    double step() const { return isEven ? 0.0 : printedStep; }
 };
 
-/// Finds the precision of time stamps, s, which increase. `rounding`: of their digits.
+/// Finds the precision of time stamps, in s, which increase. `rounding`: the rule that their digits show.
 Clock clockOf(std::span<const double> time, const Rounding &rounding);
 
 } // namespace slidercrank

@@ -49,7 +49,7 @@ std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData d
     std::ranges::transform(crank.degrees, data.time.begin(), [&](double angle) { return (angle - start) / speed; });
     data.timeRounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
     data.timeRounding.unitFactor /= std::abs(speed);
-    if (clockOf(data.time, data.timeRounding).even) {
+    if (clockOf(data.time, data.timeRounding).isEven) {
         data.timeRounding = Rounding(); // evenly spaced angles were chosen, not measured
     }
     const bool areDistinct =

@@ -23,8 +23,8 @@ inline constexpr Channel kCrankAngle{Theta2, Order::Position};
 /// usually has the angles 0°, 15°, 30° … Returns other angles unchanged, and angles with too few digits to tell.
 std::vector<double> wholeDegreesBeforeRounding(std::vector<double> degrees, const Rounding &rounding);
 
-/// Returns the data with the time stamps at which the crank of that mechanism has the angles of the file. Reverses the
-/// order of the rows if it rotates in the opposite direction. Data with time stamps of their own are returned
+/// Returns the data with the time stamps at which the crank of the mechanism has the angles of the file. Reverses the
+/// order of the rows if the crank rotates in the opposite direction. Data with time stamps of their own are returned
 /// unchanged. Returns nullopt if the crank stands still, or is so slow or fast that a double cannot distinguish the
 /// time stamps.
 std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData data);

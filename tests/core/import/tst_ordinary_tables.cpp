@@ -974,7 +974,7 @@ private slots:
         const Outcome outcome = readOrdinary("gaps_lower_precision.csv");
         const ReferenceData &data = std::get<ReferenceData>(outcome);
         QVERIFY(data.skippedCount > 0);
-        QVERIFY(clockOf(data.time, data.timeRounding).even);
+        QVERIFY(clockOf(data.time, data.timeRounding).isEven);
     }
 
     void saysThatDecimalsCouldBeThousands()
