@@ -22,9 +22,9 @@ using Fault = ReadFault::Kind;
 using Kind = NameMeaning::Kind;
 using Values = std::vector<double>;
 
-/// Returns whether two columns contain the same time stamps, apart from the rounding errors of a unit conversion and
-/// from rows without a value in one of them.
-bool areSameTimes(const Values &x, const Values &y)
+/// Returns whether two abscissas contain the same values, apart from the rounding errors of a unit conversion and from
+/// rows without a value in one of them.
+bool haveSameValues(const Values &x, const Values &y)
 {
     constexpr double kRoundingError = 1e-15; // of a unit conversion
     return std::ranges::equal(x, y, [](double a, double b) {
@@ -32,9 +32,9 @@ bool areSameTimes(const Values &x, const Values &y)
     });
 }
 
-/// Returns whether time stamps without a unit are in a smaller unit than seconds: whole numbers that begin below the
+/// Returns whether times without a unit must be in a smaller unit than seconds: whole numbers that begin below the
 /// longest time of an experiment and exceed it.
-bool areOfSmallUnit(const RawColumn &column)
+bool areTooLargeForSeconds(const RawColumn &column)
 {
     constexpr double kLongestTime = 1e8; // s, three years
     const ValueRange range = rangeOf(column.values);
@@ -59,9 +59,10 @@ bool areDays(const RawColumn &column)
            range.width() < kLongestStep * static_cast<double>(range.count);
 }
 
-/// Returns the number of units of the time stamps in a second. If no unit is stated, very large numbers are in ms, µs
-/// or ns since 1970, large ones may be in days since a date, and others are in s.
-double unitsPerSecond(const RawColumn &column)
+/// Returns the number that divides time stamps, already converted from their stated unit, to give seconds. It is 1 for
+/// a stated unit. Without one, very large numbers are in ms, µs or ns since 1970, large ones may be in days since a
+/// date, and others are in s.
+double divisorToSeconds(const RawColumn &column)
 {
     constexpr double kDay = 86'400.0;      // s
     constexpr double kLatestSecond = 1e11; // since 1970: larger numbers are in a smaller unit
@@ -69,18 +70,20 @@ double unitsPerSecond(const RawColumn &column)
         return 1.0 / kDay;
     }
     const double first = rangeOf(column.values).low;
-    double scale = 1.0;
-    while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * scale) {
-        scale *= 1000.0;
+    double divisor = 1.0;
+    while (column.use.unit.empty() && first < kInfinity && first > kLatestSecond * divisor) {
+        divisor *= 1000.0;
     }
-    return scale;
+    return divisor;
 }
 
-/// Subtracts the first time stamp from all if they are those of a clock or since a date, and converts them to seconds.
+/// Subtracts the smallest time stamp from all of them if they are times of day or times since a date, and converts them
+/// to seconds. A clock without a date that begins below an hour shows the time since the start: it only loses its jumps
+/// at noon and midnight.
 void countFromFirstRow(RawColumn &column)
 {
-    constexpr double kHalfDay = 43'200.0; // s: a clock may have twelve hours
-    constexpr double kHour = 3'600.0;     // s: a clock without a date that starts below shows the time since the start
+    constexpr double kHalfDay = 43'200.0;     // s: a clock may have twelve hours
+    constexpr double kHour = 3'600.0;         // s
     constexpr double kEarliestSecond = 1.2e9; // since 1970: in 2008
     if (column.cells.isClock) {
         column.values = unwrapped(std::move(column.values), kHalfDay);
@@ -91,12 +94,12 @@ void countFromFirstRow(RawColumn &column)
     if (!areDays(column) && !isSince1970 && !showsTimeOfDay) {
         return;
     }
-    const double scale = unitsPerSecond(column);
-    column.origin = first / scale;
-    column.factor /= scale;
+    const double divisor = divisorToSeconds(column);
+    column.origin = first / divisor;
+    column.factor /= divisor;
     const double step = column.rounding.infer(column.factor, RoundingObserver::Content::TimeStamps).finestStep();
     std::ranges::for_each(column.values, [&](double &value) {
-        value = (value - first) / scale;
+        value = (value - first) / divisor;
         value = step > 0.0 ? step * std::rint(value / step) : value; // a double near 1.7e9 is off by 1e-7
     });
 }
@@ -109,8 +112,9 @@ bool namesAngleOrBody(const std::string &word)
     return entry && (entry->dimension == Dimension::Angle || entry->body);
 }
 
-/// Returns whether the name leaves open what the column contains: it has no meaning, or unknown words. "X_Value" leaves
-/// it open, but neither "J1_x", which is of an unknown body, nor "crank radius", "θ/θmax", "t/T" and "% of cycle" do.
+/// Returns whether the name leaves open what the column contains: it has no meaning or, without any doubt about the
+/// body, unknown words. "X_Value" leaves it open, but neither "J1_x", which is of an unknown body, nor "crank radius",
+/// "θ/θmax", "t/T" and "% of cycle" do.
 bool isNameOpen(const RawColumn &column)
 {
     const NameMeaning &meaning = column.meaning;
@@ -122,9 +126,10 @@ bool isNameOpen(const RawColumn &column)
            std::ranges::none_of(words, namesOtherQuantity) && std::ranges::none_of(words, namesAngleOrBody);
 }
 
-/// Returns whether an unused column may be the time although its name leaves that open: its values only rise, and it
-/// has a unit of time or none. Whole numbers without a unit may instead be row numbers, if they count the rows or the
-/// heading is empty or says so, or degrees, if they reach 180.
+/// Returns whether an unused column may be the time although its name leaves that open: its values only rise, it has a
+/// unit of time or none, and it contains neither row numbers nor degrees. Whole numbers without a unit may be row
+/// numbers if they count the rows, or if the heading is empty or names row numbers. They may be degrees if they reach
+/// 180.
 bool mayBeTime(const RawColumn &column)
 {
     constexpr double kHalfTurn = 180.0;
@@ -140,8 +145,8 @@ bool mayBeTime(const RawColumn &column)
     return !areWhole || !column.use.unit.empty() || (!mayBeRowNumbers && !mayBeDegrees);
 }
 
-/// Returns whether the name is that of an angle of an unnamed body, and the values only rise or only fall. The first
-/// column may be the crank angle then.
+/// Returns whether the name is that of an angle of an unnamed body, and the values only rise or only fall. If this is
+/// the first column, it may be the crank angle.
 bool mayBeCrankAngle(const RawColumn &column)
 {
     const Channel channel = column.meaning.channel;
@@ -149,27 +154,29 @@ bool mayBeCrankAngle(const RawColumn &column)
            isTurningAngle(column);
 }
 
-/// Returns whether such a column spans more than half a turn, so that it may be the crank angle at any place.
+/// Returns whether a column that may be the crank angle also spans more than half a turn. Then it need not be the first
+/// column.
 bool turnsLikeCrank(const RawColumn &column)
 {
     return mayBeCrankAngle(column) && makesHalfTurn(column);
 }
 
-/// Returns whether a person chose theta2 for the column, which is the crank angle where there is no time.
+/// Returns whether a person chose the channel θ2 for the column. Where there is no time, this is the abscissa.
 bool isChosenCrankAngle(const RawColumn &column)
 {
     return isChosen(column) && column.isUndecided() && column.meaning.channel == kCrankAngle;
 }
 
-/// Returns whether the heading names the crank angle (not only "an angle"), in a unit of angles. A person has not
-/// chosen the column.
+/// Returns whether the heading names the crank angle (not only "an angle") and has a unit of angles or none; false if a
+/// person chose the column.
 bool isNamedCrankAngle(const RawColumn &column)
 {
     return namesChannel(column.meaning) && column.meaning.channel == kCrankAngle &&
            column.unitAs(ColumnRole::CrankAngle);
 }
 
-/// Returns the column of the file with the heading of the abscissa in another file, or null.
+/// Returns the first column with the heading of `abscissa`, a column of another file; null if there is none. Columns
+/// that a person chose are left out.
 RawColumn *findSameHeading(std::span<RawColumn> columns, const RawColumn &abscissa)
 {
     return findElement(columns, [&abscissa](const RawColumn &column) {
@@ -177,9 +184,9 @@ RawColumn *findSameHeading(std::span<RawColumn> columns, const RawColumn &abscis
     });
 }
 
-/// Returns whether a column may be the abscissa if it is the first one: it is no row number or parameter, and no count
-/// of the rows beside a crank angle.
-bool mayLead(const RawColumn &column, bool hasCrankAngle)
+/// Returns whether a column counts in the search for the first column of a file. These do not: columns that a person
+/// chose, parameters, row numbers and, beside a crank angle, counts of the rows.
+bool countsAsFirst(const RawColumn &column, bool hasCrankAngle)
 {
     const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;
     const bool isCount = hasCrankAngle && !mayBeCrankAngle(column) && countsRows(column);
@@ -190,9 +197,9 @@ bool mayLead(const RawColumn &column, bool hasCrankAngle)
 ///
 /// 1. if another file has an abscissa, the column with the same heading,
 /// 2. else the column that a person chose as the crank angle,
-/// 3. else the first column that may lead, if its name is unknown and its values only rise: the time,
+/// 3. else the first column that counts, if its name leaves its meaning open and its values only rise: the time,
 /// 4. else the column that is named as the crank angle,
-/// 5. else the first column that may lead and is not of words, if it is an angle that does not change its direction, as
+/// 5. else the first column that counts and contains numbers, if it is an angle that does not change its direction, as
 ///    in "theta, x, v",
 /// 6. else the only column of an angle that makes half a turn without changing its direction, as in "x, v, angle".
 void guessAbscissa(RawTable &table, const TableFile &file)
@@ -209,17 +216,17 @@ void guessAbscissa(RawTable &table, const TableFile &file)
     }
     RawColumn *const named = findElement(columns, isNamedCrankAngle);
     const bool hasCrankAngle = named || findElement(columns, mayBeCrankAngle);
-    RawColumn *const leading =
-        findElement(columns, [&](const RawColumn &column) { return mayLead(column, hasCrankAngle); });
-    RawColumn *const leadingNumbers = findElement(columns, [&](const RawColumn &column) {
-        return mayLead(column, hasCrankAngle) && rangeOf(column.values).count > 0;
+    RawColumn *const firstColumn =
+        findElement(columns, [&](const RawColumn &column) { return countsAsFirst(column, hasCrankAngle); });
+    RawColumn *const firstWithNumbers = findElement(columns, [&](const RawColumn &column) {
+        return countsAsFirst(column, hasCrankAngle) && rangeOf(column.values).count > 0;
     });
-    if (leading && mayBeTime(*leading)) {
-        setAbscissa(table, *leading, ColumnRole::Time, ColumnReason::RisingValues);
+    if (firstColumn && mayBeTime(*firstColumn)) {
+        setAbscissa(table, *firstColumn, ColumnRole::Time, ColumnReason::RisingValues);
     } else if (named) {
         setAbscissa(table, *named, ColumnRole::CrankAngle, named->meaning.reason);
-    } else if (leadingNumbers && mayBeCrankAngle(*leadingNumbers)) {
-        setAbscissa(table, *leadingNumbers, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
+    } else if (firstWithNumbers && mayBeCrankAngle(*firstWithNumbers)) {
+        setAbscissa(table, *firstWithNumbers, ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     } else if (std::ranges::count_if(columns, turnsLikeCrank) == 1) {
         setAbscissa(table, *findElement(columns, turnsLikeCrank), ColumnRole::CrankAngle, ColumnReason::AngleForTime);
     }
@@ -234,9 +241,10 @@ void keepBetter(std::vector<RawColumn *> &columns, ColumnReason reason, const Co
     }
 }
 
-/// Returns the undecided columns of a file that are named as a time. If some have a unit of time and numbers, the
-/// others are ignored ("T (Nm)", a clock beside seconds).
-std::vector<RawColumn *> findNamedTimes(RawTable &table, const TableFile &file)
+/// Returns the undecided columns of a file whose names denote a time. If some have a unit of time or none, the others
+/// are ignored ("T (Nm)"). If some of the rest contain numbers other than times of a clock, all other columns are
+/// ignored (a clock beside seconds). Sets the reasons of the ignored columns.
+std::vector<RawColumn *> takeNamedTimes(RawTable &table, const TableFile &file)
 {
     std::vector<RawColumn *> times;
     for (RawColumn &column : table.columnsOf(file)) {
@@ -251,8 +259,8 @@ std::vector<RawColumn *> findNamedTimes(RawTable &table, const TableFile &file)
     return times;
 }
 
-/// Makes the columns the time, which must be the same in all of them. They are ignored beside an abscissa of their file
-/// that a person chose, and beside the crank angle of another file.
+/// Uses the columns as the time, which must be the same in all of them. Columns beside an abscissa of their file that a
+/// person chose are ignored, and so are columns beside the crank angle of another file.
 void assignNamedTimes(RawTable &table, const std::vector<RawColumn *> &times)
 {
     for (RawColumn *const column : times) {
@@ -271,9 +279,9 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
 {
     const bool isTime = role == ColumnRole::Time;
     const std::optional<Unit> unit = column.unitAs(role);
-    if (!unit || (isTime && areOfSmallUnit(column))) {
-        throw faultIn(table, column,
-                      isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
+    if (!unit || (isTime && areTooLargeForSeconds(column))) {
+        throw errorAtHeading(table, column,
+                             isTime ? ReadFault{Fault::UnknownTimeUnit} : ReadFault{Fault::UnknownUnit, kCrankAngle});
     }
     convert(column, *unit);
     if (isTime) {
@@ -284,10 +292,10 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
     if (!first) {
         column.use.role = role;
         column.use.reason = reason;
-    } else if (areSameTimes(first->values, column.values)) {
+    } else if (haveSameValues(first->values, column.values)) {
         column.use.reason = ColumnReason::SameTimeStamps;
     } else if (first->use.file == column.use.file) {
-        throw faultIn(table, column, {Fault::TimeTwice});
+        throw errorAtHeading(table, column, {Fault::TimeTwice});
     } else {
         throw ReadError{.fault = {Fault::OtherTimeStamps, {}, table.fileOf(*first).name}, .file = column.use.file};
     }
@@ -296,7 +304,7 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
 void assignAbscissas(RawTable &table)
 {
     for (const TableFile &file : table.files) {
-        assignNamedTimes(table, findNamedTimes(table, file));
+        assignNamedTimes(table, takeNamedTimes(table, file));
         if (!file.hasAbscissa) {
             guessAbscissa(table, file);
         }

@@ -27,8 +27,8 @@ bool isFixed(Coordinate coordinate)
     return coordinate == R1x || coordinate == R1y || coordinate == Theta1 || coordinate == Theta4 || coordinate == R4y;
 }
 
-/// Removes columns that contain more words than numbers, if another column is better. Keeps columns whose heading is
-/// the exact name of a channel, or which a person chose: they lead to an error message.
+/// Removes columns that contain more words than numbers, unless all candidates do. Keeps columns whose heading is the
+/// exact name of a channel, or which a person chose: they lead to an error message.
 void removeWords(std::vector<RawColumn *> &candidates)
 {
     const auto isMostlyNumbers = [](const RawColumn *column) {
@@ -42,31 +42,34 @@ void removeWords(std::vector<RawColumn *> &candidates)
     }
 }
 
-/// Returns the rounding step of the largest value.
-double stepOf(const RawColumn &column)
+/// Returns the rounding step of a column at its largest value.
+double largestStep(const RawColumn &column)
 {
     return column.rounding.infer(column.factor, RoundingObserver::Content::Quantity)
         .stepAt(rangeOf(column.values).size());
 }
 
+/// Returns whether the values of all rows differ by no more than a tolerance. Rows without a value in one of the
+/// columns count as equal.
 bool areEqual(const Values &x, const Values &y, double tolerance)
 {
     return std::ranges::equal(
         x, y, [&](double a, double b) { return std::abs(a - b) <= tolerance || !std::isfinite(a - b); });
 }
 
-/// Returns whether the values are those of a finer column in a different unit, up to the rounding of both.
+/// Returns whether `column` repeats the values of `other` in a different unit, up to its own rounding, which is
+/// coarser. Of two with the same rounding, the second one is the copy.
 bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
 {
-    const double step = stepOf(column);
-    const double otherStep = stepOf(other);
+    const double step = largestStep(column);
+    const double otherStep = largestStep(other);
     const bool isCoarser = step > otherStep || (step == otherStep && column.index > other.index);
     return isCoarser && column.factor != other.factor && column.values.size() >= 2 &&
            areEqual(column.values, other.values, step);
 }
 
-/// Returns whether the column is a second crank angle: in a different unit, or of a second table beside the first,
-/// where an angle with the same heading turns in one direction.
+/// Returns whether the abscissa is a crank angle and the column is another one: its channel is θ2, or it has the
+/// heading of the abscissa and its values, without the jumps after one turn, never reverse.
 bool isSecondCrankAngle(RawTable &table, const RawColumn &column)
 {
     const RawColumn *const abscissa = table.abscissa();
@@ -78,8 +81,8 @@ bool isSecondCrankAngle(RawTable &table, const RawColumn &column)
     return column.use.channel == kCrankAngle || isLikeAbscissa;
 }
 
-/// Returns whether the column may be a length by its name, but has no unit and counts the rows.
-bool isNumberOfRow(const RawColumn &column)
+/// Returns whether a column that is a length by its name may contain row numbers: it has no unit and counts the rows.
+bool mayBeRowNumbers(const RawColumn &column)
 {
     const bool isUncertainLength = column.meaning.kind == Kind::Quantity && !isAngle(column.use.channel.coordinate);
     return isUncertainLength && column.use.unit.empty() && countsRows(column);
@@ -89,9 +92,9 @@ bool isNumberOfRow(const RawColumn &column)
 /// the rows beside "Slider mm".
 void removeRepeated(std::vector<RawColumn *> &candidates)
 {
-    const std::vector<RawColumn *> all = candidates;
-    const auto hasRival = [&all](const RawColumn &column, const auto &condition) {
-        return std::ranges::any_of(all, [&](const RawColumn *other) {
+    const std::vector<RawColumn *> rivals = candidates;
+    const auto hasRival = [&rivals](const RawColumn &column, const auto &condition) {
+        return std::ranges::any_of(rivals, [&](const RawColumn *other) {
             return other != &column && other->use.channel == column.use.channel && condition(*other);
         });
     };
@@ -99,12 +102,12 @@ void removeRepeated(std::vector<RawColumn *> &candidates)
         return hasRival(column, [&](const RawColumn &other) { return isCoarserCopy(column, other); });
     });
     removeColumns(candidates, ColumnReason::RowNumber, [&](const RawColumn &column) {
-        return isNumberOfRow(column) && hasRival(column, [](const RawColumn &) { return true; });
+        return mayBeRowNumbers(column) && hasRival(column, [](const RawColumn &) { return true; });
     });
 }
 
-/// Converts the coupler's angle at B, which Norton calls θ3, to the one at A. They differ by half a turn, in the
-/// direction that brings the angle at A between -90° and 270°. Removes jumps by whole turns.
+/// Converts the coupler's angle at B, which Norton calls θ3, to the one at A. They differ by half a turn, which is
+/// subtracted if the middle of the angles is above 90°, and added otherwise. Removes jumps by whole turns.
 void measureAtA(RawColumn &column)
 {
     constexpr double kHalfTurn = 180.0;
@@ -127,7 +130,7 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
         }
         const std::optional<Unit> unit = column.unitAs(ColumnRole::Channel, meaning.channel);
         if (!unit && meaning.kind >= Kind::ChannelName) {
-            throw faultIn(table, column, {Fault::UnknownUnit, meaning.channel});
+            throw errorAtHeading(table, column, {Fault::UnknownUnit, meaning.channel});
         }
         if (!unit) {
             column.use.reason = ColumnReason::UnknownUnit;
@@ -138,7 +141,7 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
         if (meaning.isAtB) {
             measureAtA(column);
         }
-        if (isFixed(meaning.channel.coordinate)) { // unreadable cells do no harm: nobody needs the values
+        if (isFixed(meaning.channel.coordinate)) { // its values are known, so that no row is skipped because of them
             std::ranges::replace_if(
                 column.values, [](double value) { return std::isinf(value); }, kNone);
         }
@@ -147,8 +150,8 @@ std::vector<RawColumn *> findCandidates(RawTable &table)
     return candidates;
 }
 
-/// Uses a candidate as its channel unless another one may be the same channel with as good evidence: then it is
-/// ignored. Throws if both have the exact name of the channel, or were chosen.
+/// Uses a candidate as its channel, unless another candidate may be the same channel with evidence that is at least as
+/// good: then it is ignored. Throws if both have the exact name of the channel, or were chosen.
 void assignChannel(const RawTable &table, RawColumn &column, const std::vector<RawColumn *> &candidates)
 {
     const auto *const rival = findElement(candidates, [&](const RawColumn *other) {
@@ -172,7 +175,7 @@ ReadError sameChannelError(const RawTable &table, const RawColumn &first, const 
 {
     const Channel channel = first.use.channel;
     return first.use.file == second.use.file
-               ? faultIn(table, second, {Fault::ChannelTwice, channel})
+               ? errorAtHeading(table, second, {Fault::ChannelTwice, channel})
                : ReadError{.fault = {Fault::ChannelInBoth, channel, table.fileOf(first).name}, .file = second.use.file};
 }
 

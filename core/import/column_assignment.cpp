@@ -23,7 +23,8 @@ namespace
 using Fault = ReadFault::Kind;
 using Kind = NameMeaning::Kind;
 
-/// Returns the only column that has that heading, or else that heading apart from the unit, or else that number.
+/// Returns the only column with the heading `name` or, if there is none, with that heading apart from the unit, or with
+/// a number such as "#3". Throws if several columns or no column have it.
 RawColumn &findColumn(RawTable &table, const std::string &name)
 {
     const auto headingOf = [](const RawColumn &column) { return column.use.heading; };
@@ -44,7 +45,8 @@ RawColumn &findColumn(RawTable &table, const std::string &name)
     return *column;
 }
 
-/// Gives the columns the meanings that a person chose. Of several choices for one column, the last one applies.
+/// Gives the columns the meanings that a person chose, and sets the chosen abscissas. Of several choices for one
+/// column, the last one applies.
 void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
 {
     for (const ColumnChoice &choice : choices) {
@@ -68,8 +70,8 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
     }
 }
 
-/// Returns the error of a file that lacks the time or a channel. If a person could choose a column that is probably a
-/// channel, the error names it.
+/// Returns the error of a file that lacks the time or a channel. If a person could choose a column as the channel, the
+/// error names the first such column.
 ReadError missingDataError(RawTable &table, std::size_t file)
 {
     const TableFile &own = table.files[file];
@@ -93,8 +95,11 @@ ReadError missingDataError(RawTable &table, std::size_t file)
     if (open->use.reason == ColumnReason::LikeOther && sameInOtherFile) {
         return sameChannelError(table, *open, *sameInOtherFile);
     }
-    ReadFault fault{Fault::NoCertainChannel, {}, excerpt(open->use.heading), open->use.reason};
-    return {.line = own.layout.headerLine, .fault = std::move(fault), .file = file};
+    return {.line = own.layout.headerLine,
+            .fault = {.kind = Fault::NoCertainChannel,
+                      .heading = excerpt(open->use.heading),
+                      .columnReason = open->use.reason},
+            .file = file};
 }
 
 /// Throws if a file lacks the time or a channel.

@@ -17,10 +17,10 @@ namespace
 {
 
 constexpr double kUnreadable = kInfinity;
-constexpr std::size_t kMinCells = 2; // in a row that is read
+constexpr std::size_t kMinCells = 2; // in a row that can be read
 
-/// Parses a cell of a column. A number whose spelling implies a unit, such as a multiple of π, is none if the column
-/// has a different one.
+/// Parses a cell of a column. A number whose spelling implies a unit, such as a multiple of π, has the fault NotANumber
+/// if the column has a different unit.
 CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign decimalSign)
 {
     if (const std::string_view label = column.cells.label; cell.starts_with(label)) {
@@ -37,9 +37,9 @@ CellNumber parseCell(const RawColumn &column, std::string_view cell, DecimalSign
     return number;
 }
 
-/// Reads row `row` of a file into the columns of that file, and their digits into the rounding. Cells that are no
-/// numbers become kUnreadable, missing cells at the end stay gaps. If the row has non-empty cells beyond the last
-/// column, or too few cells, all its values become kUnreadable. Returns the number of cells.
+/// Reads a row into the columns of its file, and lets each column's RoundingObserver see the number. Cells that are no
+/// numbers become kUnreadable. If the row has non-empty cells beyond the last column, or fewer than file.fewestCells
+/// cells, all its values become kUnreadable; other missing cells at its end are gaps. Returns the number of cells.
 std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
 {
     const std::span<RawColumn> columns = table.columnsOf(file);
@@ -70,9 +70,9 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
     return cells;
 }
 
-/// Returns the smallest number of cells of a row. Between spaces, a gap in the middle cannot be told from one at the
-/// end, so that a row with fewer cells than the longest one is skipped, unless most rows are such. `counts`: of the
-/// cells of each row.
+/// Returns the smallest number of cells of a row that can be read. Between spaces, a gap in the middle cannot be
+/// distinguished from one at the end. So a row with fewer cells than the longest one cannot be read, unless at least
+/// half of the rows are such. `counts`: numbers of cells of all rows.
 std::size_t fewestCellsOf(const TableFile &file, std::span<const std::size_t> counts)
 {
     const std::size_t longest = counts.empty() ? 0 : std::min(std::ranges::max(counts), file.width);
@@ -131,8 +131,8 @@ double findMissingValue(const RawColumn &column)
     return kNone;
 }
 
-/// Turns the numbers of all rows before `begin` and from `end` on into gaps: they are no data, and their digits say
-/// nothing about the rounding of the columns.
+/// Turns the numbers of all rows before `begin` and from `end` on into gaps: they are no data. Reads the other rows
+/// again, so that only their digits count for the rounding of the columns.
 void keepRows(RawTable &table, const TableFile &file, std::size_t begin, std::size_t end)
 {
     for (RawColumn &column : table.columnsOf(file)) {
@@ -147,22 +147,24 @@ void keepRows(RawTable &table, const TableFile &file, std::size_t begin, std::si
     }
 }
 
-/// Throws if there are more headings than cells in the longest row, because a heading contains the delimiter. `cells`:
-/// number of cells of that row. Two exceptions: the headings without cells are all unknown and the others all known
-/// (then they are remarks), or the rows have a single cell (then the delimiter is wrong, which is reported elsewhere).
-void requireCellForEachHeading(std::span<const RawColumn> columns, const TableFile &file, std::size_t cells)
+/// Throws if there are more headings than `longest`, the number of cells of the longest row, because a heading contains
+/// the delimiter. Two exceptions: the headings without cells are all unknown and the others all known (then those
+/// without cells are remarks), or the rows have a single cell (then the delimiter is wrong, which is reported
+/// elsewhere).
+void requireCellForEachHeading(std::span<const RawColumn> columns, const TableFile &file, std::size_t longest)
 {
     const auto isKnown = [](const RawColumn &column) { return column.meaning.kind != NameMeaning::Kind::Nothing; };
-    const std::size_t used = std::min(cells, columns.size());
+    const std::size_t used = std::min(longest, columns.size());
     const bool areRemarks =
         std::ranges::all_of(columns.first(used), isKnown) && std::ranges::none_of(columns.subspan(used), isKnown);
-    if (used < columns.size() && cells >= kMinCells && !areRemarks) {
-        throw ReadError{.line = file.layout.headerLine,
-                        .fault = {.kind = ReadFault::Kind::MoreHeadings, .headings = columns.size(), .numbers = cells}};
+    if (used < columns.size() && longest >= kMinCells && !areRemarks) {
+        throw ReadError{
+            .line = file.layout.headerLine,
+            .fault = {.kind = ReadFault::Kind::MoreHeadings, .headingCount = columns.size(), .cellCount = longest}};
     }
 }
 
-/// Appends the columns of a file to a table, with its headings and without values.
+/// Appends a file and its columns to a table. The columns have their headings, and gaps as values.
 TableFile &addFile(const FileBytes &bytes, RawTable &table)
 {
     TableFile &file = table.files.emplace_back();
@@ -184,7 +186,7 @@ TableFile &addFile(const FileBytes &bytes, RawTable &table)
 
 /// Reads all rows of a file into its columns, and returns their numbers of cells. Throws if `progress` stops it.
 std::vector<std::size_t> readRows(RawTable &table, const TableFile &file,
-                                  const std::function<bool(double part)> &progress)
+                                  const std::function<bool(double fraction)> &progress)
 {
     constexpr std::size_t kReportEvery = 4096; // rows
     std::vector<std::size_t> counts;
@@ -200,14 +202,23 @@ std::vector<std::size_t> readRows(RawTable &table, const TableFile &file,
     return counts;
 }
 
-/// A fault of a row, and the index of the cell that it is in.
+/// A fault of a row, and the index of the cell with the fault.
 struct CellFault {
     std::size_t cell = 0;
     RowFault fault{};
 };
 
-/// Returns why a row is skipped. `column`: the one that is unreadable in this row, or the abscissa if all are readable
-/// but the time is repeated. `cells`: the cells of the row in the file of this column.
+/// Returns why a row is skipped, in this order:
+///
+/// 1. the fault of the cell of `column`,
+/// 2. TooManyCells: the first cell beyond the headings that is not empty,
+/// 3. RepeatedTime, if the value of `column` is readable,
+/// 4. if `column` is the abscissa and has a gap: the fault of the first cell (a word, as in a footer), or else NoTime,
+/// 5. TooFewCells, if the row has fewer than file.fewestCells cells,
+/// 6. TooLarge: the value became infinite when it was converted to the default unit.
+///
+/// `column`: the one that is unreadable in this row, or the abscissa if all are readable but the time is repeated.
+/// `cells`: the cells of the row in the file of this column.
 CellFault findCellFault(const RawTable &table, const RawColumn &column, std::size_t row, const Cells &cells)
 {
     const TableFile &file = table.fileOf(column);
@@ -229,10 +240,9 @@ CellFault findCellFault(const RawTable &table, const RawColumn &column, std::siz
         return {own, RowFault::RepeatedTime};
     }
     if (std::isnan(column.values[row])) {
-        const std::optional<RowFault> atBeginning = faultIn(table.columns[file.firstColumn]); // a word, as in a footer
+        const std::optional<RowFault> atBeginning = faultIn(table.columns[file.firstColumn]);
         return atBeginning ? CellFault{0, *atBeginning} : CellFault{own, RowFault::NoTime};
     }
-    // With enough cells, the value can only have become infinite when it was converted to the default unit.
     return {own, cells.size() < file.fewestCells ? RowFault::TooFewCells : RowFault::TooLarge};
 }
 
@@ -261,7 +271,7 @@ void convert(RawColumn &column, const Unit &unit)
     column.factor = unit.toDefault(1.0);
 }
 
-ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault fault)
+ReadError errorAtHeading(const RawTable &table, const RawColumn &column, ReadFault fault)
 {
     const TableFile &file = table.fileOf(column);
     return {.line = file.layout.headerLine,
@@ -271,7 +281,7 @@ ReadError faultIn(const RawTable &table, const RawColumn &column, ReadFault faul
             .file = column.use.file};
 }
 
-void readTable(const FileBytes &bytes, const std::function<bool(double part)> &progress, RawTable &table)
+void readTable(const FileBytes &bytes, const std::function<bool(double fraction)> &progress, RawTable &table)
 {
     TableFile &file = addFile(bytes, table);
     const std::vector<std::size_t> counts = readRows(table, file, progress);
@@ -305,7 +315,7 @@ SkippedRow findRowFault(RawTable &table, std::size_t row)
     return {line.number, found.cell + 1, excerpt(text), found.fault, column.use.file};
 }
 
-FileLayout takeLayout(RawTable &table)
+FileLayout describeLayout(const RawTable &table)
 {
     constexpr std::size_t kPreviewRows = 6;
     FileLayout layout = table.files.empty() ? FileLayout() : table.files.front().layout;

@@ -19,11 +19,11 @@ enum class RowFault {
     NotANumber,
     TooLarge,      ///< for a double
     PointForComma, ///< a number with a decimal point in a file with decimal commas
-    CommaForPoint, ///< the reverse
+    CommaForPoint, ///< a number with a decimal comma in a file with decimal points
     TooManyCells,
     TooFewCells,
     NoTime,
-    RepeatedTime ///< a later row has the same time: the last one is used, as after an event of a simulation
+    RepeatedTime ///< a later row has the same time; the last such row is used: it contains the state after an event
 };
 
 /// Why no data could be read.
@@ -39,8 +39,8 @@ struct ReadFault {
         LineTooLong,
         UnitsContradict, ///< the line of units contradicts `heading`
         NamesMissing,    ///< there are numbers but no headings
-        MoreHeadings,    ///< `headings` are more than `numbers` in every row: a heading contains a delimiter
-        FewerHeadings,   ///< `headings` are fewer than `numbers` in the rows
+        MoreHeadings,    ///< there are more headings than cells in every row: a heading contains a delimiter
+        FewerHeadings,   ///< there are fewer headings than cells in the first row that was skipped
         Transposed,      ///< each line is a quantity
         CommonFactor,    ///< the numbers are printed without their common factor, as MATLAB and Octave do
         AnotherTable,    ///< a second table begins with this line of headings
@@ -52,17 +52,17 @@ struct ReadFault {
         TimeTwice,      ///< two columns are the time, or the crank angle instead of it
         NoTime,
         NoChannel,        ///< no heading is known
-        NoCertainChannel, ///< the column with `heading` may be a channel, but is ignored because of `column`
+        NoCertainChannel, ///< the column with `heading` may be a channel, but is ignored because of `columnReason`
         NoNumbers,        ///< there are no numbers below the headings
-        NoRow,            ///< no row can be read; `row` is the reason for the first one
-        MostRows,         ///< most rows cannot be read, although they have numbers; `row` as for NoRow
+        NoRow,            ///< no row can be read; `rowFault` is the reason for the first one
+        MostRows,         ///< most rows cannot be read, although they have numbers; `rowFault` as for NoRow
         NoValues,         ///< only the time has values
         TimeNotRising,
         TimeStartsAgain, ///< a second motion begins
         AngleTurnsBack,  ///< the crank angle changes its direction
         AngleStartsAgain,
 
-        // About a file that has to be joined with others; `heading` is one of them.
+        // About a file that has to be joined with others; `heading` is the name of one of the others.
         OtherTimeStamps,
         ChannelInBoth,
 
@@ -73,10 +73,10 @@ struct ReadFault {
     Kind kind = Kind::Empty;
     Channel channel{};
     std::string heading{};
-    ColumnReason column = ColumnReason::UnknownName;
-    RowFault row = RowFault::NotANumber;
-    std::size_t headings = 0; ///< number of them
-    std::size_t numbers = 0;  ///< in the longest row
+    ColumnReason columnReason = ColumnReason::UnknownName;
+    RowFault rowFault = RowFault::NotANumber;
+    std::size_t headingCount = 0; ///< number of headings
+    std::size_t cellCount = 0; ///< number of cells in the longest row (MoreHeadings) or the skipped row (FewerHeadings)
 
     friend bool operator==(const ReadFault &, const ReadFault &) = default;
 };
@@ -84,8 +84,8 @@ struct ReadFault {
 /// Why no data could be read, and where. The line is 0 if the error concerns the file as a whole.
 struct ReadError {
     std::size_t line = 0;
-    std::size_t column = 0;
-    std::string text{};
+    std::size_t column = 0; ///< from 1; 0: unknown
+    std::string text{};     ///< the beginning of the cell, heading or line
     ReadFault fault{};
     FileLayout layout{}; ///< as far as it was found; if it has columns, a person can choose their meaning
 

@@ -28,10 +28,10 @@ using Fault = ReadFault::Kind;
 
 ReadError errorAt(const SkippedRow &row, Fault fault)
 {
-    return {.line = row.line, .column = row.column, .text = row.text, .fault = {.kind = fault, .row = row.fault}};
+    return {.line = row.line, .column = row.column, .text = row.text, .fault = {.kind = fault, .rowFault = row.fault}};
 }
 
-/// Returns whether a time or angle that turns back starts again, as at the beginning of a second motion.
+/// Returns whether a time or angle that turns back at `row` starts again there, as at the beginning of a second motion.
 bool startsAgain(std::span<const double> values, std::size_t row)
 {
     constexpr std::size_t kMinRows = 3;
@@ -45,7 +45,7 @@ bool areUnits(const Cells &cells)
     return std::ranges::all_of(cells, [](std::string_view cell) { return !unitIn(cell).empty(); });
 }
 
-/// Returns whether a line without numbers contains headings or units other than those of the columns.
+/// Returns whether a line without numbers contains several headings, or units, that are not those of the columns.
 bool beginsTable(const Cells &cells, std::span<const RawColumn> columns)
 {
     std::size_t names = 0;
@@ -62,8 +62,8 @@ bool beginsTable(const Cells &cells, std::span<const RawColumn> columns)
     return cells.size() > 1 && isOther;
 }
 
-/// Throws if another table begins in a file. Its own headings or units again are only a row that is skipped, and what
-/// is below the last row of numbers is a remark, unless it states units.
+/// Throws if another table begins in a file. A line that repeats its own headings or units is only skipped, and a line
+/// below the last row of numbers is a remark, unless it contains units.
 void refuseAnotherTable(const RawTable &table)
 {
     for (const TableFile &file : table.files) {
@@ -89,8 +89,9 @@ void refuseAnotherTable(const RawTable &table)
     }
 }
 
-/// Returns the rows that can be read. Of rows with the same time, the last one is used, as it contains the state after
-/// an event. Throws if the time decreases, or if most rows repeat it.
+/// Returns the rows that can be read. Of rows with the same time, only the last one is used, as it contains the state
+/// after an event; rows with the same crank angle are all used. Throws if the time decreases, or if most rows repeat
+/// it.
 std::vector<std::size_t> findUsedRows(RawTable &table)
 {
     const RawColumn &abscissa = *table.abscissa();
@@ -117,7 +118,7 @@ std::vector<std::size_t> findUsedRows(RawTable &table)
     return rows;
 }
 
-/// Counts the other rows, except remarks, and lists the first ones.
+/// Counts the rows that are not used, except remarks, and lists the first ones.
 void listSkippedRows(RawTable &table, const std::vector<std::size_t> &used, ReferenceData &data)
 {
     constexpr std::size_t kListedRows = 1000;
@@ -132,9 +133,10 @@ void listSkippedRows(RawTable &table, const std::vector<std::size_t> &used, Refe
     }
 }
 
-/// Returns why no row can be read, if the first one that is skipped is `row`. Where it has too many cells, headings are
-/// missing, or, between commas and without any point, decimal commas divide the numbers.
-ReadError errorOfRows(const TableFile &file, const SkippedRow &row)
+/// Returns the error of a file without any row that can be read. `row`: the first one that was skipped. If it has too
+/// many cells, headings are missing (FewerHeadings), unless decimal commas may have divided its numbers: commas are the
+/// delimiter, and the line contains no point. Otherwise the error is NoRow, with the fault of that row.
+ReadError noRowError(const TableFile &file, const SkippedRow &row)
 {
     const auto *const line = findElement(file.rows, [&row](const Line &other) { return other.number == row.line; });
     const bool mayHaveDecimalCommas =
@@ -144,12 +146,12 @@ ReadError errorOfRows(const TableFile &file, const SkippedRow &row)
     }
     return {.line = row.line,
             .fault = {.kind = Fault::FewerHeadings,
-                      .headings = file.width,
-                      .numbers = splitCells(line->text, file.layout.delimiter).size()}};
+                      .headingCount = file.width,
+                      .cellCount = splitCells(line->text, file.layout.delimiter).size()}};
 }
 
-/// Throws if most rows with numbers cannot be read, as the few others hardly are what a person expects of the file.
-/// `used`: the rows that can be read.
+/// Throws if most rows with numbers cannot be read: a person expects more of the file than the few others. `used`: the
+/// rows that can be read.
 void requireMostRows(RawTable &table, const std::vector<std::size_t> &used)
 {
     std::vector<std::size_t> unreadable;
@@ -169,7 +171,7 @@ void requireMostRows(RawTable &table, const std::vector<std::size_t> &used)
     }
 }
 
-/// Moves the values of a used column in the rows that can be read to the data: those of the abscissa to the time
+/// Moves the values of a used column to the data, in the rows that can be read: those of the abscissa to the time
 /// stamps, those of a channel to a series. A channel without any number is ignored.
 void moveValues(RawColumn &column, const std::vector<std::size_t> &rows, ReferenceData &data)
 {
@@ -193,8 +195,8 @@ void moveValues(RawColumn &column, const std::vector<std::size_t> &rows, Referen
     }
 }
 
-/// Returns the used columns without the rows that are skipped. Tables over the crank angle have the angles as time
-/// stamps. Throws if no row, or only the minority of them, can be read, or if no channel has a number.
+/// Returns the used columns without the rows that are skipped. In a table over the crank angle, the angles replace the
+/// time stamps. Throws if no row or only a minority of the rows can be read, or if no channel has a number.
 ReferenceData collect(RawTable &table)
 {
     ReferenceData data;
@@ -203,7 +205,7 @@ ReferenceData collect(RawTable &table)
     const TableFile &file = table.files.front();
     if (rows.empty()) {
         throw data.skipped.empty() ? ReadError{.line = file.layout.headerLine, .fault = {Fault::NoNumbers}}
-                                   : errorOfRows(file, data.skipped.front());
+                                   : noRowError(file, data.skipped.front());
     }
     requireMostRows(table, rows);
     std::ranges::transform(rows, std::back_inserter(data.lines),
@@ -219,8 +221,8 @@ ReferenceData collect(RawTable &table)
     return data;
 }
 
-/// Returns the row where the crank angle starts again while the other columns differ from those at the same angle
-/// before, so that a second motion begins; nullopt if there is none.
+/// Returns the row at which the crank angle has its first value again, if the other columns differ there from those of
+/// the first turn, so that a second motion begins. Otherwise returns nullopt.
 std::optional<std::size_t> findAnotherMotion(const ReferenceData &data)
 {
     constexpr double kMaxMeanDifference = 0.02; // of two turns of one motion, relative to the range of the column
@@ -240,8 +242,9 @@ std::optional<std::size_t> findAnotherMotion(const ReferenceData &data)
     return row < angles.size() && differs ? std::optional(row) : std::nullopt;
 }
 
-/// Replaces the crank angles in ReferenceData::time by time stamps.
-void countByAngle(ReferenceData &data, RawTable &table)
+/// Replaces the crank angles in ReferenceData::time by time stamps. Throws if a second motion begins, or if the angle
+/// turns back.
+void replaceAnglesByTimes(ReferenceData &data, RawTable &table)
 {
     if (const std::optional<std::size_t> row = findAnotherMotion(data)) {
         throw ReadError{.line = data.lineOfRow(*row), .fault = {Fault::AngleStartsAgain}};
@@ -253,12 +256,13 @@ void countByAngle(ReferenceData &data, RawTable &table)
     }
     std::optional<ReferenceData> timed = timedBy(Mechanism(), data);
     if (!timed) {
-        throw faultIn(table, *table.abscissa(), {.kind = Fault::NoRow, .row = RowFault::TooLarge});
+        throw errorAtHeading(table, *table.abscissa(), {.kind = Fault::NoRow, .rowFault = RowFault::TooLarge});
     }
     data = *std::move(timed);
 }
 
-/// Finds the step of an instrument, from the first rows: 5 or 0.5, as of a scale, or that of an encoder or converter.
+/// Sets the rounding of a series to the multiples of a step, if its first rows show the step of an instrument: 5 or
+/// 0.5, as of a scale, or that of an encoder or converter.
 void findStep(ReferenceSeries &series, std::span<const double> time)
 {
     constexpr std::size_t kExaminedRows = 4096;
@@ -299,12 +303,12 @@ bool isNoTable(const FileBytes &file, Fault fault)
     return std::ranges::count(kFaultsOfOtherTexts, fault) > 0 && isProse(splitLines(decodeText(file.bytes, converted)));
 }
 
-/// Returns the data of a table whose columns have their roles.
+/// Returns the data of a table whose columns have their roles. Throws ReadError.
 ReferenceData toData(RawTable &table)
 {
     ReferenceData data = collect(table);
     if (table.abscissa()->use.role == ColumnRole::CrankAngle) {
-        countByAngle(data, table);
+        replaceAnglesByTimes(data, table);
     }
     for (ReferenceSeries &series : data.series) {
         findStep(series, data.time);
@@ -341,7 +345,7 @@ ReadError withLayoutAndAdvice(ReadError error, RawTable &table, std::span<const 
         error.file.reset();
     }
     error.advice = adviceFor(error, table);
-    error.layout = takeLayout(table);
+    error.layout = describeLayout(table);
     return error;
 }
 
@@ -349,7 +353,7 @@ ReadError withLayoutAndAdvice(ReadError error, RawTable &table, std::span<const 
 
 const ReferenceSeries *ReferenceData::find(Channel channel) const
 {
-    return findElement(series, [channel](const ReferenceSeries &one) { return one.channel == channel; });
+    return findElement(series, [channel](const ReferenceSeries &candidate) { return candidate.channel == channel; });
 }
 
 ChannelSet channelsOf(const ReferenceData &data)
@@ -364,12 +368,12 @@ ChannelSet channelsOf(const ReferenceData &data)
 std::variant<ReferenceData, ReadError> readFiles(std::span<const FileBytes> files, const ReadOptions &options)
 try {
     RawTable table;
-    std::size_t file = 0; // that is being read; after the last one, their number
+    std::size_t file = 0; // index of the file that is being read; after the last one, the number of files
     try {
         for (; file < files.size(); ++file) {
-            const auto progress = [&](double part) {
+            const auto progress = [&](double fraction) {
                 return !options.progress ||
-                       options.progress((static_cast<double>(file) + part) / static_cast<double>(files.size()));
+                       options.progress((static_cast<double>(file) + fraction) / static_cast<double>(files.size()));
             };
             readTable(files[file], progress, table);
         }
@@ -379,7 +383,7 @@ try {
         refuseAnotherTable(table);
         assignColumns(table, options.columns);
         ReferenceData data = toData(table);
-        data.layout = takeLayout(table);
+        data.layout = describeLayout(table);
         return data;
     } catch (const ReadError &error) {
         return withLayoutAndAdvice(error, table, files, file);

@@ -8,12 +8,13 @@
 // Reading has three stages: text (file_text.h), table of numbers (raw_table.h), meaning of the columns
 // (column_assignment.h).
 //
-// The text is UTF-8, UTF-16 or in a code page of Windows (1250, 1251, 1252). A line names the columns: the time and the
-// channels (nameOf(), or words), in any order and case, each with or without its unit. There may be other lines above
-// it, and a line of units below. A comment mark (#, %, //) before the names is ignored. Cells are separated by commas,
-// semicolons, tabs or vertical bars, or else by spaces, and may be quoted; a cell never contains a line break. Numbers
-// have a decimal point or a decimal comma, the same throughout a file, and thousands separators where they are
-// unambiguous. An empty or missing cell is a gap. Of rows with the same time, the last one is used.
+// The text is UTF-8, UTF-16 or in a code page of Windows (1250, 1251, 1252, or the headings in GBK or Shift-JIS). A
+// line names the columns: the time and the channels (nameOf(), or words), in any order and case, each with or without
+// its unit. There may be other lines above it, and a line of units below. A comment mark (#, %, //) before the names is
+// ignored. Cells are separated by commas, semicolons, tabs or vertical bars, or else by spaces, and may be quoted; only
+// a heading may contain a line break. Numbers have a decimal point or a decimal comma, the same throughout a file, and
+// thousands separators where they are unambiguous. An empty or missing cell is a gap. Of rows with the same time, the
+// last one is used.
 //
 // A table over the crank angle instead of the time is read as the motion of a crank that turns once a second, until
 // timedBy() is called with another one.
@@ -87,16 +88,17 @@ ChannelSet channelsOf(const ReferenceData &data);
 struct ReadOptions {
     std::vector<ColumnChoice> columns; ///< the last one for a column applies; for the other columns, the file decides
 
-    /// Called regularly from the reading thread with the part that has been read, from 0 to 1; returns false to stop
-    /// reading. May be empty.
-    std::function<bool(double part)> progress;
+    /// Called regularly from the reading thread with the fraction that has been read, from 0 to 1; returns false to
+    /// stop reading. May be empty.
+    std::function<bool(double fraction)> progress;
 };
 
 /// A file in memory.
 struct FileBytes {
     std::string_view bytes;
     std::string name{};       ///< "slider_velocity.csv"; empty: unknown
-    bool isBeginning = false; ///< whether the file continues after these bytes: all are cut to the shortest one
+    bool isBeginning = false; ///< whether the file continues after these bytes; if so, all files get as many rows as
+                              ///< the one with fewest
 };
 
 /// Number of bytes that are checked before a large file is read.
@@ -105,8 +107,8 @@ inline constexpr std::size_t kFileBeginning = std::size_t{1} << 16U;
 /// Largest size of a file, in bytes.
 inline constexpr std::size_t kLargestReferenceFile = std::size_t{1} << 31U;
 
-/// Returns why a file that begins like this is not a table of text, if it is a spreadsheet, PDF, markup, JSON or binary
-/// data. `beginning` has kFileBeginning bytes.
+/// Returns the error of a file that begins like this and is no table of text: a spreadsheet, PDF, markup, JSON or
+/// binary data. Otherwise returns nullopt. `beginning` has kFileBeginning bytes, or fewer if the file is smaller.
 std::optional<ReadError> findForeignFormat(std::string_view beginning);
 
 /// Reads a file, or several files of one motion, as written by programs that export one plot at a time. Contradictions

@@ -128,10 +128,10 @@ QString faultText(const ReadFault &fault)
 {
     const bool namesUnit = fault.kind == FaultKind::UnknownUnit;
     return ReadFaultText::tr(rowOf(ReadFaultText::kFaults, fault.kind).text)
-        .replace("%6", QString::number(fault.numbers))
-        .replace("%5", QString::number(fault.headings))
-        .replace("%4", reasonText(fault.column))
-        .replace("%3", ReadFaultText::row(fault.row))
+        .replace("%6", QString::number(fault.cellCount))
+        .replace("%5", QString::number(fault.headingCount))
+        .replace("%4", reasonText(fault.columnReason))
+        .replace("%3", ReadFaultText::row(fault.rowFault))
         .replace("%2", QString::fromUtf8(namesUnit ? fileUnit(fault.channel) : nameOf(fault.channel)))
         .replace("%1", QString::fromUtf8(fault.heading));
 }

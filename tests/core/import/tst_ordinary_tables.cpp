@@ -570,7 +570,8 @@ private slots:
         const Outcome outcome = read("θ (°);x (mm);;θ (°);x (mm)\n0;85;;180;45\n60;80;;240;50\n120;60;;300;70\n"
                                      "180;45;;360;85\n");
         const ReadError *const error = std::get_if<ReadError>(&outcome);
-        QVERIFY(error && error->fault.kind == Kind::NoCertainChannel && error->fault.column == ColumnReason::LikeOther);
+        QVERIFY(error && error->fault.kind == Kind::NoCertainChannel &&
+                error->fault.columnReason == ColumnReason::LikeOther);
     }
 
     void cutsNoPartOfACell()
@@ -645,7 +646,7 @@ private slots:
               "crank pin x;crank pin y", "A vx;A vy", "x(A) [mm];y(A) [mm]"}) {
             const Outcome outcome = read(QByteArray("t;") + headings + "\n0;20;0\n1;0;20\n2;-20;0\n3;0;-20\n");
             const ReadError *const error = std::get_if<ReadError>(&outcome);
-            QVERIFY2(error && error->fault.column == ColumnReason::CrankPin && error->advice.empty(), headings);
+            QVERIFY2(error && error->fault.columnReason == ColumnReason::CrankPin && error->advice.empty(), headings);
         }
         const auto reasonsBeside = [](const QByteArray &column) { // in tables of `solve`, which state no mm
             const Outcome outcome =

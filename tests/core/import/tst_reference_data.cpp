@@ -158,7 +158,7 @@ struct Refusal {
     ReadFault fault;
 };
 
-const ReadFault kTimeRepeats{.kind = Kind::TimeNotRising, .row = RowFault::RepeatedTime};
+const ReadFault kTimeRepeats{.kind = Kind::TimeNotRising, .rowFault = RowFault::RepeatedTime};
 
 const std::vector<Refusal> kRefused{
     {"nothing", "", "0:0 ", {Kind::Empty}},
@@ -185,7 +185,7 @@ const std::vector<Refusal> kRefused{
     {"two tables side by side",
      "theta2,x (mm),,theta2,x (mm)\n0,1,,0,5\n90,2,,90,6\n180,3,,180,7\n",
      "1:0 ",
-     {.kind = Kind::NoCertainChannel, .heading = "x (mm)", .column = ColumnReason::LikeOther}},
+     {.kind = Kind::NoCertainChannel, .heading = "x (mm)", .columnReason = ColumnReason::LikeOther}},
     {"a channel twice", "time,R4_x,r4x [m]\n0,1,2\n", "1:3 r4x [m]", {Kind::ChannelTwice, kX}},
     {"two different times", "time,R4_x,Tiempo\n0,1,2\n", "1:3 Tiempo", {Kind::TimeTwice}},
     {"only headings", "time,R4_x\n", "1:0 ", {Kind::NoNumbers}},
@@ -193,7 +193,7 @@ const std::vector<Refusal> kRefused{
     {"decimal commas between commas",
      "time,R4_x\n0,005,74,5436\n0,010,74,8173\n",
      "2:3 74",
-     {.kind = Kind::NoRow, .row = RowFault::TooManyCells}},
+     {.kind = Kind::NoRow, .rowFault = RowFault::TooManyCells}},
     {"no value", "time,R4_x\n0,\n1,nan\n", "2:0 ", {Kind::NoValues}},
     {"a time that mostly repeats", "R4_x,time\n1,0\n2,0\n3,0\n4,1\n5,1\n", "3:2 0", kTimeRepeats},
     {"a time that decreases", "time [ms],R4_x\n0,1\n1,x\n-250,2\n", "4:1 -250", kTimeRepeats},
@@ -204,7 +204,7 @@ const std::vector<Refusal> kRefused{
     {"a time that starts again",
      "time,R4_x\n0,1\n1,2\n2,3\n3,4\n0,1\n",
      "6:1 0",
-     {.kind = Kind::TimeStartsAgain, .row = RowFault::RepeatedTime}},
+     {.kind = Kind::TimeStartsAgain, .rowFault = RowFault::RepeatedTime}},
     {"a crank angle that starts again with other values",
      "theta2,R4_x\n0,9\n90,5\n180,1\n270,5\n0,19\n90,15\n180,11\n270,15\n",
      "6:0 ",
@@ -212,15 +212,15 @@ const std::vector<Refusal> kRefused{
     {"more headings than cells",
      "time,Slider, position\n0,1\n1,2\n",
      "1:0 ",
-     {.kind = Kind::MoreHeadings, .headings = 3, .numbers = 2}},
+     {.kind = Kind::MoreHeadings, .headingCount = 3, .cellCount = 2}},
     {"fewer headings than cells",
      "time,R4_x\n0.1,1.5,2.5\n0.2,1.25,2.5\n",
      "2:0 ",
-     {.kind = Kind::FewerHeadings, .headings = 2, .numbers = 3}},
+     {.kind = Kind::FewerHeadings, .headingCount = 2, .cellCount = 3}},
     {"decimal commas between commas",
      "time,R4_x\n0,1,1,5\n0,2,1,25\n",
      "2:3 1",
-     {.kind = Kind::NoRow, .row = RowFault::TooManyCells}},
+     {.kind = Kind::NoRow, .rowFault = RowFault::TooManyCells}},
     {"common factor of MATLAB", "t x\n\n   1.0e+03 *\n\n   0 0.085\n   0.001 0.084\n", "3:0 ", {Kind::CommonFactor}},
     {"quantities in rows", "time;0;0.1;0.2;0.3\nR4_x [mm];8;7;6;5\n", "1:0 ", {Kind::Transposed}},
     {"another table", "time,R4_x\n0,8\n1,7\n\ntime,theta3\n0,1\n", "5:0 time,theta3", {Kind::AnotherTable}},

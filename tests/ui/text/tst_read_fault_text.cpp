@@ -58,11 +58,11 @@ private slots:
             {{Kind::UnknownUnit, {Theta3, Order::Velocity}}, "[°/s]"},
             {{Kind::ChannelTwice, {R4x, Order::Velocity}}, "R4_x_diff"},
             {{Kind::ChannelInBoth, {R4x, Order::Velocity}}, "R4_x_diff"},
-            {{.kind = Kind::NoCertainChannel, .column = ColumnReason::AngleOrLength}, "neither unit nor values"},
-            {{.kind = Kind::NoCertainChannel, .column = ColumnReason::LikeOther}, "the same quantity)"},
-            {{.kind = Kind::NoCertainChannel, .column = ColumnReason::UnknownBody}, "the body)"},
-            {{.kind = Kind::NoCertainChannel, .column = ColumnReason::UnknownUnit}, "its unit"},
-            {{.kind = Kind::NoRow, .row = RowFault::TooManyCells}, "too many cells"},
+            {{.kind = Kind::NoCertainChannel, .columnReason = ColumnReason::AngleOrLength}, "neither unit nor values"},
+            {{.kind = Kind::NoCertainChannel, .columnReason = ColumnReason::LikeOther}, "the same quantity)"},
+            {{.kind = Kind::NoCertainChannel, .columnReason = ColumnReason::UnknownBody}, "the body)"},
+            {{.kind = Kind::NoCertainChannel, .columnReason = ColumnReason::UnknownUnit}, "its unit"},
+            {{.kind = Kind::NoRow, .rowFault = RowFault::TooManyCells}, "too many cells"},
         };
         for (const Kind kind : {Kind::NoSuchColumn, Kind::SeveralColumns, Kind::NoCertainChannel, Kind::OtherTimeStamps,
                                 Kind::ChannelInBoth}) {
