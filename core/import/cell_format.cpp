@@ -13,8 +13,8 @@ namespace slidercrank
 namespace
 {
 
-/// Returns whether the first point or comma of a number may separate thousands, as in "80,826": a number from 1 to 999
-/// is before it, and three digits are behind it.
+/// Returns whether the first point or comma of a number, at `sign`, may separate thousands, as in "80,826": a number
+/// from 1 to 999 is before it, and three digits are behind it.
 bool maySeparateThousands(std::string_view number, std::size_t sign)
 {
     const std::size_t first = number.find_first_of("0123456789");
@@ -33,24 +33,24 @@ std::vector<std::string_view> numbersIn(Lines lines, char delimiter)
     return numbers;
 }
 
-/// Returns whether a text is a number with a decimal point, or without any decimals.
-bool isWithPoint(std::string_view text)
+/// Returns whether a text is a gap or a number that is valid with a decimal point.
+bool isNumberWithPoint(std::string_view text)
 {
     return !parseNumber(text, DecimalSign::Point).fault;
 }
 
-/// Returns whether a text is a number with a decimal comma, or without any decimals. Between commas, "1,234" is none:
-/// its comma separates thousands if "1,234.0" is a number.
-bool isWithComma(std::string_view text, char delimiter)
+/// Returns whether a text is a gap or a number that is valid with a decimal comma. If commas also separate the cells, a
+/// comma that may separate thousands ("1,234") is no decimal comma.
+bool isNumberWithComma(std::string_view text, char delimiter)
 {
     const bool hasComma = text.find(',') != text.npos;
-    const bool hasThousands = delimiter == ',' && hasComma && isWithPoint(std::string(text) + ".0");
+    const bool hasThousands = delimiter == ',' && hasComma && isNumberWithPoint(std::string(text) + ".0"); // "1,234.0"
     return !hasThousands && !parseNumber(text, DecimalSign::Comma).fault;
 }
 
 } // namespace
 
-void findClocks(const Line &row, char delimiter, std::vector<Heading> &headings)
+void markClocks(const Line &row, char delimiter, std::vector<Heading> &headings)
 {
     const Cells cells = splitCells(row.text, delimiter);
     for (std::size_t i = 0; i < std::min(cells.size(), headings.size()); ++i) {
@@ -70,9 +70,9 @@ void findClocks(const Line &row, char delimiter, std::vector<Heading> &headings)
 
 DecimalSign findDecimalSign(Lines lines, char delimiter)
 {
-    int commas = 0; // numbers that need a comma, minus those that need a point
+    int commas = 0; // numbers that are valid with a comma, minus those that are valid with a point
     for (const std::string_view number : numbersIn(lines, delimiter)) {
-        commas += (isWithComma(number, delimiter) ? 1 : 0) - (isWithPoint(number) ? 1 : 0);
+        commas += (isNumberWithComma(number, delimiter) ? 1 : 0) - (isNumberWithPoint(number) ? 1 : 0);
     }
     return commas > 0 ? DecimalSign::Comma : DecimalSign::Point;
 }
@@ -83,7 +83,7 @@ bool mayHaveThousands(Lines lines, char delimiter)
     bool mayBeThousands = delimiter != ',';
     for (const std::string_view number : numbersIn(lines, delimiter)) {
         const std::size_t sign = number.find_first_of(".,");
-        if (sign != number.npos && (isWithPoint(number) || isWithComma(number, delimiter))) {
+        if (sign != number.npos && (isNumberWithPoint(number) || isNumberWithComma(number, delimiter))) {
             hasSign = true;
             mayBeThousands = mayBeThousands && maySeparateThousands(number, sign);
         }

@@ -11,15 +11,18 @@
 namespace slidercrank
 {
 
-/// Finds the columns of times of a clock by the first row. Times of day that no clock shows have no meaning.
-void findClocks(const Line &row, char delimiter, std::vector<Heading> &headings);
+/// Marks the columns whose cells contain times of a clock, judging by the first row. Behind the first quantity there
+/// are none: "1:02" may be the duration of a lap there. A heading that names a time of day has no meaning if its cells
+/// are no times of a clock.
+void markClocks(const Line &row, char delimiter, std::vector<Heading> &headings);
 
-/// Returns the decimal sign with which most numbers in the lines can be read: 0,005 and 1.234,5 only with a comma.
-/// Between commas, "1,234" could have a thousands separator and does not count, but "0,234" does.
+/// Returns the decimal sign with which more cells of the lines are numbers; the point on a tie. If commas also separate
+/// the cells, "1,234" does not speak for a decimal comma, because its comma may separate thousands, but "0,234" does.
 DecimalSign findDecimalSign(Lines lines, char delimiter);
 
-/// Returns whether every decimal sign in the lines could also separate thousands, as in "80,826": it has three digits
-/// behind it and a number from 1 to 999 before.
+/// Returns whether every decimal sign in the lines could also separate thousands, as in "80,826": three digits are
+/// behind it, and a number from 1 to 999 is before it. Returns false if there is no decimal sign, or if commas separate
+/// the cells.
 bool mayHaveThousands(Lines lines, char delimiter);
 
 } // namespace slidercrank

@@ -23,13 +23,14 @@ constexpr std::string_view kGaps =
 
 constexpr char kApostrophe = '\'';
 
-/// Minus signs, powers of ten, the characters that only separate thousands, and the marks of formulas in LaTeX.
+/// Minus signs, the powers of ten, the characters that only separate thousands, and the mark of formulas in LaTeX, with
+/// their plain spelling.
 const Spellings kNumberSpellings{{"\u2212", "-"}, {"\u2010", "-"}, {"\u2011", "-"}, {"\u2013", "-"}, {"\u2019", "'"},
                                  {" ", "'"},      {"\u00A0", "'"}, {"\u2009", "'"}, {"\u202F", "'"}, {"D", "e"},
                                  {"d", "e"},      {"×10", "e"},    {"·10", "e"},    {"⋅10", "e"},    {"*10^", "e"},
                                  {"*^", "e"},     {"$", ""}};
 
-/// Returns a number with plain signs, the letter e before its exponent, and apostrophes between thousands.
+/// Returns a number with "-" as the minus sign, the letter e before its exponent, and apostrophes for blanks.
 std::string withPlainSpelling(std::string_view number)
 {
     std::string plain = kNumberSpellings.replacedIn(number);
@@ -41,7 +42,8 @@ std::string withPlainSpelling(std::string_view number)
     return plain;
 }
 
-/// Returns the places of the digits of a number that is printed with a sign and a point, times a power of ten.
+/// Returns the places of the digits of a number that is printed as `digits`, with a sign and a point, times
+/// 10^exponent.
 PrintedPlaces placesOf(std::string_view digits, double exponent)
 {
     constexpr double kLargestExponent = 1e5; // beyond any double, so that no sum overflows
@@ -58,7 +60,8 @@ PrintedPlaces placesOf(std::string_view digits, double exponent)
             .printed = powerAt(std::ssize(digits) - 1)};
 }
 
-/// Parses an optional minus sign, digits with at most one point, and an optional exponent. Other texts are no numbers.
+/// Parses an optional minus sign, digits with at most one point, and an optional exponent. Other texts have the fault
+/// NotANumber.
 CellNumber parsePlain(std::string_view text)
 {
     CellNumber number;
@@ -86,36 +89,57 @@ CellNumber parsePlain(std::string_view text)
     return number;
 }
 
-/// Returns the number without plus sign, blanks behind the sign and thousands separators, or an empty text where these
-/// are ambiguous. Accountants write a negative number in brackets.
-std::string withoutSeparators(std::string_view text)
+/// Returns whether a text begins with a sign.
+bool beginsWithSign(std::string_view text)
+{
+    return text.starts_with('-') || text.starts_with('+');
+}
+
+/// A number, split. The magnitude is in plain spelling, and empty if the text is no number.
+struct SignAndMagnitude {
+    bool isNegative = false;
+    std::string magnitude{};
+};
+
+/// Splits a number with a decimal point into its sign and its magnitude, without the blanks around them (apostrophes in
+/// plain spelling). Accountants write a negative number in brackets. Two signs, and a sign in brackets, are no number.
+SignAndMagnitude splitSign(std::string_view text)
 {
     const bool isBracketed = text.starts_with('(') && text.ends_with(')');
     std::string plain = withPlainSpelling(isBracketed ? text.substr(1, text.size() - 2) : text);
     plain.erase(plain.find_last_not_of(kApostrophe) + 1);
     plain.erase(0, plain.find_first_not_of(kApostrophe));
-    const bool isSigned = plain.starts_with('-') || plain.starts_with('+');
+    const bool isSigned = beginsWithSign(plain);
     const bool isNegative = plain.starts_with('-') || isBracketed;
     plain.erase(0, isSigned ? plain.find_first_not_of(kApostrophe, 1) : 0);
-    if (plain.starts_with('-') || plain.starts_with('+') || (isSigned && isBracketed)) {
-        return {};
-    }
-    const std::string whole = plain.substr(0, plain.find('.'));
+    return beginsWithSign(plain) || (isSigned && isBracketed) ? SignAndMagnitude()
+                                                              : SignAndMagnitude{isNegative, plain};
+}
+
+/// Returns a magnitude in plain spelling without the apostrophes or commas between its thousands. Returns an empty text
+/// if they are at other places, or if a single comma without a point behind it may also be the decimal sign.
+std::string withoutThousands(const std::string &magnitude)
+{
+    const std::string whole = magnitude.substr(0, magnitude.find('.'));
     const char separator = whole.find(kApostrophe) != whole.npos ? kApostrophe : ',';
     std::string digits = whole;
     const std::size_t separators = std::erase(digits, separator);
-    plain.replace(0, whole.size(), digits);
     std::string grouped = digits;
     for (std::size_t end = digits.size(); end > 3; end -= 3) {
         grouped.insert(end - 3, 1, separator);
     }
-    // A single comma without a point behind it may also be the decimal sign.
-    const bool isClear = separators > 1 || separator == kApostrophe || digits.size() < plain.size();
+    const bool hasDecimals = whole.size() < magnitude.size();
+    const bool isClear = separators > 1 || separator == kApostrophe || hasDecimals;
     const bool isGrouped = grouped == whole && isClear && !digits.starts_with('0');
-    if (separators > 0 && !isGrouped) {
-        return {};
-    }
-    return isNegative ? '-' + plain : plain;
+    return separators == 0 || isGrouped ? digits + magnitude.substr(whole.size()) : std::string();
+}
+
+/// Parses a number with a decimal point that may have a plus sign, blanks behind its sign, thousands separators, or
+/// brackets instead of a minus sign.
+CellNumber parseSeparated(std::string_view text)
+{
+    const SignAndMagnitude split = splitSign(text);
+    return parsePlain((split.isNegative ? "-" : "") + withoutThousands(split.magnitude));
 }
 
 /// Returns the text with points for commas and commas for points, so that the decimal sign is a point.
@@ -167,13 +191,13 @@ std::optional<double> multipleOfPi(std::string_view text)
     return (isNegative ? -1.0 : 1.0) * factor.value * std::numbers::pi / divisor.value;
 }
 
-/// Returns the place of the first digit of a number.
+/// Returns the place of the first digit of a number; 0 for zero.
 int firstPlaceOf(double value)
 {
     return value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
 }
 
-/// Returns the digits of a number that was not printed: as many as a double has.
+/// Returns the places of the digits of a computed number: as many as a double has.
 PrintedPlaces placesOfDouble(double value)
 {
     constexpr int kDigits = 17;
@@ -182,17 +206,17 @@ PrintedPlaces placesOfDouble(double value)
 }
 
 /// Parses an angle in degrees, minutes and seconds: 45°30'15", 45° 30.25', -3°07′. The minutes may be missing, as in
-/// the "45°" of a column in which other angles have them. The last digit of a minute or second counts as the next
-/// coarser power of ten of a degree, because a rounding step is one.
-CellNumber parseMinutes(std::string_view text)
+/// the "45°" of a column in which other angles have them. Its last place is the power of ten of a degree next above the
+/// last digit of the minutes or seconds, because a rounding step is a power of ten.
+CellNumber parseDegreesAndMinutes(std::string_view text)
 {
     static const Spellings kMarks{{"°", ":"}, {"º", ":"}, {"''", ""}, {"\"", ""}, {"″", ""},  {"”", ""},
                                   {"'", ":"}, {"′", ":"}, {"’", ":"}, {" ", ""},  {"–", "-"}, {"\u2212", "-"}};
     constexpr double kPerUnit = 60.0; // minutes per degree, seconds per minute
     constexpr int kMaxParts = 3;
-    const CellNumber none{.fault = RowFault::NotANumber};
+    const CellNumber refused{.fault = RowFault::NotANumber};
     if (text.find("°") == text.npos && text.find("º") == text.npos) {
-        return none;
+        return refused;
     }
     const std::string plain = kMarks.replacedIn(text);
     const bool isNegative = plain.starts_with('-');
@@ -204,7 +228,7 @@ CellNumber parseMinutes(std::string_view text)
         const CellNumber number = parsePlain(takeUntil(':', rest));
         const bool isTooLarge = part > 0 && number.value > kPerUnit;
         if (part == kMaxParts || number.fault || number.value < 0.0 || isTooLarge) {
-            return none;
+            return refused;
         }
         degrees += unit * number.value;
         roundingStep = unit * powerOfTen(number.places.printed);
@@ -216,7 +240,8 @@ CellNumber parseMinutes(std::string_view text)
             .unit = "deg"};
 }
 
-/// Returns where the quotation mark at `opening` is closed, or the end of the text. Two marks are one in the quotation.
+/// Returns where the quotation mark at `opening` is closed, or the size of the text if it is not. A doubled mark is a
+/// part of the quotation.
 std::size_t findClosingMark(std::string_view text, std::size_t opening)
 {
     std::size_t at = text.find('"', opening + 1);
@@ -292,7 +317,7 @@ Cells splitBehindBrackets(std::string_view line)
     return cells;
 }
 
-Cells splitAtBlanks(std::string_view line, std::size_t least)
+Cells splitAtBlanks(std::string_view line, std::size_t minBlanks)
 {
     Cells cells;
     std::size_t blanks = 0;
@@ -303,7 +328,7 @@ Cells splitAtBlanks(std::string_view line, std::size_t least)
             continue;
         }
         const bool opens = c == '(' || c == '[';
-        if (cells.empty() || (blanks >= least && depth == 0 && !opens)) {
+        if (cells.empty() || (blanks >= minBlanks && depth == 0 && !opens)) {
             cells.push_back({&c, 1});
         }
         cells.back() = {cells.back().data(), &c + 1};
@@ -314,7 +339,7 @@ Cells splitAtBlanks(std::string_view line, std::size_t least)
     return cells;
 }
 
-std::string_view inBrackets(std::string_view cell)
+std::string_view textInBrackets(std::string_view cell)
 {
     const bool isBracketed =
         cell.size() > 2 && (cell[0] == '[' || cell[0] == '(') && (cell.back() == ']' || cell.back() == ')');
@@ -341,13 +366,13 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
     if (const std::optional<double> multiple = multipleOfPi(text)) {
         return {.value = *multiple, .places = placesOfDouble(*multiple), .unit = "rad"};
     }
-    if (const CellNumber angle = parseMinutes(text); !angle.fault) {
+    if (const CellNumber angle = parseDegreesAndMinutes(text); !angle.fault) {
         return angle;
     }
     if (const std::size_t end = text.find("±"); end != 0 && end != text.npos) {
         return parseNumber(trimmed(text.substr(0, end)), DecimalSign::Point);
     }
-    number = parsePlain(withoutSeparators(text));
+    number = parseSeparated(text);
     if (number.fault == RowFault::NotANumber && looksNumeric(text) && text.find(',') != text.npos) {
         number.fault = decimalSign == DecimalSign::Comma ? RowFault::PointForComma : RowFault::CommaForPoint;
     }
@@ -380,7 +405,7 @@ bool looksNumeric(std::string_view text)
     const std::string plain = withPlainSpelling(withoutMarkup(text));
     const bool areDigits = std::ranges::any_of(plain, isDigit) && !plain.starts_with('e') &&
                            plain.find_first_not_of("0123456789+-.,eE'") == plain.npos;
-    return areDigits || multipleOfPi(text) || !parseMinutes(text).fault;
+    return areDigits || multipleOfPi(text) || !parseDegreesAndMinutes(text).fault;
 }
 
 NumberWithUnit splitUnit(std::string_view text)
@@ -400,12 +425,12 @@ NumberWithUnit splitUnit(std::string_view text)
 
 std::string excerpt(std::string_view text)
 {
-    constexpr std::size_t kLongest = 40; // bytes
-    if (text.size() <= kLongest) {
+    constexpr std::size_t kMaxSize = 40; // bytes
+    if (text.size() <= kMaxSize) {
         return std::string(text);
     }
-    std::size_t length = kLongest;
-    while (length > 0 && (byteOf(text[length]) & 0xC0U) == 0x80U) {
+    std::size_t length = kMaxSize;
+    while (length > 0 && (byteOf(text[length]) & 0xC0U) == 0x80U) { // within a character
         --length;
     }
     return std::string(text.substr(0, length)) + "…";

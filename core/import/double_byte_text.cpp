@@ -14,14 +14,14 @@ namespace slidercrank
 namespace
 {
 
-/// A character and the codes of its two bytes; 0 where it does not occur.
+/// A character and its codes of two bytes; 0 if an encoding does not contain it.
 struct KnownCharacter {
     std::string_view text;
     unsigned gbk;
     unsigned shiftJis;
 };
 
-/// The characters of the vocabulary. A code is that of one of them only.
+/// The characters of the vocabulary. No two of them have the same code, even in different encodings.
 constexpr auto kKnownCharacters = std::to_array<KnownCharacter>(
     {{"位", 0xCEBB, 0x88CA}, {"刻", 0xBFCC, 0x8D8F}, {"力", 0xC1A6, 0x97CD}, {"加", 0xBCD3, 0x89C1},
      {"厘", 0xC0E5, 0x97D0}, {"块", 0xBFE9, 0},      {"塞", 0xC8FB, 0x8DC7}, {"変", 0x89E4, 0x95CF},
@@ -50,8 +50,8 @@ std::optional<std::string_view> characterWithCode(unsigned code)
     return found != kKnownCharacters.end() ? std::optional(found->text) : std::nullopt;
 }
 
-/// Removes the first character of a text, and returns its known UTF-8 text; nullopt for an unknown character. A byte
-/// outside ASCII without a second byte is one.
+/// Removes the first character of a text, and returns it in UTF-8; nullopt if it is unknown. So is a byte outside ASCII
+/// without a second byte.
 std::optional<std::string_view> takeKnownCharacter(std::string_view &bytes)
 {
     constexpr unsigned kMinSecondByte = 0x40;

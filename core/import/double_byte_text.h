@@ -10,9 +10,11 @@ namespace slidercrank
 {
 
 // A character outside ASCII has two bytes in GBK (GB 2312, GB 18030) and in Shift-JIS. Only the characters in the
-// vocabulary of headings are known; their codes differ in the two encodings, which therefore need not be told apart.
+// vocabulary of headings are known. No code of these characters means a different one of them in the other encoding, so
+// that the encoding need not be determined.
 
-/// Returns whether a text is in one of these encodings: more than a third of its characters outside ASCII are known.
+/// Returns whether a text is in one of these encodings: at least two of its characters outside ASCII are known, and
+/// more than a third of them.
 bool isDoubleByteText(std::string_view bytes);
 
 /// Converts a text in one of these encodings to UTF-8. Unknown characters become 〓.

@@ -54,7 +54,8 @@ bool isUtf8(std::string_view bytes)
 /// The formats that refuseFormats() looks for. Binary data may begin like markup or JSON, which are text.
 enum class Formats { Binary, All };
 
-/// Throws if the bytes begin like one of these formats. Exceptions: "[s]" is a unit, and "<" may begin any text.
+/// Throws if a text begins like one of these formats. The beginnings are long enough for a table with "[s]" or "<" at
+/// its beginning to be accepted.
 void refuseFormats(std::string_view text, Formats formats)
 {
     using enum ReadFault::Kind;
@@ -71,7 +72,7 @@ void refuseFormats(std::string_view text, Formats formats)
          {"[{", Json},
          {"[[", Json}}};
     std::string beginning = lowered(text.substr(0, 1000));
-    std::erase_if(beginning, [](char c) { return isBlank(c) || c == '\r' || c == '\n'; });
+    std::erase_if(beginning, isBlank);
     for (const auto &[bytes, format] : kBeginnings) {
         const bool isBinary = format == Spreadsheet || format == Pdf;
         if (beginning.starts_with(bytes) && (isBinary || formats == Formats::All)) {
@@ -80,7 +81,8 @@ void refuseFormats(std::string_view text, Formats formats)
     }
 }
 
-/// Returns the position of the first byte that cannot occur in text, or npos. A few control characters are tolerated.
+/// Returns the position of the first control character if more than one of a hundred bytes near the beginning is one,
+/// and otherwise that of the first zero byte. Returns npos if the text has neither.
 std::size_t findBinary(std::string_view text)
 {
     const auto isControl = [](char c) {
@@ -94,12 +96,12 @@ std::size_t findBinary(std::string_view text)
                : text.find('\0');
 }
 
-/// Removes zero bytes and the end-of-file character (Ctrl+Z) after the text, unless they are too many for padding.
+/// Removes zero bytes and the end-of-file character (Ctrl+Z) after the text, unless there are more than kMaxPadding.
 std::string_view withoutPadding(std::string_view text)
 {
-    constexpr std::size_t kLongest = kFileBeginning / 2;
+    constexpr std::size_t kMaxPadding = kFileBeginning / 2; // bytes
     const std::size_t end = text.find_last_not_of(std::string_view("\0\x1A", 2)) + 1;
-    return text.size() - end <= kLongest ? text.substr(0, end) : text;
+    return text.size() - end <= kMaxPadding ? text.substr(0, end) : text;
 }
 
 /// Returns the text with box characters replaced by those of ASCII: "| 0.1 | 85 |" for "│ 0.1 │ 85 │", "+---+" for
@@ -142,7 +144,7 @@ std::optional<std::size_t> findLowerByte(std::string_view bytes)
     return isUtf16 ? std::optional(lower) : std::nullopt;
 }
 
-/// The encodings with one byte per character that are told apart: code pages of Windows.
+/// The encodings with one byte per character that are distinguished: code pages of Windows.
 enum class CodePage { Western, Central, Cyrillic };
 
 bool isAsciiLetter(char c)
@@ -151,8 +153,8 @@ bool isAsciiLetter(char c)
 }
 
 /// Returns the encoding of a text: the Cyrillic one if most letters outside ASCII have no letter of ASCII beside them;
-/// that of Central Europe if one of the bytes of the Polish ł, ą and ż, which are ³, ¹ and ¿ in the Western one, is
-/// between letters.
+/// otherwise that of Central Europe if one of the bytes of the Polish ł, ą and ż, which are ³, ¹ and ¿ in the Western
+/// one, is between letters of ASCII; otherwise the Western one.
 CodePage codePageOf(std::string_view bytes)
 {
     std::ptrdiff_t apart = 0; // number of letters outside ASCII without a letter of ASCII beside them, minus the others

@@ -11,11 +11,11 @@
 namespace slidercrank
 {
 
-/// Decodes the bytes of a file. Returns the text without byte order mark, which refers to the bytes or to `converted`.
-/// A byte order mark determines the encoding. Otherwise it is UTF-8, or if most bytes outside ASCII are not valid
-/// UTF-8, a code page of Windows: 1252 (which includes Latin-1), 1250 for Polish, or 1251 for Russian. The lines of a
-/// table drawn with box characters become "|", "-" and "+". Throws ReadError if the bytes are not text, or text of
-/// a format other than a table.
+/// Decodes the bytes of a file to UTF-8, without the byte order mark. The returned view refers to `bytes`, or to
+/// `converted` if the text had to be converted. Encodings: UTF-16 (by its mark, or by its zero bytes); UTF-8 if at
+/// least half of the characters outside ASCII are valid; otherwise GBK or Shift-JIS (double_byte_text.h), or
+/// Windows-1252, -1250 or -1251. The characters of boxes become "|", "-" and "+". Throws ReadError if the bytes are not
+/// text, or text of a format other than a table.
 std::string_view decodeText(std::string_view bytes, std::string &converted);
 
 } // namespace slidercrank

@@ -54,14 +54,14 @@ Cells withHeadingsJoined(const Cells &cells)
     return joined;
 }
 
-/// Returns whether the cells of a line contain units alone. The s of seconds is also the symbol of a displacement.
+/// Returns whether all cells of a line are units or empty, also if one may be a symbol as well (s).
 bool areUnits(const HeadingCandidate &line)
 {
     return std::ranges::all_of(line.cells, [](std::string_view cell) { return cell.empty() || parseUnit(cell); });
 }
 
-/// If there are more cells than in the row, joins those into which the delimiter has split a heading. Keeps the cells
-/// if there are not as many as in the row then.
+/// If a line has more cells than the row, joins those into which the delimiter has split a heading. Keeps the cells as
+/// they are if there are still not as many as in the row.
 void joinHeadings(HeadingCandidate &names, const NumberRow &row)
 {
     if (names.delimiter == ' ' || !row.isFound() || names.cells.size() <= row.sizeWithEmptyCells) {
@@ -73,15 +73,22 @@ void joinHeadings(HeadingCandidate &names, const NumberRow &row)
     }
 }
 
-/// Returns whether a remark follows the names of the columns: it begins with a comment mark, or its words are the cells
-/// that are more than the numbers of a row, although as many names as numbers are known.
+/// Returns whether a remark follows the names of the columns, so that there are more cells than the `numbers` of a row:
+/// it begins with a comment mark, or at least as many names as numbers are known.
 bool isRemarkBehind(const HeadingCandidate &names, std::size_t numbers)
 {
     const bool isMarked = headingsBeforeRemark(names.cells).size() == numbers;
     return names.isComplete() && (isMarked || (names.cells.size() > numbers && names.known() >= numbers));
 }
 
-/// Returns whether names may be the headings of the row. `isMarked`: they stand after a comment mark.
+/// Returns whether names may be the headings of the row:
+///
+/// 1. without a row: if no blanks separate them,
+/// 2. with as many cells as in the row: always; but at most one may be unknown if blanks separate only the headings,
+/// 3. else, if blanks separate headings or numbers: if all are known, and only the first column lacks a heading,
+/// 4. else: unless they are marked and no remark is behind them.
+///
+/// `isMarked`: a comment mark was before the names.
 bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isMarked)
 {
     const bool areSpaced = names.delimiter == ' ';
@@ -90,10 +97,9 @@ bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isM
     }
     const std::size_t numbers = row.cells.size();
     if (row.hasCountOf(names.cells)) {
-        // If spaces separate the headings but not the numbers, at most one heading may be unknown.
         return !areSpaced || row.delimiter == ' ' || (names.isComplete() && names.known() + 1 >= numbers);
     }
-    if (areSpaced || row.delimiter == ' ') { // only the column of the row names may lack a heading
+    if (areSpaced || row.delimiter == ' ') {
         return areSpaced && names.cells.size() + 1 == numbers && names.isComplete() &&
                names.known() == names.cells.size();
     }
@@ -102,10 +108,10 @@ bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isM
 
 /// How well the cells of a line suit the row of numbers. The greater rank is better; the members are compared in order.
 struct Rank {
-    bool isLikeRow = false; ///< as many cells as in the row, between the same delimiters
-    std::size_t known = 0;
+    bool isLikeRow = false; ///< as many cells as in the row, between the same delimiters, which are not blanks
+    std::size_t known = 0;  ///< number of names that are known
     bool hasCountOfRow = false;
-    std::size_t cells = 0;
+    std::size_t cells = 0; ///< number of cells
 
     auto operator<=>(const Rank &) const = default;
 };
@@ -114,7 +120,7 @@ Rank rankOf(const HeadingCandidate &names, const NumberRow &row)
 {
     const bool hasCount = row.hasCountOf(names.cells);
     const bool isLikeRow = hasCount && names.delimiter == row.delimiter && names.delimiter != ' ';
-    return {isLikeRow, names.known(), hasCount, names.cells.size()};
+    return {.isLikeRow = isLikeRow, .known = names.known(), .hasCountOfRow = hasCount, .cells = names.cells.size()};
 }
 
 } // namespace
@@ -123,7 +129,7 @@ HeadingCandidate countNames(Cells cells, char delimiter)
 {
     HeadingCandidate names{std::move(cells), delimiter};
     for (const std::string_view cell : names.cells) {
-        const bool isName = !looksNumeric(cell) && !parseUnit(inBrackets(cell));
+        const bool isName = !looksNumeric(cell) && !parseUnit(textInBrackets(cell));
         const NameMeaning meaning = isName ? parseHeading(cell).meaning : NameMeaning();
         names.times += meaning.kind == Kind::Time ? 1 : 0;
         names.quantities += meaning.kind >= Kind::Quantity && !meaning.hasUnknownWords ? 1 : 0;

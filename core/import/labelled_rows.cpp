@@ -11,8 +11,8 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the label before the number in a cell with its mark, such as "angle:" in "angle:12.5" and "x =" in "x = 85
-/// mm"; empty if there is none.
+/// Returns the label before the number in a cell, with the mark behind the label: "angle:" of "angle:12.5", "x =" of
+/// "x = 85 mm". Empty if there is none.
 std::string_view labelOf(std::string_view cell)
 {
     const std::size_t mark = cell.find_first_of(":=");
@@ -43,7 +43,7 @@ Cells labelsOf(const Line &line, char delimiter)
     return labels;
 }
 
-/// Returns the headings of the columns, with the labels and units of the cells of the first row.
+/// Returns the headings of the columns, with the labels and units of the cells of the first row. `labels`: of `cells`.
 std::vector<Heading> headingsOf(const Cells &labels, const Cells &cells)
 {
     std::vector<Heading> headings;

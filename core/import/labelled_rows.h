@@ -15,7 +15,7 @@
 namespace slidercrank
 {
 
-/// What is above the rows of numbers, or named in them.
+/// The headings of a table, and where they are.
 struct TableTop {
     std::vector<Heading> headings{};
     std::size_t headerLine = 0; ///< number of the line of the headings; 0: none, the file begins with numbers
@@ -23,8 +23,8 @@ struct TableTop {
     char delimiter = ',';
 };
 
-/// Finds the first line whose cells have the same labels before their numbers as those of the next line. Returns the
-/// headings with these labels and the units of its cells; those of cells that are only labels are empty. Returns
+/// Finds the first line whose cells have the same labels before their numbers as those of the next line. Returns
+/// headings with these labels and the units of the cells; a cell that is only a label has an empty heading. Returns
 /// nullopt if there is no such line.
 std::optional<TableTop> readLabelledRows(Lines lines);
 

@@ -14,13 +14,16 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::size_t kLongestLine = std::size_t{1} << 20U;
+constexpr std::size_t kMaxLineSize = std::size_t{1} << 20U;        // bytes
 constexpr std::string_view kEndOfPreamble = "***End_of_Header***"; // of LabVIEW, which names columns there, too
 constexpr std::array<std::string_view, 6> kRemarkMarks{"#", "//", "/*", "%", "!", "--"};
 
-/// Returns whether a mark in a line begins a remark: "0.5 # start" and "0.5 // start", but "0.5 #N/A" is a gap. Others
-/// have further meanings, as in "12 %" or "0.5 -- NaN", so that they must stand apart and a word must follow, which is
-/// no gap: "0.5 % start".
+/// Returns whether a mark in a line, between the texts `before` and `after`, begins a remark:
+///
+/// - "#", "//" and "/*" behind a blank or a digit: "0.5 # start". But directly before a character other than a small
+///   letter, as in "0.5 #N/A", they do not.
+/// - "%", "!" and "--" only behind a blank and before a word that is no gap: "0.5 % start". They have further
+///   meanings, as in "12 %" and "0.5 -- NaN".
 bool beginsRemark(std::string_view before, std::string_view mark, std::string_view after)
 {
     const bool isAmbiguous = mark == "%" || mark == "!" || mark == "--";
@@ -60,8 +63,8 @@ bool isRule(std::string_view line)
            (has("--") || has("==") || has("__") || line.starts_with('|'));
 }
 
-/// Returns whether the lines with bars near the beginning of a text begin and end with one, as in Markdown. Otherwise a
-/// line that does has empty cells there.
+/// Returns whether the lines with bars near the beginning of a text begin and end with one, as in Markdown. If some do
+/// not, the lines that do have empty cells at their ends.
 bool isBordered(std::string_view text)
 {
     const std::string_view beginning = text.substr(0, kFileBeginning);
@@ -75,7 +78,8 @@ bool isBordered(std::string_view text)
     return true;
 }
 
-/// Returns a line of a table in LaTeX without its borders; empty for a line between rows.
+/// Returns a line without the commands of a table in LaTeX; empty for a line of any format that only separates rows,
+/// and for the beginning and end of an environment.
 std::string_view withoutBorders(std::string_view line)
 {
     std::string_view text = trimmed(line);
@@ -117,7 +121,7 @@ bool areBracketsOpened(std::string_view text)
     });
 }
 
-/// Returns a line that is quoted as a whole, such as "0.1,85" in quotation marks, without them.
+/// Returns a line without the quotation marks around several cells, as in "0.1,85".
 std::string_view withoutQuotes(std::string_view line)
 {
     const std::string_view text = trimmed(line);
@@ -156,8 +160,8 @@ std::string_view withoutTimeOfReceipt(std::string_view line)
     return isTime && before.size() < line.size() ? line.substr(line.find(kArrow) + kArrow.size()) : line;
 }
 
-/// Returns whether a quotation that begins with a cell of the line is not closed there. Other marks are the signs of
-/// inches or of seconds of arc.
+/// Returns whether a line begins a quotation at the beginning of a cell and does not close it. Quotation marks at other
+/// places are the signs of inches or of seconds of arc.
 bool endsInQuotation(std::string_view line)
 {
     bool isOpen = false;
@@ -170,14 +174,15 @@ bool endsInQuotation(std::string_view line)
     return isOpen;
 }
 
-/// Returns where the first line ends. Line ends in a quoted heading, as spreadsheets write them, belong to the line.
+/// Returns where the first line of a text ends. Line ends in a quoted heading, as spreadsheets write them, belong to
+/// the line.
 std::size_t findLineEnd(std::string_view text)
 {
-    constexpr std::size_t kLongestRest = 200; // bytes of a heading behind a line end
+    constexpr std::size_t kMaxRestSize = 200; // bytes of a heading behind a line end
     const std::size_t first = std::min(text.find('\n'), text.size());
     std::size_t end = first;
     while (endsInQuotation(text.substr(0, end))) {
-        const std::size_t closing = text.substr(0, end + kLongestRest).find('"', end);
+        const std::size_t closing = text.substr(0, end + kMaxRestSize).find('"', end);
         if (closing == text.npos) {
             return first;
         }
@@ -186,7 +191,8 @@ std::size_t findLineEnd(std::string_view text)
     return end;
 }
 
-/// Returns whether the text behind a number is a heading that it numbers: ". Time (s)", ":time", but not ":30".
+/// Returns whether the text behind a number is a heading, so that the number only counts the headings: ". Time (s)",
+/// ":time", but not ":30".
 bool numbersHeading(std::string_view behind)
 {
     const bool hasMark =
@@ -212,7 +218,7 @@ std::vector<Line> splitLines(std::string_view text)
             const std::string_view printed = lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest);
             const std::string_view inner = withoutBorders(withoutTimeOfReceipt(printed));
             const std::string_view line = withoutBrackets(withoutQuotes(areBordered ? withoutBars(inner) : inner));
-            if (line.size() > kLongestLine && lines.size() < kExaminedLines) {
+            if (line.size() > kMaxLineSize && lines.size() < kExaminedLines) {
                 throw ReadError{.line = number, .fault = {ReadFault::Kind::LineTooLong}};
             }
             if (mayBeHeadings && isCommonFactor(line)) {

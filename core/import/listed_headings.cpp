@@ -16,8 +16,8 @@ namespace
 
 using Kind = NameMeaning::Kind;
 
-/// Returns the text behind the number in a line that describes a column: "time [s]" of "# Column 1: time [s]". Empty if
-/// the first number in the line is a different one.
+/// Returns the text behind the number of a column in a line that describes the column: "time [s]" of "# Column 1: time
+/// [s]". Empty if the first number in the line is a different one.
 std::string_view textBehindNumber(std::string_view line, std::size_t number)
 {
     const std::string digits = std::to_string(number);

@@ -67,7 +67,7 @@ NumberRow findFirstRow(Lines lines)
 
 bool isProse(const std::vector<Line> &lines)
 {
-    constexpr std::size_t kMinLines = 10; // in fewer lines, the fault of one of them tells more
+    constexpr std::size_t kMinLines = 10; // in a shorter text, the error at a single line is the more helpful message
     constexpr std::size_t kMinRows = 3;   // in succession
     for (const char delimiter : kAllDelimiters) {
         std::size_t rows = 0;

@@ -18,12 +18,14 @@ namespace slidercrank
 namespace
 {
 
-/// To ASCII signs, with "^" before each superscript character and "@" before a power of ten after a number.
+/// Spellings of signs and spaces in ASCII.
 const Spellings kQuantitySpellings{{"\u2212", "-"}, {"\u00A0", " "}, {"\u2009", " "},
                                    {"\u202F", " "}, {"·", "*"},      {"×", "*"}};
+
+/// Spellings of the ten whose power multiplies the number before it. "@" marks the power.
 const Spellings kPowerSpellings{{" * 10^", "@"}, {" *10^", "@"}, {"* 10^", "@"}, {"*10^", "@"}};
 
-/// Removes the rounding error of a product such as 4.35 · 100.
+/// Returns a value without the rounding error of a product such as 4.35 · 100.
 double withoutRoundingError(double value)
 {
     constexpr int kMaxDigits = 15; // of a number that a person writes

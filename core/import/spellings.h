@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Tables of other spellings: of letters, units and numbers.
+// Tables that replace different spellings of letters, units and numbers by one spelling.
 
 #include <array>
 #include <initializer_list>
@@ -30,7 +30,7 @@ public:
     /// Adds the replacement of each character of `from` by the one at the same place in `to`.
     void addPairs(std::string_view from, std::string_view to);
 
-    /// Returns the text with all spellings replaced. Where several match, the first one in the table applies.
+    /// Returns the text with all spellings replaced. If several match at a place, the first one in the table applies.
     std::string replacedIn(std::string_view text) const;
 
 private:
@@ -39,7 +39,7 @@ private:
     std::array<std::vector<Spelling>, 256> m_spellings; ///< by the first byte of `from`
 };
 
-/// Returns the text with plain digits and signs behind carets for those in superscript: "10^-^3" for "10⁻³".
+/// Returns the text with "^" and a plain character for each superscript digit or sign: "10^-^3" for "10⁻³".
 std::string withCarets(std::string_view text);
 
 } // namespace slidercrank

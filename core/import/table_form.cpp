@@ -20,8 +20,8 @@ namespace
 /// Finds the line of headings:
 ///
 /// 1. the lines above the row that name one column each,
-/// 2. else the first line of all that names a time and a quantity and has as many cells as the row, with its delimiter
-///    or else with another one,
+/// 2. else the first line, above or below the row, that names a time and a quantity and has as many cells as the row,
+///    with the delimiter of the row or else with a different one,
 /// 3. else, of the lines above the row, the one with most names,
 /// 4. else, if there is no row of numbers, the first line,
 /// 5. else the one directly above the numbers and their units, if it has as many cells as the row.
@@ -33,7 +33,7 @@ std::optional<HeadingCandidate> findHeader(Lines lines, const NumberRow &row)
         return list;
     }
     std::vector<HeadingCandidate> above;
-    std::optional<HeadingCandidate> otherwiseSplit; // the first line with another delimiter
+    std::optional<HeadingCandidate> otherwiseSplit; // the first such line with a different delimiter
     for (std::size_t i = 0; i < lines.size(); ++i) {
         HeadingCandidate names = readNames(lines[i].text, row);
         names.line = i;
@@ -57,22 +57,23 @@ std::optional<HeadingCandidate> findHeader(Lines lines, const NumberRow &row)
     return row.isFound() ? findUnknownHeadings(above, row) : above.front();
 }
 
-/// Returns whether pandas printed the heading of the first column in a line of its own, below the others.
+/// Returns whether the first of the lines below the headings is the heading of the first column, which pandas prints
+/// there.
 bool beginsWithNameOfIndex(Lines rows, const NumberRow &row, std::size_t headings)
 {
     return !rows.empty() && headings + 1 == row.cells.size() &&
            parseHeading(trimmed(rows.front().text)).meaning.kind != NameMeaning::Kind::Nothing;
 }
 
-/// Returns whether R or pandas wrote the names of the rows, which have no heading, before the cells: quoted, words, or
-/// numbers from 0 or 1.
+/// Returns whether the first cell of each row is its name, which has no heading, as R and pandas write it: a quoted
+/// text, a word, or a number counted from 0 or 1.
 bool haveRowNames(Lines rows, char delimiter, std::size_t headings)
 {
     constexpr std::size_t kExaminedRows = 2;
     if (rows.size() < kExaminedRows) {
         return false;
     }
-    Cells numbers; // of the rows
+    Cells numbers; // that are the names of rows
     for (const Line &row : rows.first(kExaminedRows)) {
         const Cells cells = splitCells(row.text, delimiter);
         if (cells.size() != headings + 1 || !std::all_of(cells.begin() + 1, cells.end(), isNumber)) {
@@ -101,7 +102,7 @@ std::size_t completeHeadings(Lines lines, const NumberRow &row, std::vector<Head
     return count;
 }
 
-/// Sets the units that follow the numbers in the cells of a row.
+/// Sets the units that follow the numbers in the cells of a row. `line`: number of its line.
 void readUnitsInCells(const NumberRow &row, std::size_t line, std::vector<Heading> &headings)
 {
     for (std::size_t i = 0; i < std::min(row.cells.size(), headings.size()); ++i) {
@@ -110,7 +111,7 @@ void readUnitsInCells(const NumberRow &row, std::size_t line, std::vector<Headin
     }
 }
 
-/// Returns how many empty headings at the end of a line have cells below them: one in "Time,,Slider," above
+/// Returns how many empty headings at the end of a line of headings have cells below them: one in "Time,,Slider," above
 /// "0,s,85,mm".
 std::size_t countEmptyHeadings(Lines lines, const HeadingCandidate &header, const NumberRow &row)
 {
@@ -122,7 +123,7 @@ std::size_t countEmptyHeadings(Lines lines, const HeadingCandidate &header, cons
     return haveSeparators && below.size() > header.cells.size() ? below.size() - header.cells.size() : 0;
 }
 
-/// Reads a line of headings with the lines of units and further headings above and below it.
+/// Reads a line of headings, and the lines of units and further headings directly above and below it.
 TableTop readTop(Lines lines, const HeadingCandidate &header, const NumberRow &row)
 {
     TableTop top{.headerLine = lines[header.line].number,
@@ -176,7 +177,7 @@ std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout)
     }
     lines.erase(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(top.firstRow));
     if (!labelled && !lines.empty()) {
-        findClocks(lines.front(), layout.delimiter, top.headings);
+        markClocks(lines.front(), layout.delimiter, top.headings);
     }
     layout.decimalSign = findDecimalSign(firstLines(lines), layout.delimiter);
     layout.mayBeThousands = mayHaveThousands(firstLines(lines), layout.delimiter);

@@ -47,8 +47,8 @@ std::ptrdiff_t middleOf(std::string_view cell, std::string_view line)
     return 2 * (cell.data() - line.data()) + std::ssize(cell);
 }
 
-/// Returns the cells of a line that has fewer of them than the row of numbers: each one above the nearest number, with
-/// empty ones between them. Returns the cells as they are if two have the same nearest number.
+/// Puts the cells of a line that has fewer of them than the row of numbers above the nearest numbers, with empty cells
+/// between them. Returns the cells as they are if two have the same nearest number.
 Cells alignedWithRow(const Cells &cells, std::string_view line, const NumberRow &row)
 {
     Cells aligned;
@@ -80,8 +80,8 @@ Cells splitAnnotation(std::string_view line, const NumberRow &row, std::size_t h
     return cells.size() < row.cells.size() ? alignedWithRow(cells, line, row) : cells;
 }
 
-/// Returns whether a line below the headings is a second line of them: it names quantities, and states their units or
-/// distinguishes equal headings.
+/// Returns whether a line below the headings is a second line of headings: it names a quantity, and either states the
+/// unit of one or distinguishes equal headings.
 bool areSecondHeadings(const Cells &cells, const std::vector<Heading> &headings)
 {
     bool namesQuantity = false;
@@ -99,8 +99,8 @@ bool areSecondHeadings(const Cells &cells, const std::vector<Heading> &headings)
     return namesQuantity && (statesUnit || (areEqual && cells.size() <= headings.size()));
 }
 
-/// Returns whether all cells are symbols. At least one of them must not also be a unit (s is both); otherwise it is a
-/// line of units.
+/// Returns whether all cells are symbols or empty. At least one symbol must not also be a unit, as s is; otherwise it
+/// is a line of units.
 bool areSymbols(const Cells &cells)
 {
     const auto isSymbol = [](std::string_view cell) {
@@ -111,7 +111,8 @@ bool areSymbols(const Cells &cells)
     return std::ranges::all_of(cells, isSymbol) && !std::ranges::all_of(cells, mayBeUnit);
 }
 
-Annotation kindOf(const Line &line, const Cells &cells, const std::vector<Heading> &headings)
+/// Returns what a line between the headings and the numbers, split into cells, contains.
+Annotation annotationIn(const Line &line, const Cells &cells, const std::vector<Heading> &headings)
 {
     if (isData(line.text) || std::ranges::any_of(cells, isNumber)) {
         return Annotation::Numbers;
@@ -122,12 +123,13 @@ Annotation kindOf(const Line &line, const Cells &cells, const std::vector<Headin
     return std::ranges::any_of(cells, isUnit) && !areSymbols(cells) ? Annotation::Units : Annotation::Remarks;
 }
 
-/// Returns the unknown unit in a cell of a line of units: "(V)", "px", "mm/deg". Longer words, abbreviations such as
-/// "calc", and what has no brackets below a heading with a unit are remarks.
+/// Returns the text of a cell that stands where a unit is expected but is no known one: "(V)", "px", "mm/deg". Returns
+/// an empty text if the cell is a remark: without brackets below a heading that already has a unit, longer than
+/// kMaxUnitSize, a number or a gap, or an abbreviation such as "calc".
 std::string_view unknownUnitIn(std::string_view cell, const Heading &heading)
 {
-    constexpr std::size_t kMaxUnitSize = 5; // bytes, without a slash
-    const std::string_view inner = inBrackets(cell);
+    constexpr std::size_t kMaxUnitSize = 5; // bytes; longer texts are units only if they contain a slash
+    const std::string_view inner = textInBrackets(cell);
     if (!inner.empty() || !heading.use.unit.empty()) {
         return inner;
     }
@@ -140,7 +142,7 @@ std::string_view unknownUnitIn(std::string_view cell, const Heading &heading)
     return isShort && !isRemark ? cell : std::string_view();
 }
 
-/// Sets the known and unknown units of the columns.
+/// Sets the known and unknown units of the columns from a line with the number `line`.
 void readUnits(const Cells &cells, std::size_t line, std::vector<Heading> &headings)
 {
     for (std::size_t i = 0; i < std::min(cells.size(), headings.size()); ++i) {
@@ -149,7 +151,7 @@ void readUnits(const Cells &cells, std::size_t line, std::vector<Heading> &headi
     }
 }
 
-/// Appends the second line of headings to the first one. There may be more of them, below merged cells.
+/// Appends the second line of headings to the first one. The second one may have more cells, below merged cells.
 void readSecondHeadings(const Cells &cells, std::size_t line, std::vector<Heading> &headings)
 {
     headings.resize(std::max(headings.size(), cells.size()));
@@ -172,7 +174,7 @@ std::string_view unitIn(std::string_view cell)
     if (const std::size_t at = cell.find(kUnit); at != cell.npos) {
         cell = trimmed(cell.substr(at + kUnit.size()));
         cell = cell.substr(0, cell.find_first_of(" \t;,"));
-    } else if (const std::string_view inner = inBrackets(cell); !inner.empty()) {
+    } else if (const std::string_view inner = textInBrackets(cell); !inner.empty()) {
         cell = inner;
     }
     for (const std::string_view preposition : {"in ", "en "}) { // "in mm"
@@ -214,7 +216,7 @@ void readLineAbove(const Line &line, char delimiter, std::vector<Heading> &headi
     const Cells names = splitCells(text, delimiter);
     for (std::size_t i = 0; i < std::min(names.size(), headings.size()); ++i) {
         const std::string &heading = headings[i].use.heading;
-        if (!names[i].empty() && isUnit(inBrackets(heading))) {
+        if (!names[i].empty() && isUnit(textInBrackets(heading))) {
             headings[i] = parseHeading(std::string(names[i]) + ' ' + heading);
         }
     }
@@ -225,7 +227,7 @@ std::size_t readAnnotations(Lines lines, const NumberRow &row, std::vector<Headi
     std::size_t count = 0;
     for (const Line &line : lines) {
         const Cells cells = splitAnnotation(line.text, row, headings.size());
-        switch (kindOf(line, cells, headings)) {
+        switch (annotationIn(line, cells, headings)) {
         case Annotation::Numbers: return count;
         case Annotation::SecondHeadings: readSecondHeadings(cells, line.number, headings); break;
         case Annotation::Units: readUnits(cells, line.number, headings); break;

@@ -16,20 +16,22 @@
 namespace slidercrank
 {
 
-/// Returns the unit in a cell below the headings, if the cell contains nothing else ("mm", "(mm)") or Simulink wrote it
-/// ("Type: double Unit: rad"). Otherwise empty.
+/// Returns the unit in a cell above or below the headings, if the cell contains nothing else ("mm", "(mm)", "in mm") or
+/// Simulink wrote it ("Type: double Unit: rad"). Otherwise returns an empty text.
 std::string_view unitIn(std::string_view cell);
 
-/// Sets the unit of a column that is found in cell `i` of a line, unless it is empty. Throws if the heading states a
-/// different one. What its brackets contain is a remark if it is no unit: "x (FD2)" above "mm".
+/// Sets the unit of column `i` that is found in a line with the number `line`; does nothing if it is empty. Throws if
+/// the heading states a different unit. If the brackets of the heading contain no known unit, they are a remark, as in
+/// "x (FD2)" above "mm".
 void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view unit, std::size_t line);
 
-/// Sets the units that stand directly above the headings, if all cells of the line are units: "s,cm", "# units: s, cm".
-/// Otherwise the line has the names of headings that are only units: "Crank angle,Slider" above "[deg],Position [mm]".
+/// Interprets the line directly above the headings. If all its cells are units, "s,cm" or "# units: s, cm", they are
+/// those of the columns. Otherwise it contains the names for headings that are only units: "Crank angle,Slider" above
+/// "[deg],Position [mm]".
 void readLineAbove(const Line &line, char delimiter, std::vector<Heading> &headings);
 
 /// Interprets the lines between the headings and the first number, which may contain units or continue the headings.
-/// Returns how many there are. `row` states the delimiter.
+/// Returns the number of these lines. `row`: the row of numbers.
 std::size_t readAnnotations(Lines lines, const NumberRow &row, std::vector<Heading> &headings);
 
 } // namespace slidercrank
