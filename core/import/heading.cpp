@@ -20,7 +20,7 @@ using Kind = NameMeaning::Kind;
 
 /// Units that are also words, symbols or primes: "min" is a minimum, r1 a length, and μ, which a unit may have instead
 /// of u, the transmission angle.
-constexpr std::string_view kAlsoWords = "min h r r1 u μ µ g gr ' '' ?";
+constexpr std::string_view kAmbiguousUnits = "min h r r1 u μ µ g gr ' '' ?";
 
 constexpr std::string_view kPixels = "px pixel pixels";
 
@@ -30,7 +30,7 @@ struct NameAndUnit {
     std::string unit{};
 };
 
-/// Returns whether a quantity or time can have the unit.
+/// Returns whether a meaning is a quantity or time that can have the unit.
 bool suits(const NameMeaning &meaning, const std::string &unit)
 {
     const ColumnRole role = meaning.kind == Kind::Time ? ColumnRole::Time : ColumnRole::Channel;
@@ -44,7 +44,8 @@ bool isUnitOf(std::string_view name, const std::string &unit)
     return !meaning.hasUnknownWords && suits(meaning, unit);
 }
 
-/// Returns the unit of a name without the "in" of "t in s" or "t (en s)", unless it is that of inches: "a [in s^-2]".
+/// Returns the unit of a name without the "in" of "t in s" or "t (en s)", unless the text with "in" is itself a unit of
+/// inches: "a [in s^-2]".
 std::string_view withoutPreposition(std::string_view unit, std::string_view name)
 {
     const std::size_t end = std::min(unit.find_first_of(" _"), unit.size());
@@ -59,14 +60,14 @@ std::string_view unitAtBeginning(std::string_view text)
     for (std::size_t end = text.find_last_of(" ,;"); end != text.npos && end > 0;
          end = text.find_last_of(" ,;", end - 1)) {
         const std::string_view unit = text.substr(0, end);
-        if (parseUnit(unit) && !isAmong(lowered(unit), kAlsoWords)) {
+        if (parseUnit(unit) && !isAmong(lowered(unit), kAmbiguousUnits)) {
             return unit;
         }
     }
     return {};
 }
 
-/// Returns whether the content of brackets is a unit that suits no quantity: "(%)", "(×π rad)", "(px)".
+/// Returns whether the content of brackets is a unit that suits no quantity: "(%)", "(×2)", "(px)".
 bool isUnitOfNoQuantity(std::string_view content)
 {
     return wordsOf(content).empty() || content.starts_with("×") || isAmong(content, kPixels);
@@ -81,8 +82,8 @@ bool isRemarkInBrackets(std::string_view content)
     return isLong || abbreviatesMethod(words) || namesDifferences(words);
 }
 
-/// Returns whether brackets that begin at `begin` belong to the name: it has a meaning with them, as "x(B)", or they
-/// contain an index, as in "P[3.1]" and "x_{1}".
+/// Returns whether brackets that begin at `begin` belong to the name: they contain a point, an argument or an index, as
+/// in "x(A)", "theta(t)", "P[3.1]" and "x_{1}", or the whole text, as in "x(B)", has a meaning without unknown words.
 bool areBracketsOfName(std::string_view text, std::size_t begin, std::string_view content)
 {
     const NameMeaning whole = meaningOf(text, {});
@@ -100,20 +101,21 @@ bool areBracketsOfLatex(std::string_view text, std::size_t begin)
     return text[begin] == '{' && !isApart;
 }
 
-std::optional<NameAndUnit> splitAtEnd(std::string_view text);
+// Defined below.
+std::optional<NameAndUnit> splitUnitFromEnd(std::string_view text);
 
-/// Returns the unit behind a symbol that suits a name: "cm" of "x_B in cm", "d, cm" and "x/cm". Returns an empty text
-/// if there is none.
+/// `text`: the content of brackets behind `name`. If it is a symbol with a unit that suits the name, as in "x_B in cm",
+/// "d, cm" or "x/cm", returns the unit; otherwise an empty text.
 std::string_view unitBehindSymbol(std::string_view text, std::string_view name)
 {
-    const std::optional<NameAndUnit> split = splitAtEnd(text);
+    const std::optional<NameAndUnit> split = splitUnitFromEnd(text);
     const bool isUnit =
         split && beginsWithSymbol(split->name) && isUnitOf(name, split->unit) && text.ends_with(split->unit);
     return isUnit ? text.substr(text.size() - split->unit.size()) : std::string_view();
 }
 
-/// Returns the unit in the brackets from `begin` to `end`, which may be empty or unknown; nullopt if what they contain
-/// is a part of the name or a remark. A remark may follow a unit that suits a known name: "Crank angle (deg,
+/// Returns the unit in the brackets from `begin` to `end`, which may be empty or unknown; nullopt if the content of the
+/// brackets is a part of the name or a remark. A remark may follow a unit that suits a known name: "Crank angle (deg,
 /// unwrapped)". An unknown unit is only at the end of the heading.
 std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_t begin, std::size_t end)
 {
@@ -134,9 +136,9 @@ std::optional<std::string_view> unitInBrackets(std::string_view text, std::size_
     return isAtEnd && !isRemark && !areBracketsOfName(text, begin, content) ? std::optional(content) : std::nullopt;
 }
 
-/// Searches the brackets of a heading from the last ones for a unit: "Position (m) Run #1". A known unit goes before an
-/// unknown one after it: "x [mm] (output)". Returns nullopt if there is none.
-std::optional<NameAndUnit> splitAtBrackets(std::string_view text)
+/// Searches the brackets of a heading for a unit, beginning with the last ones: "Position (m) Run #1". A known unit has
+/// priority over an unknown one behind it: "x [mm] (output)". Returns nullopt if no brackets contain a unit.
+std::optional<NameAndUnit> splitUnitFromBrackets(std::string_view text)
 {
     constexpr std::string_view kOpening = "[({<";
     constexpr std::string_view kClosing = "])}>";
@@ -162,15 +164,16 @@ std::optional<NameAndUnit> splitAtBrackets(std::string_view text)
     return split;
 }
 
-/// Returns a unit with a slash before the seconds at its end, which names often lack: "m/s2" for "ms2".
+/// Returns a unit with a slash before its last s, which stands for the seconds: "m/s2" for "ms2" (names often omit the
+/// slash). Returns it unchanged if no s is behind its first character, or if one of kAmbiguousUnits is before the s.
 std::string withSlash(std::string unit)
 {
     const std::size_t second = unit.find_last_of("sS");
-    const bool isWord = isAmong(lowered(unit.substr(0, second)), kAlsoWords);
+    const bool isWord = isAmong(lowered(unit.substr(0, second)), kAmbiguousUnits);
     return second == unit.npos || second == 0 || isWord ? unit : unit.insert(second, "/");
 }
 
-/// Returns whether a capital letter begins a word or a unit, as in "timeMs" and "sliderXMm".
+/// Returns whether a capital letter at `at` begins a word or a unit, as in "timeMs" and "sliderXMm".
 bool beginsWord(std::string_view text, std::size_t at)
 {
     const auto isCapital = [text](std::size_t i) { return lowerCase(text[i]) != text[i]; };
@@ -178,9 +181,14 @@ bool beginsWord(std::string_view text, std::size_t at)
     return isCapital(at) && (!isCapital(at - 1) || isBeforeSmall);
 }
 
-/// Returns the unit that the text behind a name denotes, "m/s2" also if it lacks the slash. It has to suit the name;
-/// one of time may also follow a name without a meaning, as in "ticks_ms", and be only a letter if the separator before
-/// it `isClear`, as in "Messzeit / s". Pixels are no unit of a channel. Returns nullopt if the text is no such unit.
+/// Returns the unit that `text`, which stands behind a name, denotes:
+///
+/// 1. pixels, which are no unit of a channel, or a unit that suits the name,
+/// 2. else the unit with the slash that the text lacks, "m/s2" for "ms2", if that suits the name,
+/// 3. else a unit of time behind a name without a meaning, as in "ticks_ms"; but a single letter only if the separator
+///    before it `isClear`, as in "Messzeit / s".
+///
+/// Returns nullopt if the text is no such unit.
 std::optional<std::string> unitBehind(std::string_view name, const std::string &text, bool isClear)
 {
     const NameMeaning meaning = parseUnit(text) ? meaningOf(name, text) : NameMeaning();
@@ -195,9 +203,9 @@ std::optional<std::string> unitBehind(std::string_view name, const std::string &
     return isTime && !endsInBrackets && (text.size() > 1 || isClear) ? std::optional(text) : std::nullopt;
 }
 
-/// Splits "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" if the unit suits the name. The longest one
-/// that does is the unit.
-std::optional<NameAndUnit> splitAtEnd(std::string_view text)
+/// Splits "v/(m/s)", "Time in s", "t, s", "x-mm", "time_ms" or "timeMs" into name and unit. Of several endings that can
+/// be the unit of the name before them, the longest one is chosen. Returns nullopt if there is none.
+std::optional<NameAndUnit> splitUnitFromEnd(std::string_view text)
 {
     for (std::size_t at = 1; at < text.size(); ++at) {
         const bool isSeparator = std::string_view("/, _-.:").find(text[at]) != std::string_view::npos;
@@ -211,7 +219,7 @@ std::optional<NameAndUnit> splitAtEnd(std::string_view text)
         const bool isInput = printed == "in" && meaningOf(name, "in").hasUnknownWords; // not inches: "theta_in"
         const bool isIndex = text[at] == '_' && printed.starts_with('{');              // "θ_{r}"
         if (printed.empty() || printed[0] == '/' || isIndex ||
-            (!isClear && (isInput || isAmong(lowered(printed), kAlsoWords)))) {
+            (!isClear && (isInput || isAmong(lowered(printed), kAmbiguousUnits)))) {
             continue;
         }
         if (std::optional<std::string> unit = unitBehind(name, std::string(printed), isClear)) {
@@ -221,8 +229,8 @@ std::optional<NameAndUnit> splitAtEnd(std::string_view text)
     return std::nullopt;
 }
 
-/// Splits "Degrees of crank rotation" if the unit suits the name.
-std::optional<NameAndUnit> splitAtBeginning(std::string_view text)
+/// Splits "Degrees of crank rotation". Returns nullopt if the text does not begin with a unit that suits the name.
+std::optional<NameAndUnit> splitUnitFromBeginning(std::string_view text)
 {
     const std::string unit(unitAtBeginning(text));
     const std::string_view name = trimmed(text.substr(unit.size()));
@@ -260,16 +268,18 @@ std::string withoutNumberOfCurve(std::string text)
     return text;
 }
 
-/// Returns the unit that fills a heading apart from a remark: "millis", "Degrees", "Inches from TDC".
+/// Returns the unit that fills a heading apart from a remark: "millis", "Degrees", "Inches from TDC". Returns nullopt
+/// for other headings and for units that may also be words or symbols.
 std::optional<Unit> unitAlone(std::string_view text)
 {
-    const bool mayBeUnit = text.size() > 1 && !isAmong(lowered(text), kAlsoWords);
+    const bool mayBeUnit = text.size() > 1 && !isAmong(lowered(text), kAmbiguousUnits);
     return mayBeUnit ? parseUnit(withoutTrailingRemark(text)) : std::nullopt;
 }
 
-/// Splits a heading that is only a unit, which is its name, too. Returns nullopt for others and for "mm", which may be
-/// in a line of units.
-std::optional<NameAndUnit> splitUnitAlone(std::string_view text)
+/// Splits a heading that is only a unit of time or of angles, or a word for a unit of length. The name of a unit of
+/// time is "time"; other units are their own names. Returns nullopt for other headings, such as "mm", which may be in a
+/// line of units.
+std::optional<NameAndUnit> splitLoneUnit(std::string_view text)
 {
     constexpr std::size_t kLongestSymbol = 2; // of a unit of length
     const std::optional<Unit> unit = unitAlone(text);
@@ -286,7 +296,7 @@ NameAndUnit splitHeading(const std::string &text)
     if (text.starts_with("X:")) { // RecurDyn writes pairs "X:Pos_TX-Slider(mm)" of time stamps, "Y:…" of values
         return {.name = "time"};
     }
-    for (const auto split : {splitUnitAlone, splitAtBrackets, splitAtEnd, splitAtBeginning}) {
+    for (const auto split : {splitLoneUnit, splitUnitFromBrackets, splitUnitFromEnd, splitUnitFromBeginning}) {
         if (std::optional<NameAndUnit> found = split(text)) {
             return *std::move(found);
         }
@@ -309,7 +319,7 @@ Heading parseHeading(std::string_view cell)
     Heading heading{.use = {.heading = kQuotedCharacters.replacedIn(cell)}};
     const std::string text = withoutNumberOfCurve(withoutEnclosure(kMarkup.replacedIn(heading.use.heading)));
     heading.name = text;
-    if (text.size() > kLongestName) {
+    if (text.size() > kMaxNameSize) {
         return heading;
     }
     NameAndUnit split = splitHeading(text);

@@ -15,24 +15,25 @@ namespace slidercrank
 
 /// How the cells of a column are written.
 struct CellForm {
-    std::string_view label{}; ///< before the number in each cell: "angle:" of "angle:12.5"
-    std::string_view unit{};  ///< after the number in each cell
+    std::string_view label{}; ///< text before the number in each cell: "angle:" of "angle:12.5"
+    std::string_view unit{};  ///< unit after the number in each cell
     bool isClock = false;     ///< the cells contain times of a clock
-    bool hasDate = false;     ///< before the time of the clock
-    double missing = kNone;   ///< the number that stands for a missing value: -9999
+    bool hasDate = false;     ///< the cells contain a date before the time of the clock
+    double missing = kNone;   ///< the number that stands for a missing value, such as -9999; NaN: none does
 };
 
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".
 struct Heading {
-    FileColumn use{}; ///< heading and unit; assignColumns() sets the rest
-    std::string name{};
+    FileColumn use{};   ///< heading and unit; assignColumns() sets the rest
+    std::string name{}; ///< the heading without its unit
     CellForm cells{};
-    NameMeaning meaning{}; ///< that name and unit have alone
+    NameMeaning meaning{}; ///< of the name and the unit, without regard to other columns
 };
 
-/// Splits a cell, given without surrounding quotation marks, into name and unit, and sets the meaning that it has
-/// alone. The unit is in brackets of any kind, or at the end, after "/", "in", a comma, a space, a hyphen, an
-/// underscore, or as a word that begins with a capital letter. Without brackets it must suit the name.
+/// Splits a cell, given without surrounding quotation marks, into name and unit, and sets the meaning that these have
+/// without regard to other columns. The unit fills the heading, or is in brackets of any kind, or at the end, after
+/// "/", "in", a comma, a space, a hyphen, an underscore, a full stop, a colon, or as a word that begins with a capital
+/// letter, or at the beginning ("Degrees of crank rotation"). Without brackets it must suit the name.
 Heading parseHeading(std::string_view cell);
 
 /// Returns what turns the unit of a position into that of its derivative: "/s" makes "mm/s" of "mm".

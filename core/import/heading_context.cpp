@@ -24,15 +24,15 @@ using Words = std::vector<std::string>;
 using Kind = NameMeaning::Kind;
 using Doubt = NameMeaning::Doubt;
 
-/// Returns the last part of the name's path: "DX" of "Body_4/DX".
+/// Returns the last part of the path that is the name of a column: "DX" of "Body_4/DX".
 std::string lastPartOf(const RawColumn &column)
 {
     const NamePath path = splitPath(column.name);
     return path.parts.empty() ? std::string() : std::string(path.parts.back());
 }
 
-/// Returns whether the name is a symbol with the mark of a second derivative, such as "xpp" or "d2x". "a", "α" and
-/// "acceleration" have none: beside them, "xp" may still be anything.
+/// Returns whether the name is a symbol with the mark of a second derivative, such as "xpp" or "d2x". The symbols and
+/// words "a", "α" and "acceleration" have no mark: beside them, "xp" may still be anything.
 bool isSecondDerivative(const RawColumn &column)
 {
     const NameMeaning &meaning = column.meaning;
@@ -44,8 +44,8 @@ bool isSecondDerivative(const RawColumn &column)
     return isAcceleration && isMarked && meaning.doubt == Doubt::None;
 }
 
-/// Returns whether the name is that of a displacement and no differential: "DX" of Adams, or "dx" beside "vx".
-bool isDisplacement(const RawColumn &column, std::span<const RawColumn> row)
+/// Returns whether the name is that of a displacement and not of a differential: "DX" of Adams, or "dx" beside "vx".
+bool isDisplacement(const RawColumn &column, std::span<const RawColumn> columns)
 {
     const auto lastWordOf = [](const RawColumn &named) {
         const std::string part = lastPartOf(named);
@@ -55,48 +55,55 @@ bool isDisplacement(const RawColumn &column, std::span<const RawColumn> row)
     const auto isVelocity = [&](const RawColumn &other) {
         return lowered(lastWordOf(other)) == 'v' + lowered(symbol).substr(1);
     };
-    return isAmong(symbol, "DX DY") || (symbol.starts_with('d') && std::ranges::any_of(row, isVelocity));
+    return isAmong(symbol, "DX DY") || (symbol.starts_with('d') && std::ranges::any_of(columns, isVelocity));
 }
 
-/// Returns whether the name is that of point A, beside the same of point B: columns a, b and c, or "Ax", "Ay" and "Bx".
-bool isOfPointA(const RawColumn &column, std::span<const RawColumn> row)
+/// Returns whether the name begins with A and, apart from an x or y at the end, another column with the same unit has
+/// the same name with B: "a" beside "b", "Ax" beside "By".
+bool isOfPointA(const RawColumn &column, std::span<const RawColumn> columns)
 {
     const auto withoutAxis = [](const RawColumn &ofPoint) {
         const std::string name = lowered(ofPoint.name);
         return name.substr(0, name.find_last_not_of("xy") + 1);
     };
     const std::string point = withoutAxis(column);
-    return point.starts_with('a') && std::ranges::any_of(row, [&](const RawColumn &other) {
+    return point.starts_with('a') && std::ranges::any_of(columns, [&](const RawColumn &other) {
                return withoutAxis(other) == 'b' + point.substr(1) && other.use.unit == column.use.unit;
            });
 }
 
-/// Returns whether the heading is that of the crank pin, A_x or A_y, in a table that the command `solve` has written.
-/// Such a table states no unit of lengths in mm. Only a column with a name that other programs do not use tells it.
-bool isCrankPinOfSolve(const RawColumn &column, std::span<const RawColumn> row)
+/// Returns whether the heading is that of the crank pin, A_x or A_y, in a table that the command `solve` has written:
+/// it has no unit, and another column has the exact name of a channel or one of kOwnNames. (`solve` writes no unit for
+/// lengths in mm.)
+bool isCrankPinOfSolve(const RawColumn &column, std::span<const RawColumn> columns)
 {
     static constexpr std::string_view kOwnNames =
         "transmission_angle displacement_diff displacement_diff2 A_x_diff A_y_diff A_x_diff2 A_y_diff2";
     const auto isOfSolve = [](const RawColumn &other) {
         return other.meaning.kind == Kind::ChannelName || isAmong(other.name, kOwnNames);
     };
-    return isAmong(column.name, "A_x A_y") && column.use.unit.empty() && std::ranges::any_of(row, isOfSolve);
+    return isAmong(column.name, "A_x A_y") && column.use.unit.empty() && std::ranges::any_of(columns, isOfSolve);
 }
 
-/// Decides between the meanings of "xp", "dx" and the like by the other columns: beside "xpp" or "d2x" they are
-/// derivatives; without an "x", "xp" is the x of the piston; and "DX", or "dx" beside "vx", is a displacement.
-/// Otherwise only a person can tell.
-void resolveDerivatives(std::span<RawColumn> row)
+/// Decides between the meanings of "xp", "dx" and the like by the other columns:
+///
+/// 1. "DX", and "dx" beside "vx", are displacements,
+/// 2. else, beside "xpp" or "d2x", they are derivatives,
+/// 3. else "x_p", or "xp" beside another such name ("yp"), belongs to the piston, unless a column "x" exists.
+///
+/// The others have no meaning: only a person can tell.
+void resolveDerivatives(std::span<RawColumn> columns)
 {
     const auto isNamed = [&](const std::string &name) {
-        return std::ranges::any_of(row, [&](const RawColumn &column) { return lowered(lastPartOf(column)) == name; });
+        return std::ranges::any_of(columns,
+                                   [&](const RawColumn &column) { return lowered(lastPartOf(column)) == name; });
     };
     const auto mayBeOfPiston = [](const RawColumn &column) {
         return column.meaning.doubt == Doubt::IsPistonsIndex && !isAngle(column.meaning.channel.coordinate);
     };
-    const bool areSeveral = std::ranges::count_if(row, mayBeOfPiston) > 1;
-    const bool hasSecond = std::ranges::any_of(row, isSecondDerivative);
-    for (RawColumn &column : row) {
+    const bool areSeveral = std::ranges::count_if(columns, mayBeOfPiston) > 1;
+    const bool hasSecond = std::ranges::any_of(columns, isSecondDerivative);
+    for (RawColumn &column : columns) {
         NameMeaning &meaning = column.meaning;
         if (meaning.doubt != Doubt::IsDerivative && meaning.doubt != Doubt::IsPistonsIndex) {
             continue;
@@ -105,7 +112,7 @@ void resolveDerivatives(std::span<RawColumn> row)
         const bool isApart = std::ranges::count(words, "p") > 0; // "x_p", but not "xp" and "xp_dot"
         const std::string symbol = isApart ? words[0] : words[0].substr(0, words[0].rfind('p'));
         const bool isOfPiston = mayBeOfPiston(column) && (isApart || areSeveral) && !isNamed(symbol);
-        if (isDisplacement(column, row)) {
+        if (isDisplacement(column, columns)) {
             meaning.doubt = Doubt::None;
         } else if (hasSecond && meaning.channel.order < Order::Acceleration) {
             const bool isOfPosition = meaning.channel.order == Order::Position;
@@ -116,12 +123,12 @@ void resolveDerivatives(std::span<RawColumn> row)
     }
 }
 
-/// Decides whether α is an angle or the angular acceleration: an angle if it makes half a turn, and the acceleration
-/// where ω is before it. Otherwise the other columns have to tell.
-void resolveAlphas(std::span<RawColumn> row)
+/// Decides whether α is an angle or the angular acceleration: the acceleration if ω is before it, otherwise an angle if
+/// it turns by more than half a turn in one direction. The meaning of the others stays in doubt.
+void resolveAlphas(std::span<RawColumn> columns)
 {
     bool isBehindOmega = false;
-    for (RawColumn &column : row) {
+    for (RawColumn &column : columns) {
         NameMeaning &meaning = column.meaning;
         const WordMeaning *const symbol = findWord(meaning.symbol, WordUse::Symbol);
         isBehindOmega =
@@ -134,9 +141,9 @@ void resolveAlphas(std::span<RawColumn> row)
     }
 }
 
-/// Gives different owners to the columns of several points whose headings are the same, as Tracker writes "x", "y",
-/// "x", "y": the first x and y are those of one point.
-void separatePoints(std::span<RawColumn> row)
+/// Numbers the points, as the owners of their columns, if several points have columns with the same headings, as
+/// Tracker writes "x", "y", "x", "y": the first x and the first y belong to the same point.
+void separatePoints(std::span<RawColumn> columns)
 {
     const auto isOfPoint = [](const RawColumn &column) {
         const NameMeaning &meaning = column.meaning;
@@ -149,30 +156,30 @@ void separatePoints(std::span<RawColumn> row)
         });
     };
     const auto isRepeatedY = [&](const RawColumn &column) {
-        return isOfPoint(column) && column.meaning.channel.coordinate == R4y && countIn(row, column) > 1;
+        return isOfPoint(column) && column.meaning.channel.coordinate == R4y && countIn(columns, column) > 1;
     };
-    if (std::ranges::none_of(row, isRepeatedY)) {
+    if (std::ranges::none_of(columns, isRepeatedY)) {
         return;
     }
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        if (isOfPoint(row[i]) && countIn(row, row[i]) > 1) {
-            row[i].meaning.owner = std::to_string(countIn(row.first(i), row[i]));
-            row[i].meaning.doubt = Doubt::IsOfPart;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (isOfPoint(columns[i]) && countIn(columns, columns[i]) > 1) {
+            columns[i].meaning.owner = std::to_string(countIn(columns.first(i), columns[i]));
+            columns[i].meaning.doubt = Doubt::IsOfPart;
         }
     }
 }
 
 /// Removes the meaning of headings of the crank pin, which has no channel.
-void excludeCrankPin(std::span<RawColumn> row)
+void excludeCrankPin(std::span<RawColumn> columns)
 {
-    for (RawColumn &column : row) {
-        if (isOfPointA(column, row) || isCrankPinOfSolve(column, row)) {
+    for (RawColumn &column : columns) {
+        if (isOfPointA(column, columns) || isCrankPinOfSolve(column, columns)) {
             column.meaning = {.reason = ColumnReason::CrankPin};
         }
     }
 }
 
-/// Returns whether a word is the symbol of an angle or angular velocity, or begins like "angular" in some language.
+/// Returns whether a word is the symbol of an angle or of its derivative, or begins like "angular" in some language.
 bool isAngular(const std::string &word)
 {
     constexpr std::array<std::string_view, 8> kBeginnings{"ang", "winkel", "hoek",   "kat",
@@ -214,12 +221,12 @@ void resolveReciprocalSeconds(RawColumn &column)
     }
 }
 
-/// Completes the names and units of components, which PMKS+ writes behind the magnitude of their vector: "Velocity
-/// (cm/s)", "X-comp", "Y-comp". Marks the magnitude.
-void completeComponents(std::span<RawColumn> row)
+/// Completes the names and units of components that PMKS+ writes behind the magnitude of their vector: "Velocity
+/// (cm/s)", "X-comp", "Y-comp". The magnitude is ignored.
+void completeComponents(std::span<RawColumn> columns)
 {
     RawColumn *vector = nullptr;
-    for (RawColumn &column : row) {
+    for (RawColumn &column : columns) {
         const bool isComponent = isAmong(column.name, "X-comp Y-comp");
         if (isComponent && vector) {
             vector->use.reason = ColumnReason::Magnitude;
@@ -252,43 +259,45 @@ bool contradictsSi(const RawColumn &column)
     return width > kMaxSwing && (findReversal(angles) || width > kMaxStep * static_cast<double>(angles.size()));
 }
 
-/// If the path of any name implies m, rad and s, those of the other names without a unit do, too: "slider.frame_a.x"
-/// beside "slider.v". But if the values of one column contradict that, no path does.
-void implySiUnits(std::span<RawColumn> row)
+/// If the path of any name implies m, rad and s, these are also the units of the other paths without a unit:
+/// "slider.frame_a.x" beside "slider.v". But if the values of one of these columns contradict the units, no path
+/// implies them.
+void implySiUnits(std::span<RawColumn> columns)
 {
     const auto isInSi = [](const RawColumn &column) { return column.meaning.reason == ColumnReason::PathInSi; };
-    if (std::ranges::none_of(row, isInSi)) {
+    if (std::ranges::none_of(columns, isInSi)) {
         return;
     }
-    for (RawColumn &column : row) {
+    for (RawColumn &column : columns) {
         NameMeaning &meaning = column.meaning;
         if (column.use.unit.empty() && meaning.kind >= Kind::Quantity && !meaning.owner.empty()) {
             meaning.reason = ColumnReason::PathInSi;
         }
     }
-    if (std::ranges::none_of(row, [&](const RawColumn &column) { return isInSi(column) && contradictsSi(column); })) {
+    if (std::ranges::none_of(columns,
+                             [&](const RawColumn &column) { return isInSi(column) && contradictsSi(column); })) {
         return;
     }
-    for (RawColumn &column : row) {
+    for (RawColumn &column : columns) {
         NameMeaning &meaning = column.meaning;
         const ColumnReason named = meaning.kind >= Kind::Words ? ColumnReason::KnownName : ColumnReason::QuantityInName;
         meaning.reason = isInSi(column) ? named : meaning.reason;
     }
 }
 
-/// Symbols such as "x_B" or "d" beside θ₂ or θ₃ are those of a textbook, which denote the slider: its columns need no
-/// confirmation by a person.
-void recognizeTextbook(std::span<RawColumn> row)
+/// Symbols such as "x_B" or "d" beside θ₂ or θ₃ are those of a textbook, where they denote the slider. So their columns
+/// need no confirmation by a person.
+void recognizeTextbook(std::span<RawColumn> columns)
 {
     const auto isAngleOfLink = [](const RawColumn &column) {
         const Coordinate coordinate = column.meaning.channel.coordinate;
         return column.meaning.kind >= Kind::Words && (coordinate == Theta2 || coordinate == Theta3) &&
                beginsWithSymbol(column.name);
     };
-    if (std::ranges::none_of(row, isAngleOfLink)) {
+    if (std::ranges::none_of(columns, isAngleOfLink)) {
         return;
     }
-    for (RawColumn &column : row) {
+    for (RawColumn &column : columns) {
         NameMeaning &meaning = column.meaning;
         const bool isGuess = meaning.kind == Kind::Quantity && meaning.reason == ColumnReason::QuantityInName;
         if (isGuess && meaning.channel.coordinate == R4x && beginsWithSymbol(column.name)) {
@@ -297,10 +306,13 @@ void recognizeTextbook(std::span<RawColumn> row)
     }
 }
 
-/// Returns the unit of a quantity without a stated unit; empty if it is the default unit. Paths of some programs imply
-/// m, rad and s; "rpm" and the like are units themselves; ω and α are in rad/s and rad/s²; and another derivative is in
-/// the unit of its position.
-std::string impliedUnit(const RawColumn &column, std::span<const RawColumn> row)
+/// Returns the unit of a quantity without a stated unit; empty if it is the default unit:
+///
+/// 1. m, rad and s for the paths of some programs,
+/// 2. else the unit that the name contains, such as "rpm",
+/// 3. else rad/s and rad/s² for ω and α,
+/// 4. else, for other derivatives, that of the position of the same coordinate, per s or s².
+std::string impliedUnit(const RawColumn &column, std::span<const RawColumn> columns)
 {
     const NameMeaning &meaning = column.meaning;
     const std::string perTime(derivativeSuffix(meaning.channel.order));
@@ -324,7 +336,7 @@ std::string impliedUnit(const RawColumn &column, std::span<const RawColumn> row)
                other.meaning.channel == Channel{meaning.channel.coordinate, Order::Position} &&
                (meaning.hasUnknownWords || !other.meaning.hasUnknownWords);
     };
-    const RawColumn *const position = findElement(row, isPosition);
+    const RawColumn *const position = findElement(columns, isPosition);
     const std::optional<Unit> unit = position ? parseUnit(position->use.unit) : std::nullopt;
     const bool differs = unit && unit->factor != 1.0;
     return differs && meaning.channel.order != Order::Position ? position->use.unit + perTime : std::string();
@@ -332,24 +344,24 @@ std::string impliedUnit(const RawColumn &column, std::span<const RawColumn> row)
 
 } // namespace
 
-void interpretHeadings(std::span<RawColumn> row)
+void interpretHeadings(std::span<RawColumn> columns)
 {
-    completeComponents(row);
-    resolveDerivatives(row);
-    resolveAlphas(row);
-    separatePoints(row);
-    excludeCrankPin(row);
-    std::ranges::for_each(row, resolveReciprocalSeconds);
-    implySiUnits(row);
-    for (RawColumn &column : row) {
+    completeComponents(columns);
+    resolveDerivatives(columns);
+    resolveAlphas(columns);
+    separatePoints(columns);
+    excludeCrankPin(columns);
+    std::ranges::for_each(columns, resolveReciprocalSeconds);
+    implySiUnits(columns);
+    for (RawColumn &column : columns) {
         if (column.meaning.kind == Kind::Nothing) {
             column.use.reason = column.use.heading.empty() ? ColumnReason::NoName : column.meaning.reason;
         }
         if (column.meaning.kind >= Kind::Quantity && column.use.unit.empty()) {
-            column.use.unit = impliedUnit(column, row);
+            column.use.unit = impliedUnit(column, columns);
         }
     }
-    recognizeTextbook(row);
+    recognizeTextbook(columns);
 }
 
 } // namespace slidercrank

@@ -57,7 +57,8 @@ bool isOfNumberedLink(const RawColumn &column)
            (coordinate == Theta1 || coordinate == Theta2 || coordinate == Theta3);
 }
 
-/// Returns whether the column is the angle of the link with the number 1, which makes half a turn.
+/// Returns whether the column is the angle of the link with the number 1, and spans more than half a turn. Then this
+/// link is the crank.
 bool isCrankWithNumberOne(const RawColumn &column)
 {
     const Channel channel = column.meaning.channel;
@@ -75,8 +76,8 @@ Coordinate angleOfNextLink(Coordinate angle)
     return angle == Theta2 ? Theta3 : Theta4;
 }
 
-/// Renumbers the angles of the links if the crank has the number 1. Otherwise a θ1 that changes is not the angle of the
-/// frame, and of an unknown body.
+/// Renumbers the angles of the links if the crank has the number 1. Otherwise, if θ1 changes, it is not the angle of
+/// the frame, and its body is unknown.
 void renumberLinks(std::span<RawColumn> columns)
 {
     const bool isCrankFirst = std::ranges::any_of(columns, isCrankWithNumberOne);
@@ -102,7 +103,8 @@ bool isAngleWithoutUnit(const RawColumn &column)
            isAngle(column.meaning.channel.coordinate);
 }
 
-/// Returns whether a column ends about where it began, as everything does in a mechanism after a turn of the crank.
+/// Returns whether the last value of a column is no farther from the first one than two neighbouring rows are from each
+/// other, as in a table over a turn of the crank.
 bool returnsToStart(const RawColumn &column)
 {
     const std::vector<double> values = column.finiteValues();
@@ -113,7 +115,7 @@ bool returnsToStart(const RawColumn &column)
     return largestChange > 0.0 && std::abs(values.back() - values.front()) <= largestChange;
 }
 
-/// Returns whether the difference of the first and the last angle is a whole number of half turns in radians.
+/// Returns whether the range of an angle, `width`, is a whole number of half turns in radians, apart from the rounding.
 bool spansHalfTurns(double width, double roundingStep)
 {
     constexpr double kMaxRoundingStep = 0.01; // with fewer decimals, many widths look like multiples of π
@@ -149,7 +151,8 @@ bool turnsInRadians(const RawColumn &column, std::span<const RawColumn> columns)
     return spansHalfTurns(width, roundingStep) || (isNearlyTurn && std::ranges::any_of(columns, isOtherBackAtStart));
 }
 
-/// Returns whether an angle may be in radians beside one that is: it does not span more than a turn.
+/// Returns whether a column may be in radians beside an angle that is: an angle must not span more than one turn;
+/// derivatives always may be.
 bool mayBeInRadians(const RawColumn &column)
 {
     return column.meaning.channel.order != Order::Position || rangeOf(column.values).width() <= kTurn;

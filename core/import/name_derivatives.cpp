@@ -13,7 +13,7 @@ namespace
 
 using Words = std::vector<std::string>;
 
-/// Returns whether the vocabulary contains a word of more than one letter, which is no symbol.
+/// Returns whether the vocabulary contains a word as a word, filler or derivative, so that it has to stay whole.
 bool isKnown(const std::string &word)
 {
     return findWord(word, WordUse::Word) || findWord(word, WordUse::Filler) || findWord(word, WordUse::Derivative);
@@ -33,7 +33,7 @@ void splitMarks(Words &words)
 }
 
 /// Removes the differential of "dx/dt", "d^2x/dt^2" and "d2x", whose words are "dx", "dt" and "d", "2", "x". Returns
-/// the number of derivatives that no other word tells: 2 for "d2x".
+/// how often it differentiates the quantity: 2 for "d2x"; 0 if a "dt" remains, which counts instead.
 int takeDifferential(Words &words)
 {
     const auto mayBeDifferential = [](const std::string &word) { return word.starts_with('d') && !isKnown(word); };

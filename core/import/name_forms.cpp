@@ -39,8 +39,9 @@ std::string_view withoutParameter(std::string_view name)
     return name;
 }
 
-/// Returns the name without the variable or the number of the sample behind it: "x(t)", "v[φ]", "x[n]", "x_i".
-std::string_view withoutVariable(std::string_view name)
+/// Returns the name without its argument, which is the time, an angle or the number of a sample: "x(t)", "v[φ]",
+/// "x[n]", "x_i".
+std::string_view withoutArgument(std::string_view name)
 {
     if (name.ends_with("_i")) {
         return name.substr(0, name.size() - 2);
@@ -87,23 +88,23 @@ std::string_view withoutTrailingRemark(std::string_view name)
     return withoutParameter(name);
 }
 
-int takeCalls(std::string_view &name, const std::optional<Unit> &unit)
+int takeDerivativeCalls(std::string_view &name, const std::optional<Unit> &unit)
 {
-    name = withoutVariable(name);
+    name = withoutArgument(name);
     int count = 0;
     const bool mayBeDerivative = !unit || unit->order > 0;
     for (const std::string_view function : {"der(", "diff(", "derivative(", "d("}) {
         while (mayBeDerivative && lowered(name.substr(0, function.size())) == function && name.ends_with(')')) {
             name = name.substr(function.size(), name.size() - function.size() - 1);
             const std::size_t comma = findOuterComma(name);
-            // ", t", ", t, t", ", (t, 2)", or nothing: the second derivative has t twice, or a 2.
+            // ", t", ", t, t", ", (t, 2)", or nothing: a second derivative has t twice, or a 2.
             const std::string_view variables = name.substr(std::min(comma, name.size()));
             const auto variableCount = static_cast<int>(std::ranges::count(variables, 't'));
             count += variables.find('2') != variables.npos ? 2 : std::max(variableCount, 1);
             name = name.substr(0, comma);
         }
     }
-    name = withoutVariable(name);
+    name = withoutArgument(name);
     return count;
 }
 

@@ -50,7 +50,7 @@ bool isAngleAlpha(const NameReading &name, const std::optional<Unit> &unit)
 }
 
 /// Returns how many times the quantity is differentiated with respect to the time; nullopt if neither the name nor its
-/// unit tells it. The words of the name and its marks of derivatives count before the unit.
+/// unit tells it. The words of the name and its marks of derivatives have priority over the unit.
 std::optional<int> derivativesOf(const NameReading &name, const std::optional<Unit> &unit)
 {
     if (isAngleAlpha(name, unit)) {
@@ -85,7 +85,7 @@ Coordinate coordinateOf(const NameReading &name, bool isAngle)
     return isY ? R4y : R4x;
 }
 
-/// Returns whether the name or its unit denotes an angle.
+/// Returns whether the name or its unit denotes an angle. If neither does, a coordinate of the coupler is one.
 bool isOfAngle(const NameReading &name, const std::optional<Unit> &unit, const NamePath &path)
 {
     const bool isAlone = !name.namesQuantity() && !name.derivatives;        // "coupler"
@@ -95,9 +95,10 @@ bool isOfAngle(const NameReading &name, const std::optional<Unit> &unit, const N
     return name.dimension.value_or(unit ? unit->dimension : withoutUnit) == Dimension::Angle;
 }
 
-/// Returns whether the name, with its unit, says enough for a quantity. Beside unknown words, the body alone does not,
-/// and the position of an unknown joint in a path, as in "MyModel.jnt.Pos", may be an angle or a length.
-bool saysQuantity(const NameReading &name, const std::optional<Unit> &unit, bool isPath)
+/// Returns whether name and unit determine a quantity. With a unit (not of time), any known or unknown word is enough.
+/// Without a unit, the name has to state an order, symbol or axis, or, if all its words are known, at least a body. In
+/// a path with unknown words, a dimension or body is needed as well: "MyModel.jnt.Pos" may be an angle or a length.
+bool determinesQuantity(const NameReading &name, const std::optional<Unit> &unit, bool isPath)
 {
     if (unit) {
         return unit->dimension != Dimension::Time &&
@@ -109,11 +110,16 @@ bool saysQuantity(const NameReading &name, const std::optional<Unit> &unit, bool
     return name.namesQuantity() || name.body;
 }
 
-/// Returns what only the other columns can tell about a name. `isOfUnknown`: it is of an unknown point or body, such as
-/// the A of "x_A".
-NameMeaning::Doubt doubtOf(const NameReading &name, const std::optional<Unit> &unit, bool isAngle, bool isOfUnknown)
+/// Returns the question about a name that only the other columns can decide. The first that applies:
+///
+/// 1. a generalized coordinate q with a unit: None (it belongs to the crank only if it turns),
+/// 2. `isOfUnknown`, an unknown point or body such as the A of "x_A": IsAngleOfUnknown or IsOfPoint,
+/// 3. a length of a numbered part: IsOfPart,
+/// 4. α without a unit, a body and marks of derivatives: IsAngle,
+/// 5. without a unit, the doubt about its words.
+NameMeaning::Doubt findDoubt(const NameReading &name, const std::optional<Unit> &unit, bool isAngle, bool isOfUnknown)
 {
-    if (name.symbol == "q" && unit) { // a generalized coordinate, of the crank only if it turns
+    if (name.symbol == "q" && unit) {
         return Doubt::None;
     }
     if (isOfUnknown) {
@@ -139,12 +145,13 @@ bool isForeignSymbol(const NameReading &name, const std::optional<Unit> &unit)
     return isOpenRate ? unit->dimension == Dimension::Angle : name.dimension && unit->dimension != *name.dimension;
 }
 
-/// Returns whether a name has an index or words for a point or body that is none of the three: "x_G", "phase angle".
-/// But "λ (mm)" has no index, and "angle of bar BC" names the joints of its body.
+/// Returns whether a name has an index or words for a point or body that is not crank, coupler or slider: "x_G", "phase
+/// angle". But "λ (mm)" has no index, and "angle of bar BC" names the ends of its link.
 bool isOfUnknownPoint(const NameReading &name, bool isAngle)
 {
     const bool isIndexOfSymbol = (name.namesQuantity() || isAngle) && name.unknown.areIndices() && !name.body;
-    const bool isUnknownAngle = isAngle && name.dimension && name.unknown.hasWord && !name.body && name.joints.empty();
+    const bool isUnknownAngle =
+        isAngle && name.dimension && name.unknown.hasWord && !name.body && name.pointLetters.empty();
     return name.isUnknownBody || isIndexOfSymbol || isUnknownAngle;
 }
 
@@ -161,7 +168,7 @@ std::string ownerOf(const NameReading &name, const NamePath &path)
     if (name.unknown.isAny() && !name.body) {
         return name.unknown.point.empty() ? name.unknown.text : name.unknown.point;
     }
-    return path.owner + name.joints;
+    return path.owner + name.pointLetters;
 }
 
 /// Returns whether the quantity of a name can be a channel: the slider has no angle, and the crank and the coupler have
@@ -177,7 +184,8 @@ bool mayBeChannel(const NameReading &name, bool isAngle)
     return isAngle || (name.isCentre && name.axis != ' ');
 }
 
-/// Returns the channel or quantity of a name. Where no word is known, the unit tells the quantity.
+/// Returns the channel or quantity of a name whose words have been read. If no word is known, the unit tells the
+/// quantity.
 NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
 {
     const std::optional<Unit> unit = parseUnit(unitText);
@@ -190,7 +198,7 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
         return {};
     }
     const std::optional<int> derivatives =
-        saysQuantity(name, unit, path.parts.size() > 2) ? derivativesOf(name, unit) : std::nullopt;
+        determinesQuantity(name, unit, path.parts.size() > 2) ? derivativesOf(name, unit) : std::nullopt;
     if (!derivatives || *derivatives > static_cast<int>(Order::Acceleration) || !mayBeChannel(name, isAngle)) {
         const bool isOfUnknownBody = name.unknown.isAny() && name.order && !unit && !name.body;
         const bool isOfCrankPin = name.body == Body::Crank && name.axis != ' ';
@@ -206,7 +214,7 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
                         .reason = isKnownBody ? ColumnReason::KnownName : ColumnReason::QuantityInName,
                         .owner = ownerOf(name, path),
                         .symbol = name.symbol,
-                        .doubt = doubtOf(name, unit, isAngle, isOfUnknown),
+                        .doubt = findDoubt(name, unit, isAngle, isOfUnknown),
                         .hasUnknownWords = name.unknown.isAny() || isOfUnknown || isCoordinateOfAnyKind,
                         .namesAxis = name.axis != ' ',
                         .isNumberedLink = name.isBodyNumbered,
@@ -383,7 +391,7 @@ NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::str
 
 NameMeaning meaningOf(std::string_view name, const std::string &unit)
 {
-    if (name.size() > kLongestName || isMagnitude(name) || isRelative(name)) {
+    if (name.size() > kMaxNameSize || isMagnitude(name) || isRelative(name)) {
         return {};
     }
     if (isRatio(name)) {
@@ -391,7 +399,7 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     }
     if (const std::optional<std::string> derivative = derivativeOfDifferences(name)) {
         NameMeaning meaning = meaningOf(*derivative, unit);
-        if (meaning.kind >= Kind::Quantity) { // which a column of the derivative itself replaces
+        if (meaning.kind >= Kind::Quantity) { // a column of the derivative itself is better evidence
             meaning.kind = Kind::Quantity;
             meaning.reason = ColumnReason::UnknownWords;
             meaning.hasUnknownWords = true;
@@ -410,7 +418,7 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
     if (const std::optional<NameMeaning> meaning = meaningInInventor(name, unit)) {
         return *meaning;
     }
-    const int derivatives = takeCalls(name, parseUnit(unit));
+    const int derivatives = takeDerivativeCalls(name, parseUnit(unit));
     return meaningOfPath(withoutTrailingRemark(name), derivatives, unit);
 }
 

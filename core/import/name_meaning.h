@@ -2,7 +2,7 @@
 #pragma once
 
 // Finds the quantity that the name of a column denotes, by the words of vocabulary.h. A name is a path whose last part
-// names the quantity; its words are read one after the other, and what they say is merged.
+// names the quantity; its words are read one after the other, and their meanings are merged.
 
 #include "core/import/file_layout.h"
 
@@ -26,7 +26,7 @@ struct NameMeaning {
         Chosen       ///< by a person
     };
 
-    /// What only the other columns can tell.
+    /// A question about the name that only the other columns can decide.
     enum class Doubt {
         None,
         IsDerivative,    ///< "x_d", "xp" or "dx" may be a derivative of x
@@ -40,14 +40,14 @@ struct NameMeaning {
     Kind kind = Kind::Nothing;
     Channel channel{};
     ColumnReason reason = ColumnReason::UnknownName; ///< why a column with this name is used, or not
-    std::string owner{};  ///< "3.1" in "P[3.1]", "slider" in "slider.s", "massa" in "mass_A x"; empty: none
-    std::string symbol{}; ///< that stands for the quantity or its position: "psi" in "ψ̇"; empty: a word does
+    std::string owner{};  ///< its point or body: "3.1" of "P[3.1]", "slider" of "slider.s", "massa" of "mass_A x"
+    std::string symbol{}; ///< symbol of the quantity or its position: "psi" in "ψ̇"; empty: a word denotes it
     Doubt doubt = Doubt::None;
     bool hasUnknownWords = false;
     bool namesAxis = false;      ///< x or y, as in "vx"
     bool isNumberedLink = false; ///< the number of a link names the body, and no word: "θ3"
     bool isFirstLink = false;    ///< the name has the number 1 of a link: "θ1", "crank angle φ1"
-    bool isAtB = false;          ///< the angle of the coupler is measured at B, half a turn from that at A
+    bool isAtB = false; ///< the angle of the coupler is measured at B; it differs from that at A by half a turn
 };
 
 /// Returns whether the name denotes a channel, and not only a quantity of an unnamed body.
@@ -59,8 +59,8 @@ constexpr bool namesChannel(const NameMeaning &meaning)
 /// Orders meanings by how certain it is that the name denotes the channel: the greater is the more certain one.
 std::weak_ordering compareEvidence(const NameMeaning &first, const NameMeaning &second);
 
-/// Longer names, in bytes, are remarks and have no meaning.
-inline constexpr std::size_t kLongestName = 200;
+/// Names with more bytes are remarks and have no meaning.
+inline constexpr std::size_t kMaxNameSize = 200;
 
 /// Returns what a name with that unit means by itself. The unit decides what the name leaves open: the order, and
 /// whether it is an angle or a length.

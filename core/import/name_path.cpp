@@ -38,8 +38,8 @@ bool mayBeQuantity(std::string_view part)
     return namesQuantity(words) || (words.size() == 1 && findWord(words[0], WordUse::Symbol));
 }
 
-/// Returns whether the full stop at `at` is before an index, as Mathcad writes it: "x.B", "θ.2". A part of a path, as
-/// in "slider.s", is no capital letter or digit.
+/// Returns whether the full stop at `at` is before an index, as Mathcad writes it: "x.B", "θ.2". An index is a capital
+/// letter or a digit, unlike the part of a path in "slider.s".
 bool isBeforeIndex(std::string_view name, std::size_t at)
 {
     const Words before = wordsOf(name.substr(0, at));

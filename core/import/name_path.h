@@ -17,7 +17,7 @@ struct NamePath {
     std::vector<std::string_view> parts{};
     std::string owner{};       ///< the parts before the last one, without those that only name a quantity
     bool isOfModelica = false; ///< "slider.s": a variable of Modelica's library
-    bool isInSi = false;       ///< by Modelica, ROS and the like: in m, rad and s
+    bool isInSi = false;       ///< written by a program with m, rad and s, such as Modelica and ROS
 };
 
 /// Splits a name into the parts of its path. The parts refer to the name.

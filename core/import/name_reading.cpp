@@ -13,7 +13,7 @@ namespace
 using Words = std::vector<std::string>;
 using Doubt = NameMeaning::Doubt;
 
-/// Sets `known` to `value` if there is one. Returns false if it differs from the one that was known before.
+/// Sets `known` to `value` if that is known. Returns false if a different value was known before.
 template <typename Value>
 bool merge(std::optional<Value> &known, const std::optional<Value> &value)
 {
@@ -22,7 +22,7 @@ bool merge(std::optional<Value> &known, const std::optional<Value> &value)
     return agrees;
 }
 
-/// Includes what an entry of the vocabulary says. Returns false if it contradicts the rest.
+/// Includes what an entry of the vocabulary says. Returns false if it contradicts the words before.
 bool merge(NameReading &reading, const WordMeaning &entry)
 {
     reading.order = std::max(reading.order, entry.order);
@@ -40,8 +40,9 @@ enum class Entries {
     All
 };
 
-/// Includes the number of a link after a symbol. A length is the slider's, link 4, or that of an unknown point. Returns
-/// false if the link has no such quantity. Behind a word, a number only counts columns ("Linear Velocity1").
+/// Includes a number behind a symbol, which is that of a link. A length is that of the slider, link 4, or of an unknown
+/// point. Returns false if the link has no such quantity. Behind a word, a number only counts columns ("Linear
+/// Velocity1") and is skipped.
 bool includeNumber(NameReading &reading, std::string_view digits, Entries entries)
 {
     if (!reading.hasSymbol || entries == Entries::WithoutSymbols) {
@@ -50,7 +51,7 @@ bool includeNumber(NameReading &reading, std::string_view digits, Entries entrie
     reading.isBodyNamed = true;
     if (reading.symbol == "q") { // a generalized coordinate, which may be numbered from 0
         reading.isUnknownBody = reading.dimension != Dimension::Angle;
-        reading.joints = digits;
+        reading.pointLetters = digits;
         return true;
     }
     if (reading.dimension == Dimension::Angle) {
@@ -58,12 +59,12 @@ bool includeNumber(NameReading &reading, std::string_view digits, Entries entrie
         return isAmong(digits, "1 2 3") || reading.body;
     }
     if (digits == "4") {
-        reading.joints.clear(); // "x14", of link 4 to the frame 1
+        reading.pointLetters.clear(); // "x14", of link 4 to the frame 1
         return merge(reading.body, std::optional(Body::Slider));
     }
     reading.isUnknownBody = true;
     if (reading.axis != ' ' && !reading.body && isAmong(digits, "1 2 3")) {
-        reading.joints = digits; // "y3"
+        reading.pointLetters = digits; // "y3"
     }
     return isAmong(digits, "1 2 3");
 }
@@ -80,24 +81,24 @@ bool isOfOrder(const WordMeaning &symbol, const NameReading &before)
 }
 
 /// Includes the letters of a point or of the ends of a link: the index of "x_s" and "ω_BC", the joint of "joint B" and
-/// "velocity of B". Returns false if it is the second one, or contradicts the words before.
+/// "velocity of B". Returns false if an index was included before, or if the letters contradict the words before.
 bool includePoint(NameReading &reading, std::string_view letters)
 {
     const WordMeaning *const index = findWord(letters, WordUse::Index);
     const bool isOfSlider = index && index->body == Body::Slider;
     const bool isPinOfAngle = isOfSlider && reading.dimension == Dimension::Angle; // θ_c, θ_b
     const bool isOtherPoint = !index || (letters.size() == 1 && !index->body);     // x_A, "joint D"
-    // But "connecting rod ω_c" is of a known body.
+    // "connecting rod ω_c" names its body by words.
     reading.isUnknownBody = reading.isUnknownBody || ((isPinOfAngle || isOtherPoint) && !reading.body);
     if (reading.hasIndex) {
         return false;
     }
     reading.hasIndex = true;
-    reading.joints = letters;
+    reading.pointLetters = letters;
     return !index || isPinOfAngle || merge(reading, *index);
 }
 
-/// Includes the joint after "at": "velocity at B", but an angle there is that of the coupler, "θ3 at B".
+/// Includes the joint after "at": "velocity at B" belongs to that point, but an angle, "θ3 at B", to the coupler.
 bool includePlace(NameReading &reading, std::string_view joint)
 {
     if (reading.dimension != Dimension::Angle) {
@@ -108,7 +109,7 @@ bool includePlace(NameReading &reading, std::string_view joint)
     return merge(reading.body, std::optional(Body::Coupler));
 }
 
-/// Returns whether "at A" or "at B" stands at that word.
+/// Returns whether the words at `at` are "at A" or "at B".
 bool isPlace(const Words &words, std::size_t at)
 {
     return isAmong(words[at], "at en bei in an") && at + 1 < words.size() && isAmong(words[at + 1], "a b");
@@ -124,8 +125,8 @@ bool mayPrecedeJoint(const NameReading &before, std::string_view label)
            (!before.hasSymbol || before.expectsJoint || before.isOrderNamed || isPreposition);
 }
 
-/// Returns whether an index may belong to the symbol or quantity before it: "x_s", "velocity B", "ω_BC", but not the Bp
-/// of "xBp".
+/// Returns whether an index may belong to the symbol or quantity before it, as in "x_s", "velocity B" and "ω_BC", but
+/// not in "xBp".
 bool mayBeIndex(const NameReading &before, std::string_view index)
 {
     const bool isOfLink = index.size() > 1 && before.dimension == Dimension::Angle;
@@ -142,7 +143,9 @@ bool includeSymbol(NameReading &reading, std::string_view word, WordMeaning symb
     return merge(reading, symbol);
 }
 
-/// Includes an entry of the vocabulary. Returns false if the word is unknown there or contradicts the words before.
+/// Includes an entry of the vocabulary. The first that applies: a number, a word, a joint behind a label, an index, a
+/// filler, a label, an ambiguous letter, a symbol, a derivative. Returns false if the word is none of these after the
+/// words before it, or contradicts them.
 bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
 {
     if (isDigits(word)) {
@@ -173,7 +176,7 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
     }
     if (!isOfBody && reading.hasSymbol && findWord(word, WordUse::AmbiguousLetter)) {
         reading.doubt = word == "p" ? Doubt::IsPistonsIndex : Doubt::IsDerivative;
-        reading.joints = word == "p" ? word : std::string_view(reading.joints);
+        reading.pointLetters = word == "p" ? word : std::string_view(reading.pointLetters);
         return true;
     }
     const WordMeaning *const symbol = isOfBody ? nullptr : findWord(word, WordUse::Symbol);
@@ -185,7 +188,8 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
     return derivative;
 }
 
-/// Includes a known word with an ending, such as a plural or genitive: "pistonun". Returns false if it is none.
+/// Includes a known word with an ending, such as a plural or genitive: "pistonun". Returns false if no beginning of the
+/// word is known, or if it contradicts the words before.
 bool includeStem(NameReading &reading, std::string_view word)
 {
     constexpr std::size_t kShortestStem = 5; // bytes
@@ -199,8 +203,8 @@ bool includeStem(NameReading &reading, std::string_view word)
     return false;
 }
 
-/// Includes an entry that is a part of a longer word. Short fillers and labels are none: "end" is not "en" and "d", and
-/// "joints" are not "joint S".
+/// Includes an entry that is a part of a longer word. Short fillers and labels cannot be parts: "end" is not "en" and
+/// "d", and "joints" is not "joint S".
 bool includePart(NameReading &reading, std::string_view part, Entries entries)
 {
     constexpr std::size_t kShortestFiller = 4; // bytes
@@ -263,8 +267,9 @@ bool includeWord(NameReading &reading, std::string_view word, Entries entries)
     return includeCompound(reading, word, entries) || includeStem(reading, word);
 }
 
-/// Includes a word that is unknown after the words before it. Returns false if it contradicts them, or makes the name
-/// that of another quantity. A normal or tangential component, as in "a_BAn", has an index and no word.
+/// Includes a word that could not be included otherwise. Returns false if the vocabulary contains it (then it
+/// contradicts the words before) or it names another quantity. Words of fewer than three bytes, and components such as
+/// the BAn of "a_BAn" (index BA, normal), count as indices.
 bool includeUnknown(NameReading &reading, std::string_view word)
 {
     constexpr std::size_t kShortestWord = 3; // bytes: shorter ones are indices
@@ -280,8 +285,8 @@ bool includeUnknown(NameReading &reading, std::string_view word)
     return true;
 }
 
-/// Returns whether a word is the number of a point after "joint" or an unknown word, as in "P1X", or the letter of a
-/// point between an unknown word and the quantity, as in "mass_A x".
+/// Returns whether the word at `at` is the number of a point after "joint" or an unknown word, as in "P1X", or the
+/// letter of a point between an unknown word and the quantity, as in "mass_A x".
 bool isNumberOfPoint(const NameReading &before, const Words &words, std::size_t at)
 {
     if (at == 0) {
@@ -298,8 +303,8 @@ bool isNumberOfPoint(const NameReading &before, const Words &words, std::size_t 
     return mayBeLetter && !isLast && isAfterUnknown && before.unknown.hasWord;
 }
 
-/// Returns whether the two words at `at` only label a signal: "Channel A", or a letter with a number that is not 1 to 4
-/// (those are links) and words for the quantity behind it, such as the S001 of "S001_Displacement_X".
+/// Returns whether the two words at `at` only label a signal: "Channel A", or a letter with a number other than 1 to 4
+/// (those are links) before words for the quantity, such as the S001 of "S001_Displacement_X".
 bool isNameOfElement(const Words &words, std::size_t at)
 {
     if (isAmong(words[at], "channel ch canal kanal") && at + 1 < words.size() && words[at + 1].size() == 1) {
@@ -369,7 +374,7 @@ bool includeWords(NameReading &reading, const Words &words, Entries entries)
 }
 
 /// Sets the body whose angle the number of a link denotes: 1 is the frame, 2 the crank and 3 the coupler. A word for
-/// the body goes before the number: in "coupler angle φ2", the links are numbered from the crank.
+/// the body has priority over the number: in "coupler angle φ2", the links are numbered from the crank.
 void setBodyOfLink(NameReading &reading)
 {
     if (reading.body || reading.link.empty()) {
@@ -403,8 +408,9 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
         const Words words = isLast ? lastWords : wordsOf(path.parts[i]);
         NameReading extended = reading;
         if (includeWords(extended, words, isLast ? Entries::All : Entries::WithoutSymbols)) {
-            const bool mayHaveAnyName = path.isOfModelica || reading.body; // as the model in "Model1.slider.x"
-            if (mayHaveAnyName && !isLast) {
+            // Then it may be the name of the model, as in "Model1.slider.x": its unknown words are not kept.
+            const bool canBeUnknown = path.isOfModelica || reading.body;
+            if (canBeUnknown && !isLast) {
                 extended.unknown = reading.unknown;
             }
             reading = extended;

@@ -27,7 +27,7 @@ struct NamedUnit {
 };
 
 /// Other spellings of units. On Spanish keyboards, the ordinal sign º stands for degrees; "¡" is the sign ° of a
-/// Macintosh read as Windows-1252. Micro has two code points, one is the Greek letter.
+/// Macintosh, read as Windows-1252. The sign of micro has two code points, of which one is the Greek letter.
 const Spellings kUnitSpellings{{"×π rad", "pirad"},
                                {"π rad", "pirad"},
                                {"pi rad", "pirad"},
@@ -168,7 +168,7 @@ constexpr auto kUnits = std::to_array<NamedUnit>(
      {"min мин mins minute minutes minuto minutos minuten minuti", {Time, 0, 1.0 / 60.0}},
      {"h ч час hr hour hours hora horas stunde stunden", {Time, 0, 1.0 / 3600.0}}});
 
-std::optional<Unit> unitNamed(std::string_view name)
+std::optional<Unit> findUnit(std::string_view name)
 {
     static const std::unordered_map<std::string_view, Unit> kUnitsByName = [] {
         std::unordered_map<std::string_view, Unit> units;
@@ -192,7 +192,7 @@ struct UnitFactor {
 /// Returns whether a name ends with the s of seconds behind a length or an angle, as in "ms" and "rads".
 bool endsWithSeconds(std::string_view name)
 {
-    const std::optional<Unit> unit = name.ends_with('s') ? unitNamed(name.substr(0, name.size() - 1)) : std::nullopt;
+    const std::optional<Unit> unit = name.ends_with('s') ? findUnit(name.substr(0, name.size() - 1)) : std::nullopt;
     return unit && unit->dimension != Time;
 }
 
@@ -214,11 +214,11 @@ UnitFactor takeFactor(std::string_view &product)
     return factor;
 }
 
-/// Returns the unit of a numerator. The last letters of "mmps" and "rads" mean "per second", and so do those of "cms2";
+/// Returns the unit of the first factor of a product. The last letters of "mmps", "rads" and "cms2" mean "per second";
 /// but "cms" alone is the plural of cm.
-std::optional<Unit> numeratorNamed(const UnitFactor &factor)
+std::optional<Unit> parseNumerator(const UnitFactor &factor)
 {
-    std::optional<Unit> unit = unitNamed(factor.name);
+    std::optional<Unit> unit = findUnit(factor.name);
     if (unit && factor.power == 1) {
         return unit;
     }
@@ -228,15 +228,16 @@ std::optional<Unit> numeratorNamed(const UnitFactor &factor)
     }
     const std::size_t suffix = factor.name.ends_with("ps") ? 2 : 1;
     const bool isRate = (!unit || factor.power == 2) && factor.name.ends_with('s') && factor.name.size() > suffix;
-    unit = isRate ? unitNamed(factor.name.substr(0, factor.name.size() - suffix)) : std::nullopt;
+    unit = isRate ? findUnit(factor.name.substr(0, factor.name.size() - suffix)) : std::nullopt;
     if (unit) {
         unit->order = factor.power;
     }
     return unit && unit->dimension != Time ? unit : std::nullopt;
 }
 
+/// A unit, split from the power of ten before it.
 struct ScaledUnit {
-    double power = 1.0; ///< of ten
+    double power = 1.0; ///< value of the power: 1e-3 in "10^-3 m"
     std::string unit{};
 };
 
@@ -256,8 +257,8 @@ ScaledUnit splitPower(std::string_view text)
     return isPower ? ScaledUnit{power, plain.substr(end)} : ScaledUnit{1.0, std::string(text)};
 }
 
-/// Parses a product of a length, an angle or nothing with powers of times: "mm", "mm/s", "rad s-2", "1/s". R writes
-/// "mm/s" as "mm.s": a length is never multiplied by a time. Returns nullopt for others.
+/// Parses a product of a length, an angle or nothing with powers of times, or a time: "mm", "mm/s", "rad s-2", "1/s",
+/// "ms". R writes "mm/s" as "mm.s": a length is never multiplied by a time. Returns nullopt for other products.
 std::optional<Unit> parseProduct(std::string_view product)
 {
     constexpr int kLargestOrder = 2;
@@ -273,7 +274,7 @@ std::optional<Unit> parseProduct(std::string_view product)
         if (factor.name.empty() && factor.power == 1 && !unit && !isDivided) { // "1/s"
             continue;
         }
-        const std::optional<Unit> time = unitNamed(factor.name);
+        const std::optional<Unit> time = findUnit(factor.name);
         const bool isTime = time && time->dimension == Time && factor.power != 0;
         if (isTime && (unit || isDivided || factor.power < 0)) {
             unit = unit.value_or(Unit{Angle, 0, kDegreesPerRadian}); // 1/s is rad/s
@@ -283,7 +284,7 @@ std::optional<Unit> parseProduct(std::string_view product)
             }
             unit->factor *= std::pow(time->factor, std::abs(factor.power));
         } else if (!unit && !isDivided) {
-            unit = numeratorNamed(factor);
+            unit = parseNumerator(factor);
             if (!unit) {
                 return std::nullopt;
             }
@@ -323,7 +324,7 @@ std::string lowered(std::string_view text)
 
 std::optional<Unit> parseUnit(std::string_view text)
 {
-    if (text == "kW") { // a power, and no angle of the crankshaft as "°KW"
+    if (text == "kW") { // kilowatt; without this line it would be read as °KW, degrees of the crankshaft
         return std::nullopt;
     }
     const ScaledUnit scaled = splitPower(text);

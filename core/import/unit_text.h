@@ -15,7 +15,7 @@ enum class Dimension { Length, Angle, Time };
 
 struct Unit {
     Dimension dimension = Dimension::Length;
-    int order = 0; ///< how many times it is divided by a time
+    int order = 0; ///< how often it is divided by a time: 2 for mm/s²
 
     /// Factor to mm or °, per s to the power of `order`. For a unit of time it is the reciprocal, the number of units
     /// in a second, so that 5 ms / 1000 gives exactly 0.005.
@@ -27,9 +27,11 @@ struct Unit {
     friend bool operator==(const Unit &, const Unit &) = default;
 };
 
+/// Parses a length or an angle, divided by a time at most twice, or a time. A power of ten may be before it. 1/s is
+/// rad/s, Hz turns per second. Returns nullopt for other texts.
 std::optional<Unit> parseUnit(std::string_view text);
 
-/// Removes the text up to the next `separator` from `rest`, with the separator, and returns it without.
+/// Removes the text up to the next `separator`, and the separator, from `rest`. Returns the text without the separator.
 std::string_view takeUntil(char separator, std::string_view &rest);
 
 /// Returns whether `word` is one of the words in a list separated by spaces.

@@ -16,8 +16,8 @@ namespace
 
 using Words = std::vector<std::string>;
 
-/// Letters outside ASCII, and the plain spelling of all letters of a row. Accents of their own (U+0300 …) follow the
-/// letter.
+/// Letters outside ASCII, and the plain spelling of all letters of a row. Accents that are separate characters (U+0300
+/// …) are behind their letter.
 constexpr auto kLetters = std::to_array<Spelling>({{"áàăåâãäą", "a"},
                                                    {"čçć", "c"},
                                                    {"ď", "d"},
@@ -68,8 +68,8 @@ constexpr auto kLetters = std::to_array<Spelling>({{"áàăåâãäą", "a"},
                                                    {"°", ""},
                                                    {"\u0300\u0301\u0303", ""}});
 
-/// The letters, those of Cyrillic in lower case, and groups of characters and commands of LaTeX, with their plain
-/// spelling.
+/// The plain spellings of letters, of groups of characters, and of commands of LaTeX; small letters for the capital
+/// ones of Cyrillic.
 const Spellings kLetterSpellings = [] {
     Spellings table{{"ß", "ss"},       {"æ", "ae"},      {"″", "''"},      {"a\u0308", "a"}, {"o\u0308", "o"},
                     {"u\u0308", "u"},  {"A\u0308", "A"}, {"O\u0308", "O"}, {"U\u0308", "U"}, {"\u0307", "' "},
@@ -82,7 +82,7 @@ const Spellings kLetterSpellings = [] {
     return table;
 }();
 
-/// The words of names that consist of few: at least one of `words`, and beside them only `companions` and numbers.
+/// The words of a kind of short names: at least one of `words`, and beside these only `companions` and numbers.
 struct ShortNames {
     std::string_view words;
     std::string_view companions{};
@@ -273,7 +273,8 @@ bool isLetter(char c)
     return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || byteOf(c) >= 0x80;
 }
 
-/// Returns whether the words are such a name.
+/// Returns whether the words are one of `names`: at least one is in names.words; the others are there, in
+/// names.companions, or numbers.
 bool areAmong(const Words &words, const ShortNames &names)
 {
     const auto isListed = [&](const std::string &word) { return isAmong(word, names.words); };
@@ -302,8 +303,8 @@ const WordMeaning *findWord(std::string_view word, WordUse use)
 
 Words wordsOf(std::string_view name)
 {
-    // Whether the prime at the end of the words is a derivative whatever follows: it is after a symbol such as x, but
-    // not after the elided "de" and "se" of Romance languages.
+    // Returns whether the prime at the end of the words is a derivative and no apostrophe: it is behind a symbol such
+    // as x, but not behind the elided "de" and "se" of Romance languages.
     const auto isPrimed = [](const Words &words) {
         const std::string_view symbol = words.size() > 1 ? std::string_view(words[words.size() - 2]) : "";
         return !isAmong(symbol, "d s") && findWord(symbol, WordUse::Symbol);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The words and symbols of headings, and what each of them says about the quantity in a column. A new word is added to
-// a row of the table, a new kind of word as a row.
+// The words and symbols of headings, and what each of them says about the quantity in a column. Add a new word to the
+// row of its kind in the table, and a new row for a new kind of word.
 
 #include "core/import/unit_text.h"
 #include "core/mechanism/channel.h"
@@ -42,17 +42,18 @@ struct WordMeaning {
     bool isCentre = false; ///< it denotes the centre of mass of a body
 };
 
-/// Returns the entry of that use that contains the word, or null.
+/// Returns the entry for `use` that contains the word; null if there is none.
 const WordMeaning *findWord(std::string_view word, WordUse use);
 
 /// Splits a name into runs of letters, runs of digits, and primes, in lower case and without accents. A capital letter
 /// after a small one begins a word: "SliderPosition". Dots above a letter become primes: "ẍ" is x, ', '.
 std::vector<std::string> wordsOf(std::string_view name);
 
-/// Returns `size` words from `at` on, joined as in the vocabulary: "double_dot", "pie_de_biela". Returns an empty text
-/// if there are fewer.
+/// Returns the `size` words from `at` on, joined as in the vocabulary: "double_dot", "pie_de_biela". Returns an empty
+/// text if there are fewer words.
 std::string phraseAt(const std::vector<std::string> &words, std::size_t at, std::size_t size);
 
+/// Returns whether a word consists of digits, and is not empty.
 bool isDigits(std::string_view word);
 
 /// Returns whether the words name the time, as in "Elapsed time" or "sim_time".
@@ -61,8 +62,8 @@ bool isTime(const std::vector<std::string> &words);
 /// Returns whether the words name the time of day, as a clock shows it.
 bool isTimeOfDay(const std::vector<std::string> &words);
 
-/// Returns "rpm" or "rps" if one of the words names a speed of rotation that is in this unit if none is stated; else an
-/// empty text.
+/// Returns the unit that a name for the speed of rotation implies: "rpm" for "Drehzahl", "rps" for "crank frequency".
+/// Returns an empty text if the words contain no such name.
 std::string_view unitOfRotation(const std::vector<std::string> &words);
 
 /// Returns whether the words abbreviate how a quantity was found: "num.", "exp", "sim".
@@ -80,7 +81,7 @@ bool isRowNumber(const std::vector<std::string> &words);
 /// Returns whether a word says that the name is of a quantity that is no channel: "error", "force", "Messabweichung".
 bool namesOtherQuantity(std::string_view word);
 
-/// Returns whether a word names the quantity or its axis, and not only the body.
+/// Returns whether the words name the time, a quantity or an axis, and not only a body.
 bool namesQuantity(const std::vector<std::string> &words);
 
 } // namespace slidercrank
