@@ -19,7 +19,8 @@ namespace
 
 using Fault = ReadFault::Kind;
 
-/// Returns a choice of the column by its heading, or by its number if the heading is empty or not unique.
+/// Returns a choice of the column by its heading, or by its number if the heading is empty, not unique, or contains a
+/// quotation mark. `unit`: empty for that of the file.
 ColumnChoice choiceFor(const RawTable &table, const RawColumn &column, ColumnRole role, Channel channel = {},
                        std::string unit = {})
 {
@@ -30,8 +31,9 @@ ColumnChoice choiceFor(const RawTable &table, const RawColumn &column, ColumnRol
     return {column.index, role, channel, std::move(unit), isUnique ? heading : '#' + std::to_string(column.index + 1)};
 }
 
-/// Returns whether the values only rise or only fall, so that they may be time stamps or crank angles, and the heading
-/// is none of another quantity, such as a ratio.
+/// Returns whether a column may contain the time stamps or crank angles: it is unused or the channel θ2, every cell has
+/// a value, and the values only rise or only fall (those of an angle also after jumps by a turn). Its heading must not
+/// name a different quantity, such as an error or a ratio.
 bool mayBeAbscissa(const RawColumn &column)
 {
     const bool isFree = !column.isUsed() || column.use.channel == kCrankAngle;
@@ -41,7 +43,8 @@ bool mayBeAbscissa(const RawColumn &column)
            (isTurningAngle(column) || (!isConstant(column) && !findReversal(column.values)));
 }
 
-/// Returns whether a column that may be the abscissa is probably an angle, by its name or its range.
+/// Returns whether a column that may be the abscissa is probably an angle: its name or its unit says so or, without a
+/// known unit, its values span more than a quarter turn in degrees.
 bool looksLikeAngle(const RawColumn &column)
 {
     constexpr double kQuarterTurn = 90.0;
@@ -52,8 +55,9 @@ bool looksLikeAngle(const RawColumn &column)
            (!unit && rangeOf(column.values).width() > kQuarterTurn);
 }
 
-/// Returns whether a column is an angle that turns so far in one direction that only the crank can.
-bool makesTurn(const RawColumn &column)
+/// Returns whether a column has a unit of angles and turns by more than half a turn in one direction, as only the crank
+/// does.
+bool makesTurnOfCrank(const RawColumn &column)
 {
     const std::optional<Unit> unit = parseUnit(column.use.unit);
     const bool isAngle = unit && unit->dimension == Dimension::Angle && unit->order == 0;
@@ -62,11 +66,11 @@ bool makesTurn(const RawColumn &column)
 
 /// Returns the quantity that a column probably is:
 ///
-/// 1. the one that its name means, if its unit suits it,
-/// 2. else the crank's speed, if the unit leaves open whether it is in turns or radians,
-/// 3. else the slider's, if the name states no body and no unit,
-/// 4. else the crank angle, if the values make turns,
-/// 5. else that of the coupler for a unit of angles, and that of the slider for other units.
+/// 1. the one that its name means, unless it has a known unit that does not suit this quantity,
+/// 2. else the speed of the crank, if the unit leaves open whether it is in turns or radians,
+/// 3. else the x of the slider, or its derivative, if the body is unknown and no unit is known,
+/// 4. else the crank angle, if the values turn like the crank,
+/// 5. else the angle of the coupler for a unit of angles, the x of the slider for other units, or their derivatives.
 Channel likelyChannel(const RawColumn &column)
 {
     const std::optional<Unit> unit = parseUnit(column.use.unit);
@@ -80,7 +84,7 @@ Channel likelyChannel(const RawColumn &column)
     if (column.meaning.reason == ColumnReason::UnknownBody && !unit) {
         return {R4x, column.meaning.channel.order};
     }
-    if (makesTurn(column)) {
+    if (makesTurnOfCrank(column)) {
         return kCrankAngle;
     }
     const bool isRate = unit && unit->dimension != Dimension::Time && unit->order <= 2;
@@ -88,7 +92,8 @@ Channel likelyChannel(const RawColumn &column)
             isRate ? static_cast<Order>(unit->order) : Order::Position};
 }
 
-/// Returns the unit to state for a column: that of the file if it suits the quantity, else the default unit.
+/// Returns the unit to state for a column: rad/s for a speed in 1/s or Hz; empty if the unit of the file suits the
+/// quantity; otherwise the default unit. `channel`: if the role is Channel.
 std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel)
 {
     if (column.use.reason == ColumnReason::TurnsOrRadians) {
@@ -103,8 +108,8 @@ std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel
     return std::string(fileUnit(role == ColumnRole::Channel ? channel : kCrankAngle));
 }
 
-/// Returns the unit to suggest for a time: s if its unit is unknown; µs or ns if it has none, because its numbers are
-/// too large for seconds.
+/// Returns the unit to suggest for the time: s if its stated unit is unknown. If it states none, its numbers are too
+/// large for seconds: ns for long steps between the rows, otherwise µs.
 std::string likelyTimeUnit(const RawColumn &column)
 {
     constexpr double kLongestStep = 1e5; // µs between two rows
@@ -120,8 +125,8 @@ bool isChannel(const RawColumn &column)
     return column.use.role == ColumnRole::Channel;
 }
 
-/// Returns the choice of the abscissa, which is given if one was guessed, or else the first column that may be one.
-/// Returns nothing if there is none.
+/// Returns the choice of the column that already is the abscissa, or else of the first one that may be. Returns nothing
+/// if there is none.
 std::vector<ColumnChoice> abscissaChoice(const RawTable &table, std::span<RawColumn> columns)
 {
     if (const RawColumn *const guessed = findElement(columns, &RawColumn::isAbscissa)) {
@@ -141,16 +146,17 @@ std::string withoutDigits(std::string heading)
     return heading;
 }
 
-/// How likely a person chooses a column as a channel: the greater, the likelier. Compared in this order.
+/// How likely a column is the channel that a person would choose: the greater, the likelier. Compared in this order.
 struct Likelihood {
-    bool isOpen = false;      ///< its heading leaves the meaning open
-    bool returns = false;     ///< it does not only rise, as the crank angle does
+    bool isOpen = false;      ///< its heading leaves open which channel it is
+    bool reverses = false;    ///< its values do not only rise or only fall
     bool isNotTurning = true; ///< it does not turn like the crank
 
     auto operator<=>(const Likelihood &) const = default;
 };
 
-/// Returns nullopt for a column that is used, does not change, is known not to be a channel, or has an unsuitable unit.
+/// Returns nullopt for a column that cannot be a channel: it is used, does not change, contains row numbers, further
+/// time stamps or the crank pin, or has an unknown unit and a heading without a meaning.
 std::optional<Likelihood> likelihoodOf(const RawColumn &column)
 {
     const ColumnReason reason = column.use.reason;
@@ -161,15 +167,18 @@ std::optional<Likelihood> likelihoodOf(const RawColumn &column)
     if (!isFree || !(leavesOpen(reason) || hasUnit)) {
         return std::nullopt;
     }
-    return Likelihood{leavesOpen(reason), findReversal(column.values).has_value(), !makesTurn(column)};
+    return Likelihood{.isOpen = leavesOpen(reason),
+                      .reverses = findReversal(column.values).has_value(),
+                      .isNotTurning = !makesTurnOfCrank(column)};
 }
 
-/// Returns the first of the likeliest columns apart from the one with the index `notColumn`, or null. Of several
-/// points, it is the last one, as programs number them from the crank to the slider.
-const RawColumn *likeliestChannel(std::span<const RawColumn> columns, std::size_t notColumn)
+/// Returns the first of the likeliest columns apart from the one with the index `excluded`; null if no column can be a
+/// channel. If other columns of unknown bodies have the same heading apart from digits, they are points, and the last
+/// one is returned: programs number points from the crank to the slider.
+const RawColumn *likeliestChannel(std::span<const RawColumn> columns, std::size_t excluded)
 {
-    const auto likelihood = [notColumn](const RawColumn &column) {
-        return column.index == notColumn ? std::nullopt : likelihoodOf(column);
+    const auto likelihood = [excluded](const RawColumn &column) {
+        return column.index == excluded ? std::nullopt : likelihoodOf(column);
     };
     const auto best = std::ranges::max_element(columns, {}, likelihood);
     if (best == columns.end() || !likelihood(*best)) {
@@ -185,10 +194,10 @@ const RawColumn *likeliestChannel(std::span<const RawColumn> columns, std::size_
 }
 
 /// Returns the choice of the likeliest channel, and those of the other quantities of the same point. Returns nothing if
-/// no column may be a channel. `notColumn`: index of a column that is not chosen.
-std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t notColumn)
+/// no column may be a channel. `excluded`: index of a column that is not chosen.
+std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t excluded)
 {
-    const RawColumn *const likeliest = likeliestChannel(columns, notColumn);
+    const RawColumn *const likeliest = likeliestChannel(columns, excluded);
     if (!likeliest) {
         return {};
     }
@@ -199,7 +208,7 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
     std::vector<ColumnChoice> choices{choice(*likeliest)};
     for (const RawColumn &other : columns) {
         const bool isOfSamePoint = !likeliest->meaning.owner.empty() && other.meaning.owner == likeliest->meaning.owner;
-        const bool isOpen = other.index != notColumn && likelihoodOf(other) && leavesOpen(other.use.reason);
+        const bool isOpen = other.index != excluded && likelihoodOf(other) && leavesOpen(other.use.reason);
         const auto isSameChannel = [&](const ColumnChoice &earlier) { return earlier.channel == likelyChannel(other); };
         if (isOfSamePoint && isOpen && std::ranges::none_of(choices, isSameChannel)) {
             choices.push_back(choice(other));
@@ -208,10 +217,10 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
     return choices;
 }
 
-/// Returns the choices that ignore a second time and the columns behind it, which were sampled at it. If nothing is
-/// left before it that could be a channel, they ignore only the time.
-std::vector<ColumnChoice> choicesWithout(const RawTable &table, std::span<const RawColumn> columns,
-                                         const RawColumn &secondTime)
+/// Returns the choices that ignore a second time and the columns behind it, which were sampled at it. If no column
+/// before it could be a channel, they ignore only the second time.
+std::vector<ColumnChoice> choicesIgnoring(const RawTable &table, std::span<const RawColumn> columns,
+                                          const RawColumn &secondTime)
 {
     const auto isQuantity = [](const RawColumn &column) { return column.meaning.kind >= NameMeaning::Kind::Quantity; };
     const auto second = static_cast<std::size_t>(&secondTime - columns.data());
@@ -257,7 +266,7 @@ std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table)
         }
         return advice;
     }
-    case Fault::TimeTwice: return place ? choicesWithout(table, columns, *place) : advice;
+    case Fault::TimeTwice: return place ? choicesIgnoring(table, columns, *place) : advice;
     case Fault::ChannelTwice: return place ? std::vector{choiceFor(table, *place, ColumnRole::Ignored)} : advice;
     case Fault::ChannelInBoth: {
         RawColumn *const second =

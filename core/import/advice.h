@@ -11,7 +11,8 @@ namespace slidercrank
 {
 
 /// Returns the choices with which the file could be read, or at least the error would not occur; empty if no choice
-/// helps. Columns have their heading, or "#3" where that is empty or ambiguous.
+/// helps. A choice states the heading of its column, or a number such as "#3" if the heading is empty, not unique, or
+/// contains a quotation mark.
 std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table);
 
 } // namespace slidercrank

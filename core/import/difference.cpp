@@ -14,15 +14,15 @@ namespace slidercrank
 namespace
 {
 
-/// How far a column of rates is from the difference quotients of its values, and from their derivative: sums of
-/// squares.
+/// How far a column of rates is from the difference quotients of a column of values, and from its derivative, as sums
+/// of squares.
 struct Mismatch {
-    std::array<double, 3> ofDifferences{}; ///< by Difference
+    std::array<double, 3> ofDifferences{}; ///< in the order of Difference
     double ofDerivative = 0.0;
     double rows = 0.0; ///< number of rows in the sums
 };
 
-/// Compares the rates of the first rows, which have that spacing in time, with the differences of `values`.
+/// Compares the rates of the first rows with the difference quotients of `values`. `spacing`: time between two rows, s.
 Mismatch compareWithDifferences(std::span<const double> rates, const std::vector<double> &values, double spacing)
 {
     Mismatch mismatch;
@@ -50,7 +50,7 @@ std::optional<Difference> differenceIn(const ReferenceData &data, Channel channe
 {
     constexpr std::size_t kExaminedRows = 512;
     constexpr std::size_t kMinRows = 12;
-    constexpr double kMinRatio = 16.0;        // of the sums of squares, from the second best to the best match
+    constexpr double kMinRatio = 16.0;        // second smallest sum of squares, divided by the smallest one
     constexpr double kArithmeticError = 1e-6; // relative to the peak
     const std::size_t rows = std::min(data.time.size(), kExaminedRows);
     const bool hasTime = !data.crank;

@@ -20,7 +20,7 @@ enum class DecimalSign { Point, Comma };
 enum class ColumnRole {
     Ignored,
     Time,
-    CrankAngle, ///< instead of the time, which follows from it
+    CrankAngle, ///< of a table without time stamps, which follow from the angle and the drive
     Channel
 };
 
@@ -32,12 +32,12 @@ enum class ColumnReason {
 
     // Guessed: a person should confirm them.
     QuantityInName, ///< the heading and its unit denote a quantity, but not of which body: the usual one is assumed
-    WideAngle,    ///< an angle that spans more than half a turn is that of the crank; or a derivative of such an angle
-    StraightPath, ///< the only one of several points whose y does not change, or a derivative of its x or y
-    UnknownWords, ///< some words of the heading are unknown, but no other column is the quantity
-    RisingValues, ///< no column is named as the time; this is the first one, and its values only rise
-    PathInSi,     ///< the heading is a path of a program that uses m, rad and s, such as Modelica and ROS
-    AngleForTime, ///< no column is the time; this is the crank angle, which does not change its direction
+    WideAngle,      ///< the angle of the crank, by its range or its evenness, or an angle or rate that follows from it
+    StraightPath,   ///< the only one of several points whose y does not change, or a derivative of its x or y
+    UnknownWords,   ///< some words of the heading are unknown, but no other column is the quantity
+    RisingValues,   ///< no column is named as the time; this is the first one, and its values only rise
+    PathInSi,       ///< the heading is a path of a program that uses m, rad and s, such as Modelica and ROS
+    AngleForTime,   ///< no column is the time; this is the crank angle, which does not change its direction
 
     // Ignored.
     UnknownName,    ///< the heading denotes no channel
@@ -48,12 +48,12 @@ enum class ColumnReason {
     NoName,         ///< the heading is empty
     NoNumber,       ///< no cell contains a number
     UnknownUnit,    ///< the unit is unknown, or does not suit the quantity
-    OverAngle,      ///< a derivative with respect to the crank angle, such as dx/dθ, which is no channel
+    OverAngle,      ///< a derivative with respect to the crank angle, such as dx/dθ, and not to the time
     LikeOther,      ///< another column could be the same channel: a person has to choose
     AngleOrLength,  ///< it is unknown whether it is an angle or a length
     TurnsOrRadians, ///< a speed in 1/s or Hz: it is unknown whether in rad/s or in turns per second
-    CrankPin,       ///< it is of the crank pin A, which has no channel
-    Constant        ///< it does not change, like a parameter; a column of that quantity would
+    CrankPin,       ///< it describes the crank pin A, which has no channel
+    Constant        ///< it does not change, unlike that quantity in a moving mechanism; it may be a parameter
 };
 
 /// Returns whether the column was guessed, so that a person should confirm it.
@@ -73,9 +73,9 @@ constexpr bool leavesOpen(ColumnReason reason)
 
 /// A difference quotient of the values in two rows.
 enum class Difference {
-    Forward,  ///< of this row and the next
-    Backward, ///< of the previous row and this one
-    Central   ///< of the previous row and the next
+    Forward,  ///< from this row to the next one
+    Backward, ///< from the previous row to this one
+    Central   ///< from the previous row to the next one
 };
 
 /// A column of the file. The texts are UTF-8, whatever the encoding of the file.
@@ -85,9 +85,9 @@ struct FileColumn {
     ColumnRole role = ColumnRole::Ignored;
     Channel channel{}; ///< if the role is Channel
     ColumnReason reason = ColumnReason::UnknownName;
-    std::optional<Difference> difference{}; ///< how a column of derivatives was computed; nullopt: exactly, or unknown
+    std::optional<Difference> difference{}; ///< that a column of derivatives contains; nullopt: none, or unknown
     std::size_t file = 0;                   ///< index in FileLayout::files
-    bool isInRadiansByValues = false;       ///< an angle, or its derivative, without a printed unit
+    bool isInRadiansByValues = false; ///< read in rad without a printed unit, because the values of an angle suggest it
 };
 
 /// The layout of a file. If several files are joined, their columns follow each other, and the rest describes the first
@@ -105,8 +105,8 @@ struct FileLayout {
     bool isGuessed() const;
 };
 
-/// Returns the unit of a column with that role and channel: the default unit for an empty text, nullopt if it is no
-/// unit of them.
+/// Returns the unit of a column with that role and channel: the default unit for an empty text; nullopt if the unit is
+/// unknown or of a different quantity, or if the column is ignored.
 std::optional<Unit> parseColumnUnit(const std::string &text, ColumnRole role, Channel channel);
 
 /// The meaning that a person gives a column, which overrides its heading.

@@ -35,20 +35,20 @@ int decadeOf(double magnitude)
 
 /// Largest number of digits of a value that a person may have chosen (25, 360, 12.75). Such a value does not show how
 /// the program rounds.
-constexpr int kDigitsOfAChosenNumber = 4;
+constexpr int kMaxDigitsOfChosenNumber = 4;
 
 /// Returns the place at which the only number of a column was rounded: its last printed digit, such as the hundreds of
-/// 3.07587e+07. Behind the point, zeros at the end count only among the first kDigitsOfAChosenNumber digits: 12.00 was
-/// rounded to hundredths, but 123456.0 to a whole number.
+/// 3.07587e+07. Behind the point, zeros at the end count only among the first kMaxDigitsOfChosenNumber digits: 12.00
+/// was rounded to hundredths, but 123456.0 to a whole number.
 int placeOfOneValue(const PrintedPlaces &places)
 {
     const int place = std::min(places.last, std::max(places.printed, 0));
-    const int known = std::max(places.first - kDigitsOfAChosenNumber + 1, places.printed);
+    const int known = std::max(places.first - kMaxDigitsOfChosenNumber + 1, places.printed);
     return places.printed < 0 ? std::min(place, known) : place;
 }
 
-/// How far the places of decades are from those of a rule, as sums over all values. The least is the best; on a tie,
-/// the coarser rule is less. Compared in this order.
+/// How far the places of decades are from those of a rule, as sums over all values. The smallest one is the best; of
+/// two with the same distance, that of the coarser rule is smaller. Compared in this order.
 struct RuleDistance {
     double distance = 0.0;       ///< in places
     double minusRulePlace = 0.0; ///< the place of the rule, negated
@@ -56,7 +56,7 @@ struct RuleDistance {
     auto operator<=>(const RuleDistance &) const = default;
 };
 
-/// Returns the distance of all decades from the rule that has the place of one decade.
+/// Returns the distance of all decades from the rule of that kind that has the place of the decade `reference`.
 RuleDistance distanceFromRule(Rounding::Rule rule, const RoundedDecade &reference,
                               const std::vector<RoundedDecade> &decades)
 {
@@ -70,8 +70,8 @@ RuleDistance distanceFromRule(Rounding::Rule rule, const RoundedDecade &referenc
     return sum;
 }
 
-/// Sets the rule and the digits of the rule that is closest to the places of all decades, weighted by their numbers of
-/// values. The best place, a weighted median, is that of one of the decades.
+/// Sets the rule, and its number of digits, to the one that is closest to the places of all decades, weighted by their
+/// numbers of values. The best place, a weighted median, is that of one of the decades.
 void chooseRule(const std::vector<RoundedDecade> &decades, Rounding &rounding)
 {
     RuleDistance least{kInfinity};
@@ -87,8 +87,8 @@ void chooseRule(const std::vector<RoundedDecade> &decades, Rounding &rounding)
     }
 }
 
-/// Returns the first and last digit of the shortest text that is read as `value`, which is printed at `places`.
-PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
+/// Returns `places` with the places of the first and last digit of the shortest text that is read as `value`.
+PrintedPlaces withShortestPlaces(PrintedPlaces places, double value)
 {
     std::array<char, 32> text{};
     const auto shortest = std::to_chars(text.data(), text.data() + text.size(), value);
@@ -96,8 +96,8 @@ PrintedPlaces shortestPlaces(PrintedPlaces places, double value)
     return {.zero = found.zero, .first = found.first, .last = found.last, .printed = places.printed};
 }
 
-/// Refines a step of sorted values: a distance of many steps, divided by their number, is more precise than one step.
-/// The distances increase, so that the number of steps in each is certain.
+/// Refines the step between sorted values, which are multiples of it apart: a distance of many steps, divided by their
+/// number, is more precise than one step. The distances increase, so that the number of steps in each is certain.
 double refinedStep(double step, const std::vector<double> &values)
 {
     double mostSteps = 1.0; // number of steps in the longest distance used so far
@@ -111,7 +111,7 @@ double refinedStep(double step, const std::vector<double> &values)
     return step;
 }
 
-/// Returns the finite ones among some values, sorted.
+/// Returns the finite values, sorted.
 std::vector<double> sortedFinite(std::span<const double> values)
 {
     std::vector<double> sorted;
@@ -120,10 +120,10 @@ std::vector<double> sortedFinite(std::span<const double> values)
     return sorted;
 }
 
-/// The gaps between sorted values that differ by more than an uncertainty.
+/// The distances between sorted values that are larger than an uncertainty.
 struct Gaps {
-    double smallest = kInfinity;
-    std::size_t distinctValues = 1;
+    double smallest = kInfinity;    ///< smallest distance
+    std::size_t distinctValues = 1; ///< number of values, of which those closer together count as one
 };
 
 Gaps gapsBetween(const std::vector<double> &sorted, double uncertainty)
@@ -179,14 +179,14 @@ double Rounding::finestStep() const
 
 void RoundingObserver::observe(PrintedPlaces places, double value)
 {
-    constexpr int kDigitsOfADouble = 16;
+    constexpr int kMinDigitsOfDouble = 16; // of a number that a program printed in full
     m_finestPlace = std::min(m_finestPlace, places.printed);
     if (places.zero) {
         return;
     }
-    if (places.first - places.last + 1 >= kDigitsOfADouble) { // the last digits are those of a binary number
-        places = shortestPlaces(places, value);
-        const int finest = places.first - kDigitsOfADouble + 1;
+    if (places.first - places.last + 1 >= kMinDigitsOfDouble) { // the last digits are those of a binary number
+        places = withShortestPlaces(places, value);
+        const int finest = places.first - kMinDigitsOfDouble + 1;
         places.last = std::max(places.last, finest);
         places.printed = std::max(places.printed, finest);
     }
@@ -212,7 +212,10 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
 bool RoundingObserver::isPadded() const
 {
     // By chance, one value in ten ends with one zero, and one in a hundred with two: a ninth of a zero on average.
-    const bool areManyZeros = 4 * m_trailingZeros >= m_values + 16;
+    // These are clearly more: a quarter of a zero per value, plus four zeros for short columns.
+    constexpr std::uint64_t kValuesPerZero = 4;
+    constexpr std::uint64_t kSpareZeros = 4;
+    const bool areManyZeros = kValuesPerZero * m_trailingZeros >= m_values + kValuesPerZero * kSpareZeros;
     const bool havePaddedValuesMajority = 2 * m_paddedValues >= m_values;
     return areManyZeros && havePaddedValuesMajority;
 }
@@ -253,7 +256,7 @@ int RoundingObserver::coarsestPlaceOf(const Rounding &rounding, const RoundedDec
     const bool isRelative = rounding.rule == Rounding::Rule::SignificantDigits;
     int coarsest = m_coarsestPlace;
     if (isPadded() && m_coarsestPlace < 0) { // the last printed digits say nothing
-        const bool isLong = isRelative && rounding.digits > kDigitsOfAChosenNumber;
+        const bool isLong = isRelative && rounding.digits > kMaxDigitsOfChosenNumber;
         coarsest = isLong ? INT_MAX : 0;
     }
     // A person rounds -2123 to -2120 if three digits are enough, also beside 853.
@@ -273,7 +276,7 @@ Rounding RoundingObserver::infer(double unitFactor, Content content) const
     rounding.finestPlace = m_finestPlace;
     if (m_values == 1) {
         rounding.rule = Rounding::Rule::Decimals;
-        rounding.digits = -placeOfOneValue(shortestPlaces(m_lastPlaces, m_lastMagnitude));
+        rounding.digits = -placeOfOneValue(withShortestPlaces(m_lastPlaces, m_lastMagnitude));
         return rounding;
     }
     const std::vector<RoundedDecade> decades = roundedDecades(content);

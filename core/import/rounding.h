@@ -86,7 +86,7 @@ struct RoundedDecade;
 class RoundingObserver
 {
 public:
-    /// What the numbers of a column are.
+    /// What the numbers of a column mean.
     enum class Content { Quantity, TimeStamps };
 
     /// Adds the next number of the column, which was printed with these places.
@@ -97,7 +97,8 @@ public:
     Rounding infer(double unitFactor, Content content) const;
 
 private:
-    /// Whether most values end with zeros that say nothing, as in 139.397000.
+    /// Returns whether the numbers were padded with zeros, as in 139.397000: at least half of the values end with
+    /// zeros, with at least a quarter of a zero per value.
     bool isPadded() const;
 
     /// Returns the places at which the values of all decades were rounded, from the smallest decade.
@@ -107,20 +108,20 @@ private:
     int coarsestPlaceOf(const Rounding &rounding, const RoundedDecade &largest, Content content) const;
 
     static constexpr std::size_t kMaxDigits = 17; ///< in the shortest text of a double
-    static constexpr int kLargestExponent = 48;   ///< values beyond mark missing numbers
+    static constexpr int kLargestExponent = 48;   ///< larger and smaller powers of ten are not regarded
 
-    /// By power of ten from -kLargestExponent: how many values have each number of digits from the first to the last
-    /// non-zero one, less 1.
+    /// Numbers of values, by the power of ten of their first digit (from -kLargestExponent), and by the number of
+    /// digits from the first to the last non-zero one, less 1.
     std::array<std::array<std::uint32_t, kMaxDigits>, 2 * kLargestExponent + 1> m_decades{};
 
     std::uint64_t m_values = 0;        ///< number of values that are not zero and differ from the one before
     std::uint64_t m_trailingZeros = 0; ///< number of zeros printed after the last non-zero decimal of these values
     std::uint64_t m_paddedValues = 0;  ///< number of these values that end with such zeros
-    int m_coarsestPlace = INT_MIN;     ///< of the last printed digits
-    int m_finestPlace = INT_MAX;
-    int m_smallestExponent = INT_MAX;
-    PrintedPlaces m_lastPlaces; ///< of the last value that is not zero
-    double m_lastMagnitude = 0.0;
+    int m_coarsestPlace = INT_MIN;     ///< largest power of ten of the last printed digit of these values
+    int m_finestPlace = INT_MAX;       ///< smallest power of ten of the last printed digit of any number
+    int m_smallestExponent = INT_MAX;  ///< smallest power of ten of the first digit of these values
+    PrintedPlaces m_lastPlaces;        ///< of the last of these values
+    double m_lastMagnitude = 0.0;      ///< of the last of these values
 };
 
 /// Returns the step of an encoder or converter: the largest number such that all values are multiples of it, apart from

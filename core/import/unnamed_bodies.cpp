@@ -26,9 +26,9 @@ bool isOfUnnamedBody(const RawColumn *column)
     return column->meaning.kind == Kind::Quantity;
 }
 
-/// Removes columns that do not change, beside others of the file that do: a table may contain parameters, such as the
-/// radius of the crank, in every row or only in one. Of the others, y, speeds, and the acceleration of the crank may be
-/// constant.
+/// Removes columns of unnamed bodies that contain a parameter, such as the radius of the crank, if other columns of
+/// their file change: a single value, or equal values other than 0. Equal values are no parameter in columns of y, of
+/// velocities, and of accelerations other than that of the slider.
 void removeConstants(std::vector<RawColumn *> &candidates)
 {
     std::vector<std::size_t> filesOfMotion;
@@ -60,8 +60,8 @@ bool isAngleOfCrank(const RawColumn &angle, const RawColumn *abscissa)
             isStraight(angle.values, abscissa->values, kEvenness * width));
 }
 
-/// Returns the angles whose derivative a column may be: those with the same owner, and of these only those with the
-/// same symbol, if there are any: ψ for ψ̇.
+/// Returns the angles whose derivative a column may be: those with the same owner. If some of these have the symbol of
+/// the derivative, as ψ for ψ̇, only those are returned.
 std::vector<RawColumn *> anglesOfDerivative(const RawColumn &derivative, std::vector<RawColumn *> angles)
 {
     std::erase_if(angles, [&](const RawColumn *angle) { return angle->meaning.owner != derivative.meaning.owner; });
@@ -74,16 +74,16 @@ std::vector<RawColumn *> anglesOfDerivative(const RawColumn &derivative, std::ve
     return angles;
 }
 
-/// Gives the derivative of an angle to the crank if it can be that of no other angle, or if it is even. Returns false
-/// if it may be that of the crank or of another angle.
+/// Assigns the derivative of an angle to the crank if it can be that of no other angle, or if it is constant. Returns
+/// false if it may be that of the crank or of a different angle.
 bool assignDerivative(RawColumn &derivative, const std::vector<RawColumn *> &angles)
 {
     const std::vector<RawColumn *> ownAngles = anglesOfDerivative(derivative, angles);
     const auto crankAngles =
         std::ranges::count(ownAngles, kCrankAngle, [](const RawColumn *angle) { return angle->use.channel; });
     const bool isOfCrank = crankAngles > 0 && crankAngles == std::ssize(ownAngles);
-    const bool isEven = isNearlyConstant(derivative); // only the crank turns evenly, or accelerates evenly
-    if (isEven || isOfCrank) {
+    const bool isSteady = isNearlyConstant(derivative); // only the crank turns evenly, or accelerates evenly
+    if (isSteady || isOfCrank) {
         derivative.use.channel.coordinate = Theta2;
         derivative.meaning.reason = ColumnReason::WideAngle;
         return true;
@@ -91,8 +91,8 @@ bool assignDerivative(RawColumn &derivative, const std::vector<RawColumn *> &ang
     return crankAngles == 0;
 }
 
-/// Gives angles of unnamed bodies to the crank if no other body can have them, and also their derivatives. Removes the
-/// derivatives that may be those of the crank or of another angle.
+/// Assigns angles of unnamed bodies, and their derivatives, to the crank if no other body can have them. Removes the
+/// derivatives that may be those of the crank or of a different angle.
 void findCrank(RawTable &table, std::vector<RawColumn *> &candidates)
 {
     std::vector<RawColumn *> angles;
@@ -126,12 +126,12 @@ RawColumn *findUnnamed(const std::vector<RawColumn *> &candidates, Channel chann
 }
 
 /// Returns the body whose x, y and angle are three columns of the same owner: the slider if the angle is constant;
-/// nothing if x or y is constant although the angle changes (they do not belong together); the crank if the angle is
+/// nullopt if x or y is constant although the angle changes (they do not belong together); the crank if the angle is
 /// that of the crank; otherwise the coupler.
 std::optional<Body> bodyOfPose(const RawColumn &x, const RawColumn &y, const RawColumn &angle)
 {
-    constexpr double kUnturned = 1e-6; // degrees
-    if (rangeOf(angle.values).width() <= kUnturned) {
+    constexpr double kMaxSliderRotation = 1e-6; // degrees
+    if (rangeOf(angle.values).width() <= kMaxSliderRotation) {
         return Body::Slider;
     }
     if (isConstant(x) || isConstant(y)) {
@@ -140,8 +140,8 @@ std::optional<Body> bodyOfPose(const RawColumn &x, const RawColumn &y, const Raw
     return angle.use.channel == kCrankAngle ? Body::Crank : Body::Coupler;
 }
 
-/// Sets the channels of the columns of an owner, which is that body. Removes x and y of the crank: nothing tells its
-/// pin from its centre of mass.
+/// Sets the channels of the columns of an owner to those of a body. Removes x and y of the crank: nothing distinguishes
+/// its pin from its centre of mass.
 void assignToBody(std::vector<RawColumn *> &candidates, const std::string &owner, Body body)
 {
     const auto isOfOwner = [&owner](const RawColumn &column) {
@@ -166,10 +166,10 @@ void assignToBody(std::vector<RawColumn *> &candidates, const std::string &owner
     }
 }
 
-/// Finds the bodies of the columns x, y and an angle, which programs write for each body.
+/// Finds the bodies of columns for x, y and an angle of the same owner, which programs write for each body.
 void findBodiesOfPoses(std::vector<RawColumn *> &candidates)
 {
-    for (const std::vector<RawColumn *> all = candidates; RawColumn *const angle : all) {
+    for (const std::vector<RawColumn *> columns = candidates; RawColumn *const angle : columns) {
         const Channel channel = angle->use.channel;
         const std::string owner = angle->meaning.owner;
         if (!isOfUnnamedBody(angle) || channel.order != Order::Position || !isAngle(channel.coordinate)) {
@@ -183,8 +183,8 @@ void findBodiesOfPoses(std::vector<RawColumn *> &candidates)
     }
 }
 
-/// Returns whether an angle or a rate without a body does not change, apart from whole turns. It would be taken for
-/// that of the coupler, which does change, but may be that of the slider, or the number of the turn.
+/// Returns whether an angle of an unnamed body, or its derivative, does not change, apart from whole turns. As the
+/// angle of the coupler it would change, so it may be that of the slider, or the number of the turn.
 bool isRestingAngle(const RawColumn &column)
 {
     const bool isPosition = column.use.channel.order == Order::Position;
@@ -193,13 +193,14 @@ bool isRestingAngle(const RawColumn &column)
            (isConstant(column) || (isPosition && angularWidth(column.finiteValues()) == 0.0));
 }
 
-/// Returns whether the column is a length of a point that only has a letter, a number or an unknown name.
+/// Returns whether the column is x or y, or a derivative, of a point that is named only by a letter, a number or an
+/// unknown word.
 bool isOfPoint(const RawColumn *column)
 {
     return isOfUnnamedBody(column) && !column->meaning.owner.empty() && !isAngle(column->use.channel.coordinate);
 }
 
-/// Returns whether the values rise and fall by more than noise.
+/// Returns whether the values rise and fall by more than their noise.
 bool moveBackAndForth(const Values &values)
 {
     constexpr double kMinFraction = 0.2; // of the range, for both the largest rise and the largest fall
@@ -214,8 +215,8 @@ bool moveBackAndForth(const Values &values)
     return std::min(rise, fall) > kMinFraction * before.width();
 }
 
-/// Returns whether the slider's velocity or acceleration, in the order of `rate`, is known to be negative at times: it
-/// is in another column, or the slider moves back and forth.
+/// Returns whether the velocity or acceleration of the slider must be negative at times: another column of the channel
+/// of `rate` has negative values or, for a velocity, the position of the slider rises and falls.
 bool isNegativeAtTimes(const std::vector<RawColumn *> &candidates, const RawColumn &rate)
 {
     return std::ranges::any_of(candidates, [&rate](const RawColumn *other) {
@@ -227,19 +228,21 @@ bool isNegativeAtTimes(const std::vector<RawColumn *> &candidates, const RawColu
     });
 }
 
-/// Removes velocities and accelerations of the slider that are never negative although it has negative ones: they are
-/// magnitudes, such as "v" beside "v_x". Those with the exact name of the channel stay.
+/// Removes velocities and accelerations of the slider that are never negative although those of the slider must be at
+/// times: they are magnitudes, such as "v" beside "v_x". Columns with the exact name of the channel stay.
 void removeMagnitudes(std::vector<RawColumn *> &candidates)
 {
-    const std::vector<RawColumn *> all = candidates;
-    removeColumns(candidates, ColumnReason::Magnitude, [&all](const RawColumn &column) {
+    const std::vector<RawColumn *> others = candidates;
+    removeColumns(candidates, ColumnReason::Magnitude, [&others](const RawColumn &column) {
         const Channel channel = column.use.channel;
         return column.meaning.kind < Kind::ChannelName && channel.coordinate == R4x &&
-               channel.order != Order::Position && rangeOf(column.values).low >= 0.0 && isNegativeAtTimes(all, column);
+               channel.order != Order::Position && rangeOf(column.values).low >= 0.0 &&
+               isNegativeAtTimes(others, column);
     });
 }
 
-/// Returns the only owner of columns of numbered parts, if no other column is the slider's; else an empty text.
+/// Returns the owner of the columns of numbered parts, if there is only one such owner, and no other column is the x of
+/// the slider or its derivative. Otherwise returns an empty text.
 std::string onlyPart(const std::vector<RawColumn *> &candidates)
 {
     std::string part;
@@ -256,7 +259,7 @@ std::string onlyPart(const std::vector<RawColumn *> &candidates)
     return part;
 }
 
-/// The path of a point, as far as its x and y, or their derivatives, tell it.
+/// The path of a point, as far as its x and y, or their derivatives, show it.
 enum class Path { Unknown, Straight, Curved };
 
 /// Returns the path of a point whose x and y are in two columns of the same order.
@@ -276,7 +279,7 @@ Path pathOf(const RawColumn *x, const RawColumn *y)
     return isCurved ? Path::Curved : Path::Unknown;
 }
 
-/// Returns the path of the point with the name of an owner.
+/// Returns the path of the point that is the owner of some candidates.
 Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner)
 {
     Path path = Path::Unknown;
@@ -288,8 +291,8 @@ Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner
     return path;
 }
 
-/// Removes velocities and accelerations without the name of a point whose x and y describe a curve: they are not those
-/// of the slider. Beside two positions they are kept: the slider may also move along an inclined line, which the
+/// Removes velocities and accelerations without an owner whose x and y describe a curve: they are not those of the
+/// slider. If the positions x and y are also columns, keeps them: the slider may move along an inclined line, which the
 /// identification finds out.
 void removeUnnamedCurvedPath(std::vector<RawColumn *> &candidates)
 {
@@ -316,7 +319,7 @@ bool isOfCrankPin(const RawColumn &column)
     return lowered(column.meaning.owner) == "a";
 }
 
-/// Returns the owners of points with that path.
+/// Returns the owners of the points with that path.
 std::set<std::string> pointsWithPath(const std::vector<RawColumn *> &candidates, Path path)
 {
     std::set<std::string> owners;
@@ -328,9 +331,9 @@ std::set<std::string> pointsWithPath(const std::vector<RawColumn *> &candidates,
     return owners;
 }
 
-/// Finds the slider among points with x and y: it is the only one whose y does not change. Sets this as the reason of
-/// its columns, and removes the other points. If there is no such point, removes those whose paths are curved, and
-/// those whose names leave open whether they are the slider.
+/// Finds the slider among points with x and y: it is the only one whose y does not change. Sets the reason of its
+/// columns to StraightPath, and removes the other points. If not exactly one point has such a y, removes those whose
+/// paths are curved, and those whose names leave open whether they are the slider.
 void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
 {
     const std::string part = onlyPart(candidates);
