@@ -123,7 +123,8 @@ bool isNameOpen(const RawColumn &column)
         (meaning.kind == Kind::Quantity && meaning.hasUnknownWords && meaning.doubt == NameMeaning::Doubt::None);
     const std::vector<std::string> words = wordsOf(column.name);
     return isUnknown && meaning.reason != ColumnReason::UnknownBody && meaning.reason != ColumnReason::UnknownUnit &&
-           std::ranges::none_of(words, namesOtherQuantity) && std::ranges::none_of(words, namesAngleOrBody);
+           meaning.reason != ColumnReason::Ratio && std::ranges::none_of(words, namesOtherQuantity) &&
+           std::ranges::none_of(words, namesAngleOrBody);
 }
 
 /// Returns whether an unused column may be the time although its name leaves that open: its values only rise, it has a
@@ -232,15 +233,6 @@ void guessAbscissa(RawTable &table, const TableFile &file)
     }
 }
 
-/// Removes the columns that do not meet a condition, unless none does, and sets the reason why they are ignored.
-template <typename Condition>
-void keepBetter(std::vector<RawColumn *> &columns, ColumnReason reason, const Condition &isBetter)
-{
-    if (std::ranges::any_of(columns, [&](const RawColumn *column) { return isBetter(*column); })) {
-        removeColumns(columns, reason, [&](const RawColumn &column) { return !isBetter(column); });
-    }
-}
-
 /// Returns the undecided columns of a file whose names denote a time. If some have a unit of time or none, the others
 /// are ignored ("T (Nm)"). If some of the rest contain numbers other than times of a clock, all other columns are
 /// ignored (a clock beside seconds). Sets the reasons of the ignored columns.
@@ -252,10 +244,16 @@ std::vector<RawColumn *> takeNamedTimes(RawTable &table, const TableFile &file)
             times.push_back(&column);
         }
     }
-    keepBetter(times, ColumnReason::UnknownUnit,
-               [](const RawColumn &column) { return column.unitAs(ColumnRole::Time).has_value(); });
-    keepBetter(times, ColumnReason::NoNumber,
-               [](const RawColumn &column) { return !column.cells.isClock && rangeOf(column.values).count > 0; });
+    const auto isUnitUnknown = [](const RawColumn &column) { return !column.unitAs(ColumnRole::Time); };
+    if (!std::ranges::all_of(times, [&](const RawColumn *column) { return isUnitUnknown(*column); })) {
+        removeColumns(times, ColumnReason::UnknownUnit, isUnitUnknown);
+    }
+    const auto isClock = [](const RawColumn &column) { return column.cells.isClock; };
+    const auto isEmpty = [](const RawColumn &column) { return rangeOf(column.values).count == 0; };
+    if (!std::ranges::all_of(times, [&](const RawColumn *column) { return isClock(*column) || isEmpty(*column); })) {
+        removeColumns(times, ColumnReason::TimeOfDay, isClock);
+        removeColumns(times, ColumnReason::NoNumber, isEmpty);
+    }
     return times;
 }
 

@@ -38,8 +38,8 @@ bool mayBeAbscissa(const RawColumn &column)
 {
     const bool isFree = !column.isUsed() || column.use.channel == kCrankAngle;
     return isFree && std::ranges::none_of(wordsOf(column.name), namesOtherQuantity) &&
-           column.meaning.reason != ColumnReason::UnknownUnit && rangeOf(column.values).count == column.values.size() &&
-           column.values.size() > 1 &&
+           column.meaning.reason != ColumnReason::UnknownUnit && column.meaning.reason != ColumnReason::Ratio &&
+           rangeOf(column.values).count == column.values.size() && column.values.size() > 1 &&
            (isTurningAngle(column) || (!isConstant(column) && !findReversal(column.values)));
 }
 

@@ -36,7 +36,7 @@ void removeWords(std::vector<RawColumn *> &candidates)
         return words <= static_cast<std::ptrdiff_t>(rangeOf(column->values).count);
     };
     if (std::ranges::any_of(candidates, isMostlyNumbers)) {
-        removeColumns(candidates, ColumnReason::NoNumber, [&](const RawColumn &column) {
+        removeColumns(candidates, ColumnReason::MoreWords, [&](const RawColumn &column) {
             return column.meaning.kind < Kind::ChannelName && !isMostlyNumbers(&column);
         });
     }

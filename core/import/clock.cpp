@@ -26,7 +26,8 @@ std::vector<double> numbersWithoutGaps(std::size_t count)
 /// time stamps of the grid may be missing. Returns nothing unless most neighbours are one spacing apart.
 std::vector<double> numbersWithGaps(std::span<const double> time)
 {
-    constexpr double kMaxGapFraction = 0.5; // of all differences: chosen time stamps also have a common divisor
+    constexpr double kMaxGapFraction =
+        0.5; // of all differences: time stamps that a person chose have a grid, too, but more gaps
     std::vector<double> differences;
     differences.reserve(time.size());
     for (std::size_t i = 1; i < time.size(); ++i) {
@@ -34,7 +35,7 @@ std::vector<double> numbersWithGaps(std::span<const double> time)
     }
     std::vector<double> sorted = differences;
     std::ranges::sort(sorted);
-    const double step = sorted.empty() ? 0.0 : sorted[sorted.size() / 4]; // not the smallest one, for rounded ones
+    const double step = sorted.empty() ? 0.0 : sorted[sorted.size() / 4]; // the smallest one may be rounded down
     std::vector<double> numbers;
     numbers.reserve(time.size());
     numbers.push_back(0.0);
@@ -54,8 +55,9 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
 {
     constexpr double kRelativeTolerance = 1e-3; // to the rounding step: rounding makes time stamps far more uneven
     constexpr double kMaxUlps = 4.0; // rounding errors of two differences: four time stamps, plus the unit conversion
-    constexpr double kMaxMissingFraction = 0.2; // of the time stamps: more are not missing at even distances by chance
-    constexpr std::size_t kMinTimeStamps = 10;  // fewer may be evenly spaced by chance
+    constexpr double kMaxMissingFraction =
+        0.2; // of the time stamps: if more seem to be missing evenly, they never existed
+    constexpr std::size_t kMinTimeStamps = 10; // fewer may be evenly spaced by chance
     Clock clock;
     if (time.empty()) {
         return clock;

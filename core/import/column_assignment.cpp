@@ -84,7 +84,7 @@ ReadError missingDataError(RawTable &table, std::size_t file)
     const std::span<const RawColumn> columns = table.columnsOf(own);
     const RawColumn *const open = findElement(columns, [](const RawColumn &column) {
         return leavesOpen(column.use.reason) || column.use.reason == ColumnReason::UnknownUnit ||
-               column.use.reason == ColumnReason::CrankPin;
+               column.use.reason == ColumnReason::Ratio || column.use.reason == ColumnReason::CrankPin;
     });
     if (!open) {
         return {.line = own.layout.headerLine, .fault = {Fault::NoChannel}, .file = file};

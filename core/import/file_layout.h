@@ -45,9 +45,12 @@ enum class ColumnReason {
     RowNumber,      ///< it numbers the rows
     Magnitude,      ///< the magnitude of a vector whose components are other columns
     SameTimeStamps, ///< the time stamps of another signal, equal to those in the column of the time
+    TimeOfDay,      ///< times of a clock, beside another column of times that contains numbers
     NoName,         ///< the heading is empty
     NoNumber,       ///< no cell contains a number
+    MoreWords,      ///< more cells contain words than numbers, unlike in another column that may be a channel
     UnknownUnit,    ///< the unit is unknown, or does not suit the quantity
+    Ratio,          ///< the ratio of two quantities, such as ω3/ω2
     OverAngle,      ///< a derivative with respect to the crank angle, such as dx/dθ, and not to the time
     LikeOther,      ///< another column could be the same channel: a person has to choose
     AngleOrLength,  ///< it is unknown whether it is an angle or a length

@@ -395,7 +395,7 @@ NameMeaning meaningOf(std::string_view name, const std::string &unit)
         return {};
     }
     if (isRatio(name)) {
-        return {.reason = ColumnReason::UnknownUnit};
+        return {.reason = ColumnReason::Ratio};
     }
     if (const std::optional<std::string> derivative = derivativeOfDifferences(name)) {
         NameMeaning meaning = meaningOf(*derivative, unit);

@@ -345,7 +345,7 @@ std::size_t sizeOfPhrase(const Words &words, std::size_t at, Entries entries)
     return 1;
 }
 
-/// Includes the words of one part of a path. Returns false if they contradict each other or those before.
+/// Includes the words of one part of a path. Returns false if they contradict each other or the parts behind.
 bool includeWords(NameReading &reading, const Words &words, Entries entries)
 {
     for (std::size_t i = 0; i < words.size(); ++i) {

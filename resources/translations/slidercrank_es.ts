@@ -526,6 +526,10 @@
         <translation>los mismos instantes que en la columna del tiempo</translation>
     </message>
     <message>
+        <source>the time of a clock; another column contains the time</source>
+        <translation>es la hora de un reloj; otra columna contiene el tiempo</translation>
+    </message>
+    <message>
         <source>no heading</source>
         <translation>sin encabezado</translation>
     </message>
@@ -534,8 +538,16 @@
         <translation>no contiene ningún número</translation>
     </message>
     <message>
+        <source>it contains more words than numbers</source>
+        <translation>contiene más palabras que números</translation>
+    </message>
+    <message>
         <source>its unit is unknown, or does not suit the quantity</source>
         <translation>su unidad es desconocida o no corresponde a la magnitud</translation>
+    </message>
+    <message>
+        <source>a ratio of two quantities, which is not compared</source>
+        <translation>es un cociente de dos magnitudes, que no se compara</translation>
     </message>
     <message>
         <source>another column could be the same quantity</source>

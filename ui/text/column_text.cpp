@@ -38,9 +38,12 @@ public:
         {ColumnReason::RowNumber, QT_TR_NOOP("it numbers the rows")},
         {ColumnReason::Magnitude, QT_TR_NOOP("the magnitude of a vector, without its sign")},
         {ColumnReason::SameTimeStamps, QT_TR_NOOP("the same time stamps as in the column of the time")},
+        {ColumnReason::TimeOfDay, QT_TR_NOOP("the time of a clock; another column contains the time")},
         {ColumnReason::NoName, QT_TR_NOOP("no heading")},
         {ColumnReason::NoNumber, QT_TR_NOOP("it contains no number")},
+        {ColumnReason::MoreWords, QT_TR_NOOP("it contains more words than numbers")},
         {ColumnReason::UnknownUnit, QT_TR_NOOP("its unit is unknown, or does not suit the quantity")},
+        {ColumnReason::Ratio, QT_TR_NOOP("a ratio of two quantities, which is not compared")},
         {ColumnReason::OverAngle,
          QT_TR_NOOP(
              "a derivative with respect to the crank angle, not the time: multiply it by ω₂, or by ω₂² if it is the "

@@ -638,6 +638,19 @@ private slots:
         QCOMPARE(adviceIn("time,Zeit,x\n0,1,80\n2,3,70\n"), std::string("Zeit=ignored ;"));
     }
 
+    void tellsWhyColumnsAreIgnored()
+    {
+        const auto reasonOf = [](const QByteArray &bytes, std::size_t column) {
+            return std::get<ReferenceData>(read(bytes)).layout.columns[column].reason;
+        };
+        QVERIFY(reasonOf("Uhrzeit,t,R4_x\n12:00:00,0,85\n12:00:01,1,80\n12:00:02,2,70\n", 0) ==
+                ColumnReason::TimeOfDay);
+        QVERIFY(reasonOf("t,time,R4_x\n-,0,85\n-,1,80\n-,2,70\n", 0) == ColumnReason::NoNumber);
+        QVERIFY(reasonOf("t,T (Nm),R4_x\n0,5,85\n1,6,80\n2,7,70\n", 1) == ColumnReason::UnknownUnit);
+        QVERIFY(reasonOf("t,x,position\n0,85,up\n1,80,down\n2,70,3\n", 2) == ColumnReason::MoreWords);
+        QVERIFY(reasonOf("t,x,omega3/omega2\n0,85,1\n1,80,2\n2,70,3\n", 2) == ColumnReason::Ratio);
+    }
+
     /// The crank pin A has no channel: its columns are neither used nor advised for the slider.
     void readsNoSliderIntoTheCrankPin()
     {

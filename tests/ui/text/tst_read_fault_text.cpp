@@ -62,6 +62,7 @@ private slots:
             {{.kind = Kind::NoCertainChannel, .columnReason = ColumnReason::LikeOther}, "the same quantity)"},
             {{.kind = Kind::NoCertainChannel, .columnReason = ColumnReason::UnknownBody}, "the body)"},
             {{.kind = Kind::NoCertainChannel, .columnReason = ColumnReason::UnknownUnit}, "its unit"},
+            {{.kind = Kind::NoCertainChannel, .columnReason = ColumnReason::Ratio}, "a ratio"},
             {{.kind = Kind::NoRow, .rowFault = RowFault::TooManyCells}, "too many cells"},
         };
         for (const Kind kind : {Kind::NoSuchColumn, Kind::SeveralColumns, Kind::NoCertainChannel, Kind::OtherTimeStamps,
