@@ -73,8 +73,9 @@ void joinHeadings(HeadingCandidate &names, const NumberRow &row)
     }
 }
 
-/// Returns whether a remark follows the names of the columns, so that there are more cells than the `numbers` of a row:
-/// it begins with a comment mark, or at least as many names as numbers are known.
+/// Returns whether a remark follows the names of the columns, which include a time and a quantity, so that there are
+/// more cells than the `numbers` of a row: it begins with a comment mark, or at least as many names as numbers are
+/// known.
 bool isRemarkBehind(const HeadingCandidate &names, std::size_t numbers)
 {
     const bool isMarked = headingsBeforeRemark(names.cells).size() == numbers;

@@ -21,9 +21,9 @@ std::string_view labelOf(std::string_view cell)
     return isLabelled ? cell.substr(0, mark + 1) : std::string_view();
 }
 
-/// Returns the label of each cell of a line. A number has the label in its own cell, "x=85", or in those before it, as
-/// in "x= 85" and "x = 85" between blanks. A cell that is only a label or its mark is its own label. Other cells have
-/// an empty one.
+/// Returns the label of each cell of a line. The label of a number is in its own cell, "x=85", or in those before it,
+/// as in "x= 85" and "x = 85" between blanks. A cell that is only a label or its mark is its own label. Other cells
+/// have an empty label.
 Cells labelsOf(const Line &line, char delimiter)
 {
     const Cells cells = splitCells(line.text, delimiter);

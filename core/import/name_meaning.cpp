@@ -50,7 +50,7 @@ bool isAngleAlpha(const NameReading &name, const std::optional<Unit> &unit)
 }
 
 /// Returns how many times the quantity is differentiated with respect to the time; nullopt if neither the name nor its
-/// unit tells it. The words of the name and its marks of derivatives have priority over the unit.
+/// unit states this. The words of the name and its marks of derivatives have priority over the unit.
 std::optional<int> derivativesOf(const NameReading &name, const std::optional<Unit> &unit)
 {
     if (isAngleAlpha(name, unit)) {
@@ -68,8 +68,8 @@ std::optional<int> derivativesOf(const NameReading &name, const std::optional<Un
     return isPositionOrDerivative ? std::optional(name.derivatives) : std::nullopt;
 }
 
-/// Returns the coordinate of the body that the name names. Without a body, an angle is that of the coupler and a length
-/// that of the slider, until the values tell more.
+/// Returns the coordinate of the body that the name states. Without a body, an angle is assigned to the coupler and a
+/// length to the slider, until unnamed_bodies.h regards the values.
 Coordinate coordinateOf(const NameReading &name, bool isAngle)
 {
     if (isAngle) {
@@ -184,8 +184,7 @@ bool mayBeChannel(const NameReading &name, bool isAngle)
     return isAngle || (name.isCentre && name.axis != ' ');
 }
 
-/// Returns the channel or quantity of a name whose words have been read. If no word is known, the unit tells the
-/// quantity.
+/// Returns the channel or quantity of a name whose words have been read. If no word is known, the unit decides.
 NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
 {
     const std::optional<Unit> unit = parseUnit(unitText);
@@ -228,8 +227,8 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     return meaning;
 }
 
-/// Returns the meaning of P[3.1], V[3.1] and A[3.1] in Inventor's Output Grapher, where only the unit tells an angle
-/// from a length.
+/// Returns the meaning of P[3.1], V[3.1] and A[3.1] in Inventor's Output Grapher, where only the unit
+/// distinguishes an angle from a length.
 std::optional<NameMeaning> meaningInInventor(std::string_view name, const std::string &unitText)
 {
     constexpr std::string_view kLetters = "PVA";

@@ -116,8 +116,8 @@ bool isPlace(const Words &words, std::size_t at)
 }
 
 /// Returns whether the letter of a joint may follow a label: after "joint" and "velocity of", and after "x of" and "x
-/// of point". Directly behind a symbol, as in "x punto B", such a word is a derivative, but not in "position x punto
-/// B".
+/// of point". Directly behind a symbol, as in "x punto B", a label that is no preposition marks a derivative, but not
+/// in "position x punto B".
 bool mayPrecedeJoint(const NameReading &before, std::string_view label)
 {
     const bool isPreposition = isAmong(label, "of de del von du di do");

@@ -25,7 +25,7 @@ struct UnknownWords {
     bool areIndices() const { return !text.empty() && !hasWord && point.empty(); } ///< as in "x_G"
 };
 
-/// What the words of a name say together.
+/// The merged meanings of the words of a name.
 struct NameReading {
     std::optional<Dimension> dimension{};
     std::optional<Order> order{}; ///< of the words and symbols; `derivatives` are counted apart

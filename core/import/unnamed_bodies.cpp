@@ -74,8 +74,8 @@ std::vector<RawColumn *> anglesOfDerivative(const RawColumn &derivative, std::ve
     return angles;
 }
 
-/// Assigns the derivative of an angle to the crank if it can be that of no other angle, or if it is constant. Returns
-/// false if it may be that of the crank or of a different angle.
+/// Assigns the derivative of an angle to the crank if it can be that of no other angle, or if it is nearly constant.
+/// Returns false if it may be that of the crank or of a different angle.
 bool assignDerivative(RawColumn &derivative, const std::vector<RawColumn *> &angles)
 {
     const std::vector<RawColumn *> ownAngles = anglesOfDerivative(derivative, angles);
