@@ -64,14 +64,14 @@ struct Convention {
         WholeTurns,     ///< jumps by a turn are removed, and amount = 0, ±360°, … is added
         ZeroPoint,      ///< a different origin: amount (in the unit of files) is added to one column
         SwappedColumns, ///< two columns have each other's headings
-        Branch,         ///< the motion of the other assembly: changes the model, not the data
+        OtherAssembly,  ///< the motion of the other assembly: changes the model, not the data
         TimeShift,      ///< the clock started early or late: amount (s) is added to the times
         NotDerivative,  ///< a column is not the derivative of its position: it is removed
         Axis            ///< the slider moves along y: y becomes x, and x becomes -y
     };
     Kind kind = Kind::AngleUnit;
 
-    /// The columns that it changes, named as before the change. TimeUnit: the derivatives in that unit. Branch,
+    /// The columns that it changes, named as before the change. TimeUnit: the derivatives in that unit. OtherAssembly,
     /// TimeShift: empty.
     std::vector<Channel> channels;
     double amount = 1.0;
@@ -79,7 +79,7 @@ struct Convention {
     friend bool operator==(const Convention &, const Convention &) = default;
 };
 
-/// Applies a convention to the data. Branch changes nothing. Crank angles are changed without their time stamps.
+/// Applies a convention to the data. OtherAssembly changes nothing. Crank angles are changed without their time stamps.
 ReferenceData applied(const Convention &convention, ReferenceData data);
 
 /// A convention that was found in a file.

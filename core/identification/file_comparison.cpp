@@ -79,7 +79,7 @@ std::vector<ChannelComparison> compareCorrectedFile(const Parameters &mechanism,
 /// where this is the abscissa.
 bool changesAllColumns(const Convention &convention, bool isAngleAbscissa)
 {
-    constexpr std::array kKindsOfAllColumns{Kind::TimeUnit, Kind::TimeShift, Kind::Axis, Kind::Branch};
+    constexpr std::array kKindsOfAllColumns{Kind::TimeUnit, Kind::TimeShift, Kind::Axis, Kind::OtherAssembly};
     return std::ranges::find(kKindsOfAllColumns, convention.kind) != kKindsOfAllColumns.end() ||
            (isAngleAbscissa && concerns(convention, kCrankAngle));
 }
@@ -114,7 +114,7 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
         std::vector<ConventionFinding> others = conventions;
         others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
         Parameters without = mechanism;
-        if (convention.kind == Convention::Kind::Branch) {
+        if (convention.kind == Convention::Kind::OtherAssembly) {
             without.branch = oppositeBranch(mechanism.branch);
         }
         const std::vector<ChannelComparison> withOthers =

@@ -15,7 +15,7 @@ namespace slidercrank
 /// Adds the conventions of an identified or approximate mechanism, and the comparisons of the used columns with it and
 /// with the given mechanism. If conventions of the whole file lead to the given mechanism, the parameters become
 /// those of the corrected file, without alternatives. They are the given ones within their errors, but with the
-/// assembly found: Kind::Branch changes the model, and not the file. Also sets the unit of the lengths, and the
+/// assembly found: Kind::OtherAssembly changes the model, and not the file. Also sets the unit of the lengths, and the
 /// residuals in the units of the corrected file. `data`: the table as it is in the file. `tableConvention`: the one
 /// that was applied to it before it was observed; it becomes the first of the conventions.
 void addConventionsAndComparisons(Identification &result, const ReferenceData &data,

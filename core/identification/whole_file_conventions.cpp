@@ -162,7 +162,7 @@ WholeFileConventions findWholeFileConventions(const ReferenceData &data, const P
     }
     appendFactors(result.conventions, factors, data, found.branch);
     if (found.branch != given.branch) {
-        result.conventions.push_back({{Kind::Branch, {}, 1.0}});
+        result.conventions.push_back({{Kind::OtherAssembly, {}, 1.0}});
     }
     if (!data.crank) {
         appendLateStart(result, given);

@@ -58,7 +58,7 @@ ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions option
 /// sentence if the crank does not reach them in their order. Returns other data, and null, unchanged.
 ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const Reference> &reference);
 
-/// Returns the reference with one more convention applied. Convention::Kind::Branch does not change the data.
+/// Returns the reference with one more convention applied. Convention::Kind::OtherAssembly does not change the data.
 std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
 
 /// Returns how to read a file that contains both the time and θ2 as a table over the crank angle, as needed for a crank

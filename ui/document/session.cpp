@@ -341,7 +341,7 @@ void Session::useFoundMechanism()
     const Parameters parameters = mechanismToUse(found);
     std::shared_ptr<const Reference> reference = m_choices.reference;
     for (const ConventionFinding &finding : found.conventions) {
-        if (finding.convention.kind != Convention::Kind::Branch) { // the assembly is one of the parameters
+        if (finding.convention.kind != Convention::Kind::OtherAssembly) { // the assembly is one of the parameters
             reference = applied(finding.convention, reference);
         }
     }
@@ -368,7 +368,7 @@ void Session::useFoundMechanism()
 
 void Session::apply(const Convention &convention)
 {
-    if (convention.kind == Convention::Kind::Branch) {
+    if (convention.kind == Convention::Kind::OtherAssembly) {
         setParameters(with(parameters(), &Parameters::branch, oppositeBranch(parameters().branch)));
     } else if (m_choices.reference) {
         editReference(applied(convention, m_choices.reference), TimeRange::OfReference);

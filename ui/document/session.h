@@ -92,7 +92,8 @@ public slots:
     /// background, and says what the window then shows. Does nothing if no mechanism was found.
     void useFoundMechanism();
 
-    /// Applies a convention to the reference data. Convention::Kind::Branch changes the assembly of the model instead.
+    /// Applies a convention to the reference data. Convention::Kind::OtherAssembly changes the assembly of the model
+    /// instead.
     void apply(const slidercrank::Convention &convention);
 
     void readAsPrinted(); ///< removes the conventions from the reference data

@@ -53,7 +53,7 @@ public:
         {Kind::ZeroPoint, "zero-point", Amount::OfChannel,
          QT_TR_NOOP("%1: measured from a different origin; the zero of the file is at %3 = %5.")},
         {Kind::SwappedColumns, "swapped-columns", Amount::None, QT_TR_NOOP("%1: the headings are swapped.")},
-        {Kind::Branch, "branch", Amount::None,
+        {Kind::OtherAssembly, "branch", Amount::None,
          QT_TR_NOOP("The mechanism that produced the file has the other assembly: its slider is on the other side "
                     "of A.")},
         {Kind::TimeShift, "time-shift", Amount::Seconds,

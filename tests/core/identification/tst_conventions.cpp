@@ -80,7 +80,7 @@ const std::vector<Fault> kFaultsOfWholeFile{
     {"everything per millisecond",
      {Kind::TimeUnit, {kSliderSpeed, kSliderAcceleration, kTheta3Speed, kTheta3Acceleration}, 1e-3}},
     {"the other sense of rotation", {Kind::Sign, kCouplerChannels, -1.0}},
-    {"the other assembly", {Kind::Branch, {}}},
+    {"the other assembly", {Kind::OtherAssembly, {}}},
     {"a late start", {Kind::TimeShift, {}}},
 };
 
@@ -97,7 +97,7 @@ Convention inject(const Fault &fault, ReferenceData &data, Parameters &given, Ra
     if (expected.kind == Kind::TimeShift) {
         expected.amount = -random.uniform(0.02, 0.45) * 360.0 / kDegreesPerRadian / std::abs(given.omega2);
     }
-    if (expected.kind == Kind::Branch) {
+    if (expected.kind == Kind::OtherAssembly) {
         given.branch = oppositeBranch(given.branch);
     }
     const bool isShift =

@@ -378,7 +378,7 @@ private slots:
         QCOMPARE(session.reference(), printed);
         session.undoStack().undo();
         QCOMPARE(session.reference(), twice);
-        session.apply({Convention::Kind::Branch, {}, 1.0}); // belongs to the model, not to the data
+        session.apply({Convention::Kind::OtherAssembly, {}, 1.0}); // belongs to the model, not to the data
         QCOMPARE(session.parameters().branch, Branch::Crossed);
         QCOMPARE(session.reference(), twice);
     }

@@ -50,7 +50,7 @@ private slots:
              "theta3: measured from a different origin; the zero of the file is at θ³ = 22.5°."},
             {{SwappedColumns, {kTheta3, kSlider}, 1.0}, "theta3 and R4_x: the headings are swapped."},
             {{Axis, {{R4y, Order::Position}}, 1.0}, "The slider moves along y instead of x, as in an upright engine."},
-            {{Branch, {}, 1.0},
+            {{OtherAssembly, {}, 1.0},
              "The mechanism that produced the file has the other assembly: its slider is on the other side of A."},
             {{TimeShift, {}, -0.25}, "The time stamps are shifted: t is the time in the file − 0.25 s."},
         };
@@ -64,18 +64,13 @@ private slots:
     void eachKindHasANameInFiles()
     {
         using Kind = Convention::Kind;
-        const std::pair<Kind, const char *> names[] = {{Kind::AngleUnit, "angle-unit"},
-                                                       {Kind::LengthUnit, "length-unit"},
-                                                       {Kind::TimeUnit, "time-unit"},
-                                                       {Kind::Sign, "sign"},
-                                                       {Kind::HalfTurn, "half-turn"},
-                                                       {Kind::WholeTurns, "whole-turns"},
-                                                       {Kind::ZeroPoint, "zero-point"},
-                                                       {Kind::SwappedColumns, "swapped-columns"},
-                                                       {Kind::Branch, "branch"},
-                                                       {Kind::TimeShift, "time-shift"},
-                                                       {Kind::NotDerivative, "not-derivative"},
-                                                       {Kind::Axis, "axis"}};
+        const std::pair<Kind, const char *> names[] = {
+            {Kind::AngleUnit, "angle-unit"},         {Kind::LengthUnit, "length-unit"},
+            {Kind::TimeUnit, "time-unit"},           {Kind::Sign, "sign"},
+            {Kind::HalfTurn, "half-turn"},           {Kind::WholeTurns, "whole-turns"},
+            {Kind::ZeroPoint, "zero-point"},         {Kind::SwappedColumns, "swapped-columns"},
+            {Kind::OtherAssembly, "branch"},         {Kind::TimeShift, "time-shift"},
+            {Kind::NotDerivative, "not-derivative"}, {Kind::Axis, "axis"}};
         for (const auto &[kind, name] : names) {
             QCOMPARE(conventionName(kind), name);
             QCOMPARE(conventionNamed(name), std::optional(kind));
@@ -90,7 +85,7 @@ private slots:
         QCOMPARE(amountUnit({HalfTurn, {kTheta3}, 180.0}), std::optional(QString("°")));
         QCOMPARE(amountUnit({TimeShift, {}, 0.1}), std::optional(QString("s")));
         QCOMPARE(amountUnit({ZeroPoint, {kSlider}, 5.0}), std::optional(QString("mm")));
-        QCOMPARE(amountUnit({Branch, {}, 1.0}), std::nullopt);
+        QCOMPARE(amountUnit({OtherAssembly, {}, 1.0}), std::nullopt);
     }
 
     /// The factors between units that the identification uses.
