@@ -52,7 +52,7 @@ QJsonObject jsonDetermined(const Identification &found)
     QJsonObject values;
     for (const Parameter parameter : kAllParameters) {
         if (found.outcome == Identification::Outcome::Insufficient &&
-            std::isfinite(found.standardError[indexOf(parameter)])) {
+            std::isfinite(found.standardErrors[indexOf(parameter)])) {
             values.insert(QLatin1String(optionName(parameter)), valueOf(found.parameters, parameter));
         }
     }
@@ -100,7 +100,7 @@ QJsonObject jsonIdentification(const Identification &found)
     const auto jsonComparison = [](const ChannelComparison &channel) { return jsonObject(comparisonRecord(channel)); };
     return {{"outcome", outcomeName(found.outcome)},
             {"mechanism", jsonMechanism(found.hasMechanism(), found.parameters)},
-            {"standardError", jsonByParameter(found.standardError)},
+            {"standardError", jsonByParameter(found.standardErrors)},
             {"identifiable", jsonByParameter(found.identifiable)},
             {"determined", jsonDetermined(found)},
             {"alternatives", jsonAlternatives(found.alternatives)},

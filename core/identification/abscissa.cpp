@@ -32,7 +32,7 @@ void appendAngle(Observations &observations)
 /// that angle as a column, which is appended to those of the fit.
 void followTime(const Observations &observations, Fit &fit, const Drive &drive)
 {
-    fit.model = atSpeed(observations, fit, drive.omega2);
+    fit.model = modelAtSpeed(observations, fit, drive.omega2);
     Model &model = fit.model;
     model.readings.push_back({1.0 / model.angleFactor, -model.mechanism.theta20 / model.angleFactor});
     model.followsAngle = false;
@@ -44,14 +44,14 @@ void followTime(const Observations &observations, Fit &fit, const Drive &drive)
 
 /// Makes the angle of the crank in the file a column like the others, because a constant speed predicts it, and fits it
 /// together with them over the time.
-ObservedFit withAngleAsColumn(ObservedFit current, const Drive &drive)
+ObservedFit withAngleAsColumn(ObservedFit observed, const Drive &drive)
 {
-    appendAngle(current.wholeFile);
-    current.searched = selectRows(withoutSpikes(current.wholeFile), kSearchedRows); // with the new column
-    Fit &fit = current.fit;
-    followTime(current.searched, fit, drive);
-    fit = fitModel(current.searched, fit.model, fit.columns, fit.unknowns);
-    return current;
+    appendAngle(observed.wholeFile);
+    observed.searched = selectRows(withoutSpikes(observed.wholeFile), kSearchedRows); // with the new column
+    Fit &fit = observed.fit;
+    followTime(observed.searched, fit, drive);
+    fit = fitModel(observed.searched, fit.model, fit.columns, fit.unknowns);
+    return observed;
 }
 
 /// Whether the angle in the file explains the columns better than a constant speed does. Errors of the angle would make
@@ -107,32 +107,32 @@ Observations withMovedAngles(Observations observations, double stretch, double s
 }
 
 /// The fit over other evenly spaced angles; nullopt unless the file needs them (see withBestAbscissa()).
-std::optional<ObservedFit> withFittedAngles(const ObservedFit &current)
+std::optional<ObservedFit> withFittedAngles(const ObservedFit &observed)
 {
-    const Fit &fit = current.fit;
-    const bool arePositions = !current.searched.containDerivatives(fit.columns);
-    if (!fit.model.followsAngle || !arePositions || isExact(withMovedAngles(current.searched, 1.0, 0.0), fit)) {
+    const Fit &fit = observed.fit;
+    const bool arePositions = !observed.searched.containDerivatives(fit.columns);
+    if (!fit.model.followsAngle || !arePositions || isExact(withMovedAngles(observed.searched, 1.0, 0.0), fit)) {
         return std::nullopt;
     }
-    const Fit freeFit = fitOverFreeAngles(current.searched, fit);
+    const Fit freeFit = fitOverFreeAngles(observed.searched, fit);
     if (!freeFit.isFinite()) {
         return std::nullopt;
     }
     const Parameters &found = freeFit.model.mechanism;
     const double stretch = found.omega2 / fit.model.angleFactor;
     const double shift = (found.theta20 - fit.model.mechanism.theta20) / fit.model.angleFactor;
-    ObservedFit moved{.wholeFile = withMovedAngles(current.wholeFile, stretch, shift),
-                      .searched = withMovedAngles(current.searched, stretch, shift),
+    ObservedFit moved{.wholeFile = withMovedAngles(observed.wholeFile, stretch, shift),
+                      .searched = withMovedAngles(observed.searched, stretch, shift),
                       .fit = fit};
     const Values moves = (moved.wholeFile.angle.values - moved.wholeFile.angle.printed).abs();
-    const double errorOfStart = standardErrorOf(freeFit, Parameter::Theta20) / std::abs(fit.model.angleFactor);
-    const double halfStep = current.wholeFile.angle.halfStep;
+    const double errorOfStart = standardErrorOrZero(freeFit, Parameter::Theta20) / std::abs(fit.model.angleFactor);
+    const double halfStep = observed.wholeFile.angle.halfStep;
     if (!(moves <= halfStep + std::min(kStandardErrors * errorOfStart, halfStep)).all()) {
         return std::nullopt;
     }
     for (const Parameter length : kLengths) {
         valueOf(moved.fit.model.mechanism, length) = valueOf(found, length);
-        moved.errorsOfAngles[indexOf(length)] = standardErrorOf(freeFit, length);
+        moved.errorsOfAngles[indexOf(length)] = standardErrorOrZero(freeFit, length);
     }
     moved.fit = fitModel(moved.searched, moved.fit.model, fit.columns, fit.unknowns);
     return isExact(moved.searched, moved.fit) ? std::optional(std::move(moved)) : std::nullopt;
@@ -140,39 +140,39 @@ std::optional<ObservedFit> withFittedAngles(const ObservedFit &current)
 
 } // namespace
 
-ObservedFit withBestAbscissa(ObservedFit current)
+ObservedFit withBestAbscissa(ObservedFit observed)
 {
-    const Fit &fit = current.fit;
-    if (!wasAbscissaMadeEven(current.searched, fit.model)) {
-        return current;
+    const Fit &fit = observed.fit;
+    if (!wasAbscissaMadeEven(observed.searched, fit.model)) {
+        return observed;
     }
-    if (std::optional<ObservedFit> fitted = withFittedAngles(current)) {
+    if (std::optional<ObservedFit> fitted = withFittedAngles(observed)) {
         return *std::move(fitted);
     }
-    Observations printed = withPrintedAbscissa(current.searched, fit.model);
+    Observations printed = withPrintedAbscissa(observed.searched, fit.model);
     Fit fitOfPrinted = fitModel(printed, fit.model, fit.columns, fit.unknowns);
     if (fitOfPrinted.misfit < fit.misfit) {
-        current.wholeFile = withPrintedAbscissa(std::move(current.wholeFile), fit.model);
-        current.searched = std::move(printed);
-        current.fit = std::move(fitOfPrinted);
+        observed.wholeFile = withPrintedAbscissa(std::move(observed.wholeFile), fit.model);
+        observed.searched = std::move(printed);
+        observed.fit = std::move(fitOfPrinted);
     }
-    return current;
+    return observed;
 }
 
-DrivenFit withDriveOfFile(ObservedFit current, const Drive &drive)
+DrivenFit withDriveOfFile(ObservedFit observed, const Drive &drive)
 {
     if (drive.kind == Drive::Kind::RunUp) {
-        current.fit.model = atSpeed(current.searched, current.fit, drive.omega2);
-        current.fit.model.alpha2 = drive.alpha2;
+        observed.fit.model = modelAtSpeed(observed.searched, observed.fit, drive.omega2);
+        observed.fit.model.alpha2 = drive.alpha2;
     }
     if (drive.kind != Drive::Kind::Constant) {
-        return {std::move(current), drive};
+        return {std::move(observed), drive};
     }
-    ObservedFit overTime = withAngleAsColumn(current, drive);
-    if (isAngleBetter(current.fit, overTime)) {
+    ObservedFit overTime = withAngleAsColumn(observed, drive);
+    if (isAngleBetter(observed.fit, overTime)) {
         Drive uneven = drive;
         uneven.kind = Drive::Kind::Uneven;
-        return {std::move(current), uneven};
+        return {std::move(observed), uneven};
     }
     return {std::move(overTime), drive};
 }

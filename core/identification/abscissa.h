@@ -23,7 +23,7 @@ struct ObservedFit {
 ///      with the printed ones within rounding, and are needed to explain the columns within their own rounding;
 ///   2. the printed ones, if these explain the columns better: a program may have computed its values at rounded times;
 ///   3. otherwise those of observe().
-ObservedFit withBestAbscissa(ObservedFit current);
+ObservedFit withBestAbscissa(ObservedFit observed);
 
 /// A fit, and the drive that it uses.
 struct DrivenFit {
@@ -34,7 +34,7 @@ struct DrivenFit {
 /// Uses the drive of a file with the time and θ2. A constant speed predicts θ2, which becomes a column of a fit over
 /// the time. But if θ2 explains the other columns better than a constant speed does, what looked like errors of θ2 are
 /// changes of the speed: then the drive becomes uneven. The speed and acceleration of a run-up are taken from the
-/// drive. Otherwise returns `current`.
-DrivenFit withDriveOfFile(ObservedFit current, const Drive &drive);
+/// drive. Otherwise returns `observed`.
+DrivenFit withDriveOfFile(ObservedFit observed, const Drive &drive);
 
 } // namespace slidercrank

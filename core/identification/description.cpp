@@ -74,7 +74,7 @@ void replaceByImage(LastFit &lastFit, const Model &image)
 void chooseImage(Findings &findings, const Parameters &given)
 {
     LastFit &last = findings.lastFit;
-    const std::vector<Model> images = findMirrorImages(last.observations, last.fit, given);
+    const std::vector<Model> images = findSimplestMirrorImages(last.observations, last.fit, given);
     replaceByImage(last, images.front());
     findings.otherImages.assign(images.begin() + 1, images.end());
     if (findings.drive.kind == Drive::Kind::RunUp) { // its angle, speed and acceleration are those of the image

@@ -173,7 +173,7 @@ void addWholeFileConventions(Identification &result, const ReferenceData &usedCo
         return;
     }
     const WholeFileConventions whole = findWholeFileConventions(applyAll(result.conventions, usedColumns),
-                                                                result.rounded, result.standardError, given);
+                                                                result.rounded, result.standardErrors, given);
     if (whole.conventions.empty()) {
         return;
     }
@@ -181,7 +181,7 @@ void addWholeFileConventions(Identification &result, const ReferenceData &usedCo
     removeCancellingTurns(result.conventions);
     result.parameters = whole.parameters;
     result.rounded = whole.parameters;
-    result.standardError = whole.standardError;
+    result.standardErrors = whole.standardErrors;
     result.alternatives.clear();
 }
 

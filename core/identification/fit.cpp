@@ -342,7 +342,7 @@ Eigen::MatrixXd computeCovariance(const Fit &fit)
     return 2.0 * (vectors * inverse.asDiagonal() * vectors.transpose());
 }
 
-double standardErrorOf(const Fit &fit, Unknown unknown)
+double standardErrorOrZero(const Fit &fit, Unknown unknown)
 {
     const Index k = fit.indexOf(unknown);
     return fit.isFree(unknown) ? std::sqrt(computeCovariance(fit)(k, k)) : 0.0;

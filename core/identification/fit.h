@@ -140,6 +140,6 @@ double conditionNumber(const Fit &fit);
 Eigen::MatrixXd computeCovariance(const Fit &fit);
 
 /// The standard error of an unknown if the residuals are independent; 0 if it is not free.
-double standardErrorOf(const Fit &fit, Unknown unknown);
+double standardErrorOrZero(const Fit &fit, Unknown unknown);
 
 } // namespace slidercrank

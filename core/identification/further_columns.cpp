@@ -128,7 +128,7 @@ FurtherColumns withFurtherColumns(const Observations &observations, const Fit &f
                                   const Parameters &given)
 {
     const Fit geometry = drive.kind == Drive::Kind::OverTime ? withSpeedOfVelocities(observations, fit) : fit;
-    SpeedAndSize start = withSpeedAndSize(observations, geometry, drive.kind, given.omega2);
+    FitWithSpeeds start = withSpeedAndSize(observations, geometry, drive.kind, given.omega2);
     FurtherColumns result{.fit = std::move(start.fit), .speeds = std::move(start.speeds)};
     for (const Order order : {Order::Position, Order::Velocity, Order::Acceleration}) {
         for (Index k = 0; k < std::ssize(observations.columns); ++k) {

@@ -112,7 +112,7 @@ struct Identification {
     /// Standard errors by indexOf(Parameter), if the residuals are independent errors. NaN for parameters that the file
     /// does not determine, and for all if the residuals are systematic. Insufficient: errors of what is determined,
     /// enlarged if the residuals are systematic.
-    std::array<double, kParameterCount> standardError{kNone, kNone, kNone, kNone, kNone};
+    std::array<double, kParameterCount> standardErrors{kNone, kNone, kNone, kNone, kNone};
 
     /// Whether the file can contain the parameter and determines it. All false unless hasMechanism().
     ParameterFlags identifiable{};

@@ -83,27 +83,27 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGe
                        const Parameters &given)
 {
     Findings findings;
-    const Observations withoutOutliers = withoutSpikes(wholeFile);
-    Observations searched = selectRows(withoutOutliers, kSearchedRows);
-    const ConstrainedFit geometry = findGeometry(withoutOutliers, searched, given);
+    const Observations smoothRows = withoutSpikes(wholeFile);
+    Observations searched = selectRows(smoothRows, kSearchedRows);
+    const ConstrainedFit geometry = findGeometry(smoothRows, searched, given);
     if (!geometry.fit.isFinite()) {
         findings.lastFit.observations = std::move(wholeFile);
         return findings;
     }
-    auto [current, drive, further] =
+    auto [observed, drive, further] =
         extendBestImage(withBestAbscissa({std::move(wholeFile), std::move(searched), geometry.fit}), given);
     findings.drive = drive;
     findings.leftOut = std::move(further.leftOut);
-    leaveOutUnusedAngle(findings.leftOut, data, current.wholeFile);
+    leaveOutUnusedAngle(findings.leftOut, data, observed.wholeFile);
     findings.speeds = std::move(further.speeds);
-    ConstrainedFit ofAllColumns = withoutFreedoms(current.searched, std::move(further.fit), geometry);
+    ConstrainedFit fitOfAllColumns = withoutFreedoms(observed.searched, std::move(further.fit), geometry);
     for (std::size_t i = 0; i < kParameterCount; ++i) {
-        ofAllColumns.possibleErrors[i] = std::hypot(ofAllColumns.possibleErrors[i], current.errorsOfAngles[i]);
+        fitOfAllColumns.possibleErrors[i] = std::hypot(fitOfAllColumns.possibleErrors[i], observed.errorsOfAngles[i]);
     }
     findings.lastFit =
-        fitAllRows(std::move(current.wholeFile), ofAllColumns.fit, ofAllColumns.possibleErrors, findings.drive);
+        fitAllRows(std::move(observed.wholeFile), fitOfAllColumns.fit, fitOfAllColumns.possibleErrors, findings.drive);
     if (findings.lastFit.fit.isFinite()) {
-        chooseExpectedDescription(findings, current.searched, given);
+        chooseExpectedDescription(findings, observed.searched, given);
     }
     return findings;
 }

@@ -68,7 +68,7 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
 
 /// Whether the last column of a fit may be used: one that seems to contain difference quotients may be a genuine
 /// derivative nevertheless.
-bool isLastColumnGenuine(const Observations &observations, const Fit &fit)
+bool mayUseLastColumn(const Observations &observations, const Fit &fit)
 {
     const Index place = std::ssize(fit.columns) - 1;
     const ObservedColumn &column = observations.columns[fit.columns[place]];
@@ -118,7 +118,7 @@ std::optional<Fit> tryToAddColumn(const Observations &observations, const Fit &f
 std::optional<Fit> addInSimplestReading(const Observations &observations, const Fit &fit, Index k)
 {
     std::optional<Fit> together = tryReadings(observations, fit, k);
-    return together && isLastColumnGenuine(observations, *together) ? std::move(together) : std::nullopt;
+    return together && mayUseLastColumn(observations, *together) ? std::move(together) : std::nullopt;
 }
 
 } // namespace slidercrank

@@ -128,7 +128,7 @@ void computeErrors(LastFit &result, const ParameterErrors &possibleErrors)
         if (const std::optional<Parameter> parameter = fit.unknowns[k].parameter) {
             const std::size_t i = indexOf(*parameter);
             covariance(k, k) += possibleErrors[i] * possibleErrors[i];
-            result.standardError[i] = std::hypot(std::sqrt(covariance(k, k)), clockErrors[i]);
+            result.standardErrors[i] = std::hypot(std::sqrt(covariance(k, k)), clockErrors[i]);
         }
     }
 }
@@ -148,7 +148,7 @@ void scaleErrors(LastFit &lastFit, Parameter parameter, double factor)
         lastFit.covariance.row(k) *= factor;
         lastFit.covariance.col(k) *= factor;
     }
-    lastFit.standardError[indexOf(parameter)] *= std::abs(factor);
+    lastFit.standardErrors[indexOf(parameter)] *= std::abs(factor);
 }
 
 Parameters parametersAtTimeZero(const Model &model, const Observations &observations, const Drive &drive)
@@ -194,10 +194,10 @@ LastFit fitAllRows(Observations observations, const Fit &start, const ParameterE
     // If the model follows the angle in the file, its unknown θ20 is the origin of that angle. The angle of the crank
     // at t = 0, and the speed of a run-up, are those of the drive.
     if (result.fit.model.followsAngle) {
-        result.standardError[indexOf(Parameter::Theta20)] = drive.angleErrorAtZero;
+        result.standardErrors[indexOf(Parameter::Theta20)] = drive.angleErrorAtZero;
     }
     if (drive.kind == Drive::Kind::RunUp) {
-        result.standardError[indexOf(Parameter::Omega2)] = drive.speedErrorAtZero;
+        result.standardErrors[indexOf(Parameter::Omega2)] = drive.speedErrorAtZero;
     }
     return result;
 }

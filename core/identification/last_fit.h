@@ -17,7 +17,7 @@ struct LastFit {
     double dependence = 1.0; ///< dependence of the residuals (noise.h); 1 if they are rounding
 
     /// Standard errors of the parameters at t = 0 of the file; NaN or infinite if the fit does not determine them.
-    ParameterErrors standardError{kNone, kNone, kNone, kNone, kNone};
+    ParameterErrors standardErrors{kNone, kNone, kNone, kNone, kNone};
 
     /// Covariance of fit.unknowns. If the model does not follow the angle in the file, the angle and the speed of the
     /// crank are those at t = 0 of the file.

@@ -38,7 +38,7 @@ Unknowns unknownsExceptLengths(const Fit &fit)
 double roundIfExplainedAsWell(const Observations &observations, const Fit &fit, Parameter length, const Fit &best)
 {
     const double value = valueOf(fit.model.mechanism, length);
-    const double error = std::sqrt(dependence(fit)) * standardErrorOf(fit, length);
+    const double error = std::sqrt(dependence(fit)) * standardErrorOrZero(fit, length);
     Model model = fit.model;
     valueOf(model.mechanism, length) = roundLength(value, error, observations.lengthUnit).value;
     const Fit rounded = fitModel(observations, model, fit.columns, unknownsExceptLengths(fit));

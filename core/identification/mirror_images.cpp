@@ -241,7 +241,7 @@ std::vector<Model> rankMirrorImages(const Observations &observations, const Fit 
     return images;
 }
 
-std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given)
+std::vector<Model> findSimplestMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given)
 {
     std::vector<Model> images = rankMirrorImages(observations, fit, given);
     std::erase_if(images,

@@ -20,6 +20,6 @@ namespace slidercrank
 std::vector<Model> rankMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given);
 
 /// Returns the first of rankMirrorImages(), and those that read the file in the same way.
-std::vector<Model> findMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given);
+std::vector<Model> findSimplestMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given);
 
 } // namespace slidercrank

@@ -55,7 +55,7 @@ ColumnResidual describeResidual(const Observations &observations, const Fit &fit
 /// size. The standard errors already contain the square root of the dependence of the residuals.
 ParameterErrors worstCaseErrors(const LastFit &lastFit, bool areResidualsSystematic)
 {
-    ParameterErrors errors = lastFit.standardError;
+    ParameterErrors errors = lastFit.standardErrors;
     if (areResidualsSystematic) {
         for (double &error : errors) {
             error *= std::sqrt(lastFit.fit.valueCount() / lastFit.dependence);
@@ -93,7 +93,7 @@ bool arePositionsFromOrigin(const LastFit &lastFit)
 /// Whether systematic residuals leave every parameter open: the columns belong to one coordinate, so that no other one
 /// confirms the mechanism, and they are an arc, on which many motions resemble each other, or positions behind a
 /// filter, which resemble those of a different mechanism with a different origin.
-bool leaveEverythingOpen(const LastFit &lastFit)
+bool canBeAmbiguous(const LastFit &lastFit)
 {
     const bool isAmbiguous = isShortArc(lastFit.observations, lastFit.fit.model) || arePositionsFromOrigin(lastFit);
     return isAmbiguous && hasOneCoordinate(lastFit);
@@ -107,7 +107,7 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
     const Parameters &m = fit.model.mechanism;
     // A motion that is only approximately that of a long coupler hardly shows its length, however small the errors are.
     const bool isCouplerOpen = !lastFit.isExact && hidesLengths(m);
-    const bool isEverythingOpen = areResidualsSystematic && leaveEverythingOpen(lastFit);
+    const bool isEverythingOpen = areResidualsSystematic && canBeAmbiguous(lastFit);
     const ParameterErrors changes = lastFit.isExact ? ParameterErrors{} : changesByRipple(lastFit);
     ParameterFlags open{};
     for (const Unknown unknown : fit.unknowns) {
@@ -200,7 +200,7 @@ void setDeterminedParameters(Identification &result, const Findings &findings, c
         if (unknown.parameter) {
             const std::size_t i = indexOf(*unknown.parameter);
             determined[i] = !result.openParameters[i] && std::isfinite(errors[i]);
-            result.standardError[i] = determined[i] ? errors[i] : kNone;
+            result.standardErrors[i] = determined[i] ? errors[i] : kNone;
         }
     }
     result.parameters = completedByGiven(parametersAtTimeZero(lastFit.fit.model, lastFit.observations, findings.drive),
@@ -209,7 +209,7 @@ void setDeterminedParameters(Identification &result, const Findings &findings, c
 }
 
 /// What determines the lengths of the last fit.
-LengthScale lengthScaleOf(const LastFit &lastFit)
+LengthScale findLengthScale(const LastFit &lastFit)
 {
     const Observations &observations = lastFit.observations;
     const Indices &columns = lastFit.fit.columns;
@@ -250,12 +250,12 @@ void addAlternatives(Identification &result, const Findings &findings, const Par
     using Symmetry = AlternativeMechanism::Symmetry;
     const Observations &observations = findings.lastFit.observations;
     const bool areAngles = observations.containOnlyAngles(findings.lastFit.fit.columns);
-    const Symmetry ofSameAssembly = areAngles ? Symmetry::ReversedCrank : Symmetry::MirrorImage;
+    const Symmetry symmetryOfSameAssembly = areAngles ? Symmetry::ReversedCrank : Symmetry::MirrorImage;
     for (const Model &image : findings.otherImages) {
         const Parameters parameters =
             completedByGiven(parametersAtTimeZero(image, observations, findings.drive), isFromFit, given);
         const bool hasSameAssembly = parameters.branch == result.parameters.branch;
-        result.alternatives.push_back({hasSameAssembly ? ofSameAssembly : Symmetry::OtherAssembly, parameters});
+        result.alternatives.push_back({hasSameAssembly ? symmetryOfSameAssembly : Symmetry::OtherAssembly, parameters});
     }
 }
 
@@ -281,10 +281,10 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
 void setFindings(Identification &result, const ReferenceData &data, const Findings &findings)
 {
     const LastFit &lastFit = findings.lastFit;
-    result.lengthScale = lengthScaleOf(lastFit);
+    result.lengthScale = findLengthScale(lastFit);
     result.identifiable = identifiableParameters(findings);
     if (!result.hasSystematicResiduals) {
-        result.standardError = lastFit.standardError;
+        result.standardErrors = lastFit.standardErrors;
     }
     result.possibleSpeeds = possibleMagnitudes(findings.speeds);
     result.change = findings.change;

@@ -66,10 +66,10 @@ RoundNumber roundInUsualUnits(Unknown unknown, double value, double standardErro
     case Parameter::A:
     case Parameter::B:
     case Parameter::C: return roundLength(value, standardError, lengthUnit);
-    case Parameter::Omega2: return roundToFewestDigits(value, standardError, std::array{1.0, kDegree, kTurnPerMinute});
+    case Parameter::Omega2: return findRoundNumber(value, standardError, std::array{1.0, kDegree, kTurnPerMinute});
     case Parameter::Theta20: break;
     }
-    return roundToFewestDigits(value, standardError, std::array{kDegree, 1.0});
+    return findRoundNumber(value, standardError, std::array{kDegree, 1.0});
 }
 
 /// An unknown of the last fit.
@@ -186,7 +186,7 @@ Parameters roundToErrors(const LastFit &lastFit, const Parameters &unrounded, do
     Estimate estimate = makeEstimate(lastFit, unrounded);
     if (lastFit.fit.model.followsAngle) { // the drive has errors of its own
         for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20}) {
-            const double error = fraction * lastFit.standardError[indexOf(parameter)];
+            const double error = fraction * lastFit.standardErrors[indexOf(parameter)];
             valueOf(rounded, parameter) =
                 roundInUsualUnits(parameter, valueOf(unrounded, parameter), error, estimate.lengthUnit).value;
         }
@@ -246,7 +246,7 @@ bool areStillExplained(const Observations &observations, const Fit &rounded, con
     return rounded.misfit - fit.misfit < kMaxGrowth && std::ranges::all_of(fit.places(), isStillWithinRounding);
 }
 
-/// The number that a person may have chosen for a value, see roundToFewestDigits(). nullopt if there is none.
+/// The number that a person may have chosen for a value, see findRoundNumber(). nullopt if there is none.
 std::optional<double> findChosenNumber(double value, double standardError, std::span<const double> units)
 {
     // A multiple of 10^decimalPlace is within the tolerance by chance with the probability
@@ -271,7 +271,7 @@ std::optional<double> findChosenNumber(double value, double standardError, std::
 
 } // namespace
 
-RoundNumber roundToFewestDigits(double value, double standardError, std::span<const double> units)
+RoundNumber findRoundNumber(double value, double standardError, std::span<const double> units)
 {
     if (!(standardError > 0.0) || std::isinf(standardError)) {
         return {value};
@@ -287,9 +287,9 @@ RoundNumber roundLength(double value, double standardError, double unit)
 {
     constexpr int kDigits = 15;                    // 6 in are 152.4 mm, and not 152.39999999999998 mm
     if (std::fmod(std::log10(unit), 1.0) == 0.0) { // a round number of metres is one of millimetres, too
-        return roundToFewestDigits(value, standardError, std::array{1.0});
+        return findRoundNumber(value, standardError, std::array{1.0});
     }
-    RoundNumber rounded = roundToFewestDigits(value, standardError, std::array{unit});
+    RoundNumber rounded = findRoundNumber(value, standardError, std::array{unit});
     if (rounded.value != 0.0) {
         rounded.value = roundedTo(placeOfFirstDigit(std::abs(rounded.value)) + 1 - kDigits, rounded.value);
     }

@@ -20,9 +20,9 @@ struct RoundNumber {
 /// unit among `units` that needs the fewest; 0 if the value is within three standard errors of 0. If that number is not
 /// so round that a person may have chosen it, returns the value rounded to the first digit of its standard error, in
 /// the first of `units`. Returns the value itself if its standard error is 0, infinite or NaN.
-RoundNumber roundToFewestDigits(double value, double standardError, std::span<const double> units);
+RoundNumber findRoundNumber(double value, double standardError, std::span<const double> units);
 
-/// Rounds a length (mm) like roundToFewestDigits(), in a unit of `unit` mm.
+/// Rounds a length (mm) like findRoundNumber(), in a unit of `unit` mm.
 RoundNumber roundLength(double value, double standardError, double unit);
 
 /// Rounds the lengths, ω2 (in rad/s, °/s or rpm) and θ20 (in ° or rad) of a last fit, as far as they explain the file

@@ -69,7 +69,7 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
         const double factor =
             bestFactor(observations, fit.model, k) * signOfCoordinate(observations, fit, column.channel.coordinate);
         const double ratio = ratioOfSpeeds(factor, column.channel.order, fittedOrder);
-        start.model = atSpeed(observations, fit, ratio * fit.model.mechanism.omega2);
+        start.model = modelAtSpeed(observations, fit, ratio * fit.model.mechanism.omega2);
         if (std::optional<Fit> together = addInSimplestReading(observations, start, k)) {
             return together;
         }
@@ -102,7 +102,7 @@ Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::K
 
 /// Determines ω2 of a table over the crank angle from derivatives whose size the fit predicts at a known speed. If
 /// these show a single speed, it becomes an unknown of result.fit. If they allow several, result.speeds are these.
-void addSpeedOfTable(SpeedAndSize &result, const Observations &observations, double givenSpeed)
+void addSpeedOfTable(FitWithSpeeds &result, const Observations &observations, double givenSpeed)
 {
     Fit &fit = result.fit;
     if (fit.isFree(Parameter::Omega2) || showOnlyProductWithSpeed(observations, fit.columns)) {
@@ -117,7 +117,7 @@ void addSpeedOfTable(SpeedAndSize &result, const Observations &observations, dou
 
 } // namespace
 
-Model atSpeed(const Observations &observations, const Fit &fit, double omega2)
+Model modelAtSpeed(const Observations &observations, const Fit &fit, double omega2)
 {
     Model model = fit.model;
     const Order order = orderOfLengths(observations, fit);
@@ -132,10 +132,10 @@ Model atSpeed(const Observations &observations, const Fit &fit, double omega2)
     return model;
 }
 
-SpeedAndSize withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
-                              double givenSpeed)
+FitWithSpeeds withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
+                               double givenSpeed)
 {
-    SpeedAndSize result{.fit = geometry};
+    FitWithSpeeds result{.fit = geometry};
     Fit &fit = result.fit;
     if (drive == Drive::Kind::OverAngle) {
         addSpeedOfTable(result, observations, givenSpeed);

@@ -15,9 +15,9 @@ namespace slidercrank
 /// The model of a fit over the angle of the crank at a different speed. If the fit contains velocities or accelerations
 /// of lengths, the lengths and the signs of the readings change so that it predicts the same values. (Angles in the fit
 /// do not depend on the speed.)
-Model atSpeed(const Observations &observations, const Fit &fit, double omega2);
+Model modelAtSpeed(const Observations &observations, const Fit &fit, double omega2);
 
-struct SpeedAndSize {
+struct FitWithSpeeds {
     Fit fit; ///< of the geometry, with the columns that had to be added and the speed that they show
 
     /// In a table over the crank angle, the values of ω2 that the derivatives allow, rad/s.
@@ -27,7 +27,7 @@ struct SpeedAndSize {
 /// Adds the columns to a fit of the geometry that show what it leaves open: in a table over the crank angle the speed,
 /// and beside angles, which show only ratios of lengths, the size. `drive`: the kind of the drive. `givenSpeed`
 /// (rad/s): preferred among the speeds that a table allows if it does not show the unit of its derivatives.
-SpeedAndSize withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
-                              double givenSpeed);
+FitWithSpeeds withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
+                               double givenSpeed);
 
 } // namespace slidercrank

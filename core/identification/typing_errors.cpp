@@ -28,7 +28,7 @@ struct PossibleError {
 
 /// The error of a value that explains the fourth differences around it best, by least squares. Differences that contain
 /// a gap do not count.
-PossibleError fitError(const std::vector<double> &values, std::size_t row)
+PossibleError estimateError(const std::vector<double> &values, std::size_t row)
 {
     double sum = 0.0;
     double weight = 0.0;
@@ -48,11 +48,11 @@ PossibleError fitError(const std::vector<double> &values, std::size_t row)
     return weight > 0.0 ? PossibleError{sum / weight, sum * sum / weight} : PossibleError{};
 }
 
-std::vector<PossibleError> fitErrors(const std::vector<double> &values)
+std::vector<PossibleError> estimateErrors(const std::vector<double> &values)
 {
     std::vector<PossibleError> errors(values.size());
     for (std::size_t row = 0; row < values.size(); ++row) {
-        errors[row] = fitError(values, row);
+        errors[row] = estimateError(values, row);
     }
     return errors;
 }
@@ -71,13 +71,13 @@ SuspiciousValue findMostSuspicious(const ReferenceSeries &series)
     if (isAngle(series.channel.coordinate) && series.channel.order == Order::Position) {
         removeJumps(values, kTurnInDegrees);
     }
-    std::vector<PossibleError> errors = fitErrors(values);
+    std::vector<PossibleError> errors = estimateErrors(values);
     const auto largest = std::ranges::max_element(errors, {}, &PossibleError::explained);
     const std::size_t row = static_cast<std::size_t>(largest - errors.begin());
     const double error = std::abs(largest->error);
     const double step = series.rounding.stepAt(values[row]);
     values[row] -= largest->error; // otherwise it would count as an error of its neighbours, too
-    errors = fitErrors(values);
+    errors = estimateErrors(values);
     const auto magnitude = [](const PossibleError &possible) { return std::abs(possible.error); };
     const auto median = errors.begin() + std::ssize(errors) / 2;
     std::ranges::nth_element(errors, median, {}, magnitude);

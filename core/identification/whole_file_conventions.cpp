@@ -121,13 +121,13 @@ void multiplyMechanism(WholeFileConventions &result, const WholeFileFactors &fac
     Parameters &found = result.parameters;
     for (const Parameter length : kLengths) {
         valueOf(found, length) *= factors.length;
-        result.standardError[indexOf(length)] *= factors.length;
+        result.standardErrors[indexOf(length)] *= factors.length;
     }
     const double sense = factors.isReversed ? -1.0 : 1.0;
     found.c *= sense;
     found.omega2 *= sense / factors.time;
     found.theta20 *= sense;
-    result.standardError[indexOf(Parameter::Omega2)] /= factors.time;
+    result.standardErrors[indexOf(Parameter::Omega2)] /= factors.time;
 }
 
 /// If the crank is not at the given angle at t = 0, appends a late start, and turns the crank of the mechanism found
@@ -136,10 +136,10 @@ void appendLateStart(WholeFileConventions &result, const Parameters &given)
 {
     Parameters &p = result.parameters;
     const double angle = std::remainder(p.theta20 - given.theta20, kTurn);
-    const double error = result.standardError[indexOf(Parameter::Theta20)];
+    const double error = result.standardErrors[indexOf(Parameter::Theta20)];
     if (std::abs(angle) > toleranceOf(Parameter::Theta20, given, error)) {
         const double late =
-            roundToFewestDigits(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0}).value;
+            findRoundNumber(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0}).value;
         result.conventions.push_back({{Kind::TimeShift, {}, late}});
         p.theta20 = std::remainder(p.theta20 - late * p.omega2, kTurn);
     }
@@ -148,16 +148,16 @@ void appendLateStart(WholeFileConventions &result, const Parameters &given)
 } // namespace
 
 WholeFileConventions findWholeFileConventions(const ReferenceData &data, const Parameters &found,
-                                              const ParameterErrors &standardError, const Parameters &given)
+                                              const ParameterErrors &standardErrors, const Parameters &given)
 {
     // Several changes lead to the given mechanism by chance more often than one. A file with θ2 shows how the crank
     // turns and where it starts; it needs no second change.
     const std::size_t maxConventions = data.find(kCrankAngle) ? 1 : 2;
-    const WholeFileConventions none{.parameters = found, .standardError = standardError};
+    const WholeFileConventions none{.parameters = found, .standardErrors = standardErrors};
     const WholeFileFactors factors = findFactorsTowards(given, found, data);
     WholeFileConventions result = none;
     multiplyMechanism(result, factors);
-    if (!haveSameLengthsAndSpeed(result.parameters, given, result.standardError)) {
+    if (!haveSameLengthsAndSpeed(result.parameters, given, result.standardErrors)) {
         return none;
     }
     appendFactors(result.conventions, factors, data, found.branch);

@@ -15,7 +15,7 @@ namespace slidercrank
 struct WholeFileConventions {
     std::vector<ConventionFinding> conventions{};
     Parameters parameters;
-    ParameterErrors standardError{};
+    ParameterErrors standardErrors{};
 };
 
 /// A different length unit, times in milliseconds, the other sense of rotation, a late start and the other assembly
@@ -23,6 +23,6 @@ struct WholeFileConventions {
 /// given one after they are applied, and only if one or two of them are sufficient (in a file with θ2: one). Otherwise
 /// returns no conventions, and `found`. `data`: the file after all other conventions were applied.
 WholeFileConventions findWholeFileConventions(const ReferenceData &data, const Parameters &found,
-                                              const ParameterErrors &standardError, const Parameters &given);
+                                              const ParameterErrors &standardErrors, const Parameters &given);
 
 } // namespace slidercrank

@@ -126,7 +126,7 @@ std::string falseColumn(const Claim &claim, const Deviation &deviation)
                std::to_string(printed->max);
     }
     const double limit = claim.found.outcome == Outcome::Identified ? kExact : kApproximate;
-    const double errorOfC = claim.found.standardError[indexOf(Parameter::C)];
+    const double errorOfC = claim.found.standardErrors[indexOf(Parameter::C)];
     const double offsetError = deviation.channel == kR4y && std::isfinite(errorOfC) ? errorOfC : 0.0;
     const double allowed = limit * deviation.range() + 3.0 * deviation.noise() + 5.0 * offsetError;
     return deviation.rms() > allowed ? name + " is not explained" : "";

@@ -79,7 +79,7 @@ std::string falseMechanism(const Claim &claim)
         return "found in next to nothing";
     }
     if (!table.truth) {
-        return found.outcome == Outcome::Identified || std::ranges::any_of(found.standardError, isFinite)
+        return found.outcome == Outcome::Identified || std::ranges::any_of(found.standardErrors, isFinite)
                    ? "is " + describe(found.parameters) + ", not a slider-crank"
                    : "";
     }
@@ -182,7 +182,7 @@ std::vector<ParameterError> parameterErrors(const Claim &claim, const Parameters
         if (isRatio ? parameter != Parameter::A : claim.found.identifiable[i] && !isOfUnevenDrive) {
             const double scale = isRatio ? parameters.a / truth.a : 1.0;
             const double difference = valueOf(parameters, parameter) - scale * valueOf(truth, parameter);
-            const double error = claim.found.standardError[i];
+            const double error = claim.found.standardErrors[i];
             errors.push_back({parameter == Parameter::Theta20 ? std::remainder(difference, kTurn) : difference,
                               std::isfinite(error) ? error : 0.0, scale * sizes[i]});
         }

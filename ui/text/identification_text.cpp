@@ -122,7 +122,7 @@ bool isMeasured(Parameter parameter, const Identification &found)
     const bool isScaled = (found.lengthScale == Scale::GivenCrank && isRatio) ||
                           (found.lengthScale == Scale::GivenSpeed && (isRatio || isCrank));
     const bool isDetermined =
-        found.outcome == Outcome::Insufficient && std::isfinite(found.standardError[indexOf(parameter)]);
+        found.outcome == Outcome::Insufficient && std::isfinite(found.standardErrors[indexOf(parameter)]);
     return found.identifiable[indexOf(parameter)] || isScaled || isDetermined;
 }
 
@@ -313,7 +313,7 @@ QString measuredText(Parameter parameter, const Identification &found, const Not
     const double factor = shownFactor(parameter, shown);
     const QString unit = unitBehind(parameter, shown);
     const double value = factor * valueOf(found.parameters, parameter);
-    const double standardError = found.standardError[indexOf(parameter)];
+    const double standardError = found.standardErrors[indexOf(parameter)];
     if (found.hasSystematicResiduals || (found.drive && std::isnan(standardError))) {
         return numberText(value, kDigitsWithoutError) + unit;
     }

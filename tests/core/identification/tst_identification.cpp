@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(result.channels.size(), std::size_t{6});
         QVERIFY(std::ranges::count(result.channels, Verdict::Agrees, &ChannelComparison::verdict) == 6);
         for (std::size_t i = 0; i < kParameterCount; ++i) {
-            QVERIFY(result.identifiable[i] && result.standardError[i] > 0.0 && result.standardError[i] < 1e-5);
+            QVERIFY(result.identifiable[i] && result.standardErrors[i] > 0.0 && result.standardErrors[i] < 1e-5);
         }
         QVERIFY(result.conditionNumber > 5.0 && result.conditionNumber < 20.0);
         QCOMPARE(result.change->parameter, Parameter::B);
@@ -190,7 +190,7 @@ private slots:
             QCOMPARE(result.outcome, Outcome::Identified);
             // The uncertainty of the angle at t = 0 is that of the speed times 1e4 s.
             const double off = std::remainder(result.parameters.theta20 - truth.theta20, kTurn);
-            QVERIFY(std::abs(off) < 5.0 * result.standardError[indexOf(Parameter::Theta20)]);
+            QVERIFY(std::abs(off) < 5.0 * result.standardErrors[indexOf(Parameter::Theta20)]);
             truth.theta20 = result.parameters.theta20;
             QVERIFY2(distance(result.parameters, truth) < 1e-5, described(result.parameters));
         }

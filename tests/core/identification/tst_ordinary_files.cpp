@@ -520,7 +520,7 @@ private slots:
         }
         const Identification found =
             identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(Parameters{20.0, 65.0, 25.0}));
-        const double error = found.standardError[indexOf(Parameter::B)];
+        const double error = found.standardErrors[indexOf(Parameter::B)];
         QVERIFY(found.hasMechanism() && error < 0.3);
         QVERIFY(std::abs(found.parameters.b - 65.8) < 4.0 * error);
     }
@@ -536,7 +536,7 @@ private slots:
     {
         const Identification found = identifyFile("gaps_lower_precision");
         QCOMPARE(found.outcome, Outcome::Identified);
-        QVERIFY(found.standardError[indexOf(Parameter::B)] < 1e-3);
+        QVERIFY(found.standardErrors[indexOf(Parameter::B)] < 1e-3);
     }
 
     /// Rounded time stamps of 0.025 s leave the start of the clock open by 2.5 ms.
@@ -555,9 +555,9 @@ private slots:
         }
         const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
         QVERIFY(hasLengths(found, 20.0, 65.0, 25.0));
-        const double error = found.standardError[indexOf(Parameter::Theta20)];
+        const double error = found.standardErrors[indexOf(Parameter::Theta20)];
         QVERIFY(std::abs(found.parameters.theta20 - kStart) < 3.0 * error && error < 0.03);
-        const double errorOfSpeed = found.standardError[indexOf(Parameter::Omega2)];
+        const double errorOfSpeed = found.standardErrors[indexOf(Parameter::Omega2)];
         QVERIFY(std::abs(found.parameters.omega2 - kSpeed) < 3.0 * errorOfSpeed && errorOfSpeed < 0.01 * kSpeed);
     }
 
@@ -578,8 +578,8 @@ private slots:
         const Identification found =
             identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(Parameters()));
         QCOMPARE(found.outcome, Outcome::Identified);
-        QVERIFY(std::abs(found.parameters.a - 39.0) < 3.0 * found.standardError[indexOf(Parameter::A)]);
-        QVERIFY(found.standardError[indexOf(Parameter::A)] < 0.01 * found.parameters.a);
+        QVERIFY(std::abs(found.parameters.a - 39.0) < 3.0 * found.standardErrors[indexOf(Parameter::A)]);
+        QVERIFY(found.standardErrors[indexOf(Parameter::A)] < 0.01 * found.parameters.a);
     }
 
     void findsThatTheOffsetIsZero()
@@ -754,7 +754,7 @@ private slots:
             const Identification found = identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism());
             QCOMPARE(found.outcome, Outcome::Identified);
             QVERIFY2(leavesOut(found, kSliderVelocity, Reason::FiniteDifferences), text.c_str());
-            QVERIFY2(std::abs(found.parameters.a - file.a) < 5.0 * found.standardError[0], text.c_str());
+            QVERIFY2(std::abs(found.parameters.a - file.a) < 5.0 * found.standardErrors[0], text.c_str());
         }
     }
 

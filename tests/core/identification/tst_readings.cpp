@@ -118,7 +118,7 @@ private slots:
         const Observations observations = changedObservations(unchanged, unchanged);
         const Fit fit = freeFit(observations);
         for (const Parameters &given : mirrorImages(kMechanism)) {
-            const std::vector<Model> images = findMirrorImages(observations, fit, given);
+            const std::vector<Model> images = findSimplestMirrorImages(observations, fit, given);
             QCOMPARE(images.size(), std::size_t{1}); // x and θ3 together have one image in each reading
             const Fit image = evaluateModel(observations, images[0], fit.columns);
             QVERIFY(std::abs(image.misfit - fit.misfit) < 1e-3);
@@ -153,7 +153,7 @@ private slots:
             model.readings[0].origin =
                 observations.columns[0].values[0] - model.readings[0].factor * plain.columns[0].values[0];
             const Fit fit = evaluateModel(observations, model, {0, 1});
-            const Parameters found = findMirrorImages(observations, fit, kMechanism).front().mechanism;
+            const Parameters found = findSimplestMirrorImages(observations, fit, kMechanism).front().mechanism;
             QVERIFY2(std::abs(found.c - row.c) < 1e-3 && std::abs(found.omega2 - row.omega2) < 1e-3, row.name);
             QCOMPARE(found.branch, row.branch);
         }

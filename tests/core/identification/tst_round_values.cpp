@@ -55,7 +55,7 @@ private slots:
                                {"large", 123456789.4, 200.0, 123456800.0},
                                {"without an error", 12.345678, 0.0, 12.345678},
                                {"not determined", 12.345678, kInfinity, 12.345678}}) {
-            const double rounded = roundToFewestDigits(row.value, row.standardError, kPlainUnit).value;
+            const double rounded = findRoundNumber(row.value, row.standardError, kPlainUnit).value;
             QVERIFY2(std::abs(rounded - row.expected) <= 1e-12 * std::abs(row.expected), row.name);
         }
     }
@@ -63,9 +63,9 @@ private slots:
     void usesTheUnitInWhichTheNumberIsRoundest()
     {
         const std::array units{1.0, kPi / 180.0, kPi / 30.0};
-        QCOMPARE(roundToFewestDigits(6.2831853001, 7e-9, units).value, kTurn); // 60 turns a minute
-        QCOMPARE(roundToFewestDigits(6.28, 7e-9, units).value, 6.28);
-        QCOMPARE(roundToFewestDigits(kPi / 4.0 + 1e-9, 7e-9, units).value, kPi / 4.0); // 45 °/s
+        QCOMPARE(findRoundNumber(6.2831853001, 7e-9, units).value, kTurn); // 60 turns a minute
+        QCOMPARE(findRoundNumber(6.28, 7e-9, units).value, 6.28);
+        QCOMPARE(findRoundNumber(kPi / 4.0 + 1e-9, 7e-9, units).value, kPi / 4.0); // 45 °/s
     }
 
     void findsTheOriginalRoundNumbers()

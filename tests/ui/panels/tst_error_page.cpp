@@ -56,7 +56,7 @@ ReferenceIdentification identificationOf(const Result &result)
     Identification &found = identification.found;
     found.outcome = Identification::Outcome::Identified;
     found.parameters.b = 60.00001;
-    found.standardError.fill(3e-5);
+    found.standardErrors.fill(3e-5);
     found.identifiable.fill(true);
     found.rounded.b = 60.0;
     found.channels = result.comparison;

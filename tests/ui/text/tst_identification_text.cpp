@@ -28,7 +28,7 @@ Identification identified()
     Identification found;
     found.outcome = Outcome::Identified;
     found.parameters = {20.0000012, 59.9999987, 24.9999744, 6.2831856, -3.8e-7};
-    found.standardError = {3.4e-6, 9.8e-6, 7.6e-6, 3e-7, 2.3e-7};
+    found.standardErrors = {3.4e-6, 9.8e-6, 7.6e-6, 3e-7, 2.3e-7};
     found.identifiable = {true, true, true, true, true};
     found.rounded = found.parameters;
     return found;
@@ -85,7 +85,7 @@ private slots:
 
         Identification systematic = approximate();
         systematic.hasSystematicResiduals = true;
-        systematic.standardError.fill(kNone);
+        systematic.standardErrors.fill(kNone);
         QCOMPARE(summaryText(systematic),
                  QString("Mechanism that approximately explains this file: a ≈ 20 mm, b ≈ 60 mm, c ≈ 25 mm, "
                          "ω₂ ≈ 6.283 rad/s, θ₂₀ ≈ −2.177·10⁻⁵°, open assembly. The columns deviate from its motion by "
@@ -107,7 +107,7 @@ private slots:
         found.parameters.b = 30.0;
         found.parameters.c = 12.5;
         found.identifiable = {false, false, false, true, true};
-        found.standardError = {kNone, 2e-5, kNone, 3e-7, 2.3e-7};
+        found.standardErrors = {kNone, 2e-5, kNone, 3e-7, 2.3e-7};
         const QString text = summaryText(found);
         QVERIFY2(text.contains(": b = 30.00000 ± 0.00002 mm, c = 12.5 mm, ω₂ = "), qPrintable(text));
         QVERIFY2(text.endsWith("open assembly. The coupler angle θ³ alone determines only b/a and c/a. The data do not "
@@ -209,8 +209,8 @@ private slots:
         found.outcome = Outcome::Insufficient;
         found.lack = Lack::OpenParameters;
         found.parameters = {20.1, 65.0, 25.0, 6.28, 0.0};
-        found.standardError[indexOf(Parameter::A)] = 0.3;
-        found.standardError[indexOf(Parameter::Omega2)] = 0.01;
+        found.standardErrors[indexOf(Parameter::A)] = 0.3;
+        found.standardErrors[indexOf(Parameter::Omega2)] = 0.01;
         found.openParameters = {false, true, true, false, true};
         QCOMPARE(summaryText(found),
                  QString("This file does not determine the mechanism. It determines a = 20.1 ± 0.3 mm and ω₂ = 6.28 ± "
@@ -309,7 +309,7 @@ private slots:
         found.lengthUnit = 25.4;
         found.parameters.a = 50.7999;
         found.rounded.a = 50.8;
-        found.standardError[indexOf(Parameter::A)] = 2.54e-4;
+        found.standardErrors[indexOf(Parameter::A)] = 2.54e-4;
         found.change = {Parameter::B, 152.4};
         const auto allTexts = [&found] {
             return QStringList{summaryText(found), roundNumbersText(found),
