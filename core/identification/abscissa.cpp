@@ -28,8 +28,9 @@ void appendAngle(Observations &observations)
     observations.columns.push_back(std::move(angle));
 }
 
-/// Changes a model that follows the angle in the file to one that turns with the constant speed of a drive, and reads
-/// that angle as a column, which is appended to those of the fit.
+/// Changes a model that follows the angle in the file to one that turns with the constant speed of a drive. That angle,
+/// which appendAngle() has made the last column of the observations, is appended to the columns of the fit; θ20, ω2 and
+/// the origin of the angle become free.
 void followTime(const Observations &observations, Fit &fit, const Drive &drive)
 {
     fit.model = modelAtSpeed(observations, fit, drive.omega2);
@@ -54,9 +55,8 @@ ObservedFit withAngleAsColumn(ObservedFit observed, const Drive &drive)
     return observed;
 }
 
-/// Whether the angle in the file explains the columns better than a constant speed does. Errors of the angle would make
-/// the fit over the angle the worse one. `overAngle`, `overTime`: fits of the same columns, in `overTime` with the
-/// angle.
+/// Whether the angle in the file explains the columns better than a constant speed does. (Errors of the angle would
+/// make the fit over the angle the worse one.) `overTime` is a fit of the columns of `overAngle` and of the angle.
 bool isAngleBetter(const Fit &overAngle, const ObservedFit &overTime)
 {
     const auto isInterpolated = [&](Index k) { return overTime.searched.columns[k].isInterpolated; };
@@ -106,7 +106,7 @@ Observations withMovedAngles(Observations observations, double stretch, double s
     return observations;
 }
 
-/// The fit over other evenly spaced angles; nullopt unless the file needs them (see withBestAbscissa()).
+/// The fit over evenly spaced angles that are fitted, too; nullopt unless the file needs them (see withBestAbscissa()).
 std::optional<ObservedFit> withFittedAngles(const ObservedFit &observed)
 {
     const Fit &fit = observed.fit;

@@ -35,7 +35,7 @@ Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
     return alone; // that of R4_x, which shapeColumns() lists last: it shows the lengths, θ3 only their ratios
 }
 
-/// The geometry of some columns, without the freedoms that they do not need. `searched`: selected rows of `wholeFile`.
+/// The geometry of some columns, without the freedoms that they do not need.
 ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Observations &searched,
                                        const Indices &columns, const Parameters &given)
 {
@@ -45,11 +45,11 @@ ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Obse
     return fit.isFinite() ? withoutFreedoms(searched, withUsualReadings(searched, std::move(fit))) : ConstrainedFit{};
 }
 
-/// Whether `higher`, the fit of the geometry to higher derivatives, is better than `lowest`, the fit to the lower ones:
-/// over the time, if it explains both together better. If rounding explains the lower ones, and the higher ones are
-/// difference quotients of them, `lowest` explains everything, and `higher` has to do the same. In a file with θ2, the
-/// higher derivatives depend on a speed that is not known yet, so that the misfits cannot be compared; there, rounding
-/// has to explain its own columns. `columns`: those of both.
+/// Whether `higher`, the geometry of the higher orders, is better than `lowest`, that of the lowest ones. `columns`:
+/// the columns of both. Over the time, it is better if its misfit in these columns is lower. But if rounding explains
+/// the columns of `lowest`, and the others are difference quotients of them, `lowest` explains everything, so that
+/// rounding has to explain all columns by `higher`, too. In a file with θ2, derivatives depend on a speed that is not
+/// known yet, so that the misfits cannot be compared; there, `higher` is better if rounding explains its own columns.
 bool isHigherBetter(const Observations &searched, const Fit &higher, const Fit &lowest, const Indices &columns)
 {
     if (searched.hasAngle()) {
@@ -95,7 +95,7 @@ ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observation
 ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, const Observations &searched,
                                                const Parameters &given)
 {
-    // With similar rounding steps, the lower derivatives have shown the geometry as well.
+    // With similar rounding steps, the lowest orders have shown the geometry as well.
     constexpr double kMinStepRatio = 3.0;
     const Indices columns = higherShapeColumns(searched);
     const bool areFiner =

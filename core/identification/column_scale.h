@@ -30,8 +30,8 @@ constexpr std::array<double, 2 * count - 1> withInverses(const std::array<double
 /// The factors that correct a column of angles: 1, or a conversion if radians and degrees were confused.
 inline constexpr std::array kAngleFactors = withInverses(kAngleUnits);
 
-/// The largest residual with which a mechanism explains a column beside those of a fit: rms, relative to the range of
-/// the column. If rounding explains all columns of the fit, the further one may have hardly any residual.
+/// The largest residual (rms, relative to the range of the column) with which a mechanism explains a column that a fit
+/// does not use: much smaller if rounding explains all columns of the fit than if their residuals are noise.
 double largestFurtherResidual(const Observations &observations, const Fit &fit);
 
 /// The possible ratios of the unit of a column of this channel to the one that its heading states; the first is 1.
@@ -49,15 +49,18 @@ struct ColumnScale {
     /// The prediction has to be multiplied by it. Negative if the column has the opposite sign to the columns of the
     /// same coordinate that the fit uses.
     double factor = kNone;
-    bool isExplained = false;    ///< after multiplication by the factor, the residuals are rounding or small
-    bool isNearRounding = false; ///< they are as small as rounding
+
+    /// After multiplication by the factor, rounding explains the residuals, or they are below largestFurtherResidual().
+    bool isExplained = false;
+    bool isNearRounding = false; ///< these residuals are as small as rounding (residual_test.h)
 };
 
 /// Compares a derivative with its prediction by `model`, which is that of the fit at the same or at a different speed
 /// of the crank.
 ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index column);
 
-/// The usual factor, ±1 or ± a unit conversion, that is nearest to bestFactor().
+/// The usual factor of a column, ±1 or ± one of unitFactors(), that is nearest to bestFactor(). Columns that show no
+/// factor have 1 (R4_y) or the sign of their coordinate in the fit (other columns that do not change).
 double usualFactor(const Observations &observations, const Fit &fit, Index column);
 
 } // namespace slidercrank

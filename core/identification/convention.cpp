@@ -23,7 +23,7 @@ void multiply(std::vector<double> &values, Rounding &rounding, double factor)
     rounding.unitFactor *= std::abs(factor);
 }
 
-/// A shifted column keeps its decimals, but not its significant digits.
+/// Adds an amount to values. They keep their decimals, but not their significant digits.
 void shift(std::vector<double> &values, Rounding &rounding, double amount)
 {
     rounding = rounding.withDecimalsAt(rangeOf(values).size());
@@ -39,12 +39,13 @@ void changeValues(const Convention &convention, int timePower, std::vector<doubl
     const Kind kind = convention.kind;
     const bool unwraps = kind == Kind::HalfTurn || kind == Kind::WholeTurns;
     if (unwraps) {
-        rounding = rounding.withDecimalsAt(rangeOf(values).size()); // those of 359.948, not of -0.052
+        // The decimals remain those before jumps are removed: those of 359.948, and not those of -0.052.
+        rounding = rounding.withDecimalsAt(rangeOf(values).size());
         removeJumps(values, kTurnInDegrees);
     }
     if (unwraps || kind == Kind::ZeroPoint || kind == Kind::TimeShift) {
         shift(values, rounding, convention.amount);
-    } else { // kinds without a factor have the amount 1
+    } else { // kinds that do not change values have the amount 1
         multiply(values, rounding, kind == Kind::TimeUnit ? std::pow(convention.amount, timePower) : convention.amount);
     }
 }

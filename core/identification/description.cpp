@@ -16,13 +16,13 @@ namespace slidercrank
 namespace
 {
 
-/// Until here, the lengths are in the unit of the column from which the geometry was found. Converts them to the unit
-/// of most columns, so that only the others are said to be in a wrong unit. Of two units with equally many columns, the
-/// one is chosen in which the crank has the given length.
+/// Converts the lengths of the last fit, which are in the unit of the column from which the geometry was found, to the
+/// unit of most columns, so that only the other columns are said to be in a wrong unit. Of two units with equally many
+/// columns, the one is chosen in which the crank has the given length.
 void convertToUnitOfMostColumns(LastFit &last, const Parameters &given)
 {
     Indices lengths;
-    Indices sliderLine; // R4_y, which has been fitted in the same unit, but shows none
+    Indices sliderLine; // R4_y, which is converted with the others, but whose factor shows no unit
     for (const Index k : last.fit.columns) {
         const ObservedColumn &column = last.observations.columns[k];
         if (column.channel == kSliderLine) {
@@ -56,8 +56,8 @@ void convertToUnitOfMostColumns(LastFit &last, const Parameters &given)
     }
 }
 
-/// Replaces the model of the last fit by a mirror image. Its parameters are as certain as before, but their covariances
-/// change their signs with c and with the sense of the crank (θ20 is negated with ω2).
+/// Replaces the model of the last fit by a mirror image of it. Its parameters are as certain as before, but the
+/// covariances of c, ω2 and θ20 with the others change their signs with these parameters (θ20 is negated with ω2).
 void replaceByImage(LastFit &lastFit, const Model &image)
 {
     const Parameters &before = lastFit.fit.model.mechanism;
@@ -69,22 +69,22 @@ void replaceByImage(LastFit &lastFit, const Model &image)
     lastFit.fit.model = image;
 }
 
-/// Replaces the model of the last fit by its mirror image with the simplest reading. Sets findings.otherImages to those
-/// that need the same reading.
+/// Replaces the model of the last fit by its mirror image with the simplest reading. Sets findings.otherImages to the
+/// other images that need the same reading.
 void chooseImage(Findings &findings, const Parameters &given)
 {
     LastFit &last = findings.lastFit;
     const std::vector<Model> images = findSimplestMirrorImages(last.observations, last.fit, given);
     replaceByImage(last, images.front());
     findings.otherImages.assign(images.begin() + 1, images.end());
-    if (findings.drive.kind == Drive::Kind::RunUp) { // its angle, speed and acceleration are those of the image
+    if (findings.drive.kind == Drive::Kind::RunUp) { // the image may have negated its angle, speed and acceleration
         findings.drive = findDrive(last.observations, last.fit.model);
     }
 }
 
-/// Replaces the lengths of the last fit by the given ones, with its drive and its origins fitted again, if these
-/// explain all rows as well: many rows show a difference that some of them do not show. Then chooses its image anew,
-/// because findings.otherImages still have the lengths from before.
+/// Fits the drive and the origins with the given lengths to all rows, and takes this fit if it explains them as well as
+/// the last one. (compareWithGivenLengths() has tested only the searched rows; all rows can show a difference that
+/// those do not.) Then chooses the mirror image again, because findings.otherImages have the old lengths.
 void moveToGivenLengths(Findings &findings, const Parameters &given)
 {
     const Observations &allRows = findings.lastFit.observations;
@@ -96,9 +96,10 @@ void moveToGivenLengths(Findings &findings, const Parameters &given)
     }
 }
 
-/// Compares the lengths of the last fit with the given ones. If the given ones explain the searched rows as well, a fit
-/// with free origins is moved to them: other lengths with other origins may be nearly the same curve. If they do not, a
-/// single wrong one is looked for, findings.change.
+/// Compares the lengths of the last fit with the given ones, if the columns determine lengths. If the given ones do not
+/// explain the searched rows as well, sets findings.change to the only wrong one of them, if there is such. If they do,
+/// a last fit with free origins is moved to them, because different lengths with different origins may have nearly the
+/// same curve.
 void compareWithGivenLengths(Findings &findings, const Observations &searched, const Parameters &given)
 {
     const Fit &last = findings.lastFit.fit;

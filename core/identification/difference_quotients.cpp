@@ -28,8 +28,9 @@ constexpr std::array<Stencil, 7> kStencils{{{{0.0, -0.5, 0.0, 0.5, 0.0}, 1}, // 
                                             {{0.0, 0.0, 1.0, -2.0, 1.0}, 2},   // forward, of forward ones
                                             {{1.0, -2.0, 1.0, 0.0, 0.0}, 2}}}; // backward, of backward ones
 
-/// Quotients in all rows but the first and the last kReach ones. They are divided by half the distance of both
-/// neighbours, which for forward and backward quotients is right in evenly spaced rows.
+/// Quotients in all rows but the first and the last kReach ones. Their divisor is half the distance between both
+/// neighbours of the row, to the power of the order. (For forward and backward quotients, this requires evenly spaced
+/// rows.)
 struct Quotients {
     Values values;
     Values bounds; ///< the largest errors of the quotients because of the rounding of the column

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Recognizes columns that were not measured or simulated, but computed from fewer values.
+// Recognizes columns that were not measured or simulated, but computed from a different column or from fewer values.
 
 #include "core/identification/observations.h"
 

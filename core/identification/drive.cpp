@@ -23,8 +23,8 @@ struct Polynomial {
     bool explainsAngles = false; ///< the residuals are rounding or noise
 };
 
-/// Fits a polynomial of the time, in half spans of the file, so that all powers are between -1 and 1. The coefficient
-/// of the constant is the first of `terms`.
+/// Fits the powers of the time with the exponents 0, 1, … to the angles, as many as `terms`. The unit of the time is
+/// half the span of the file, so that all powers are between -1 and 1.
 LinearFit fitPowers(const Observations &observations, const Values &angles, Index terms)
 {
     Eigen::MatrixXd basis(angles.size(), terms);

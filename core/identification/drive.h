@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// How the crank turns, if the file contains its angle.
+// How the crank turns: whether its speed is constant, changes evenly or is uneven, if the file contains its angle.
 
 #include "core/identification/fit.h"
 
@@ -27,7 +27,8 @@ struct Drive {
     double omega2 = kNone;  ///< rad/s; Uneven: the mean speed
     double alpha2 = 0.0;    ///< rad/s²
 
-    // Constant, RunUp, Uneven: the smallest and the largest speed in the file, rad/s, with the errors of θ2.
+    // Constant, RunUp, Uneven: the smallest and the largest speed in the file, rad/s. The errors of θ2 widen this
+    // range.
     double minSpeed = kNone;
     double maxSpeed = kNone;
 
@@ -37,7 +38,7 @@ struct Drive {
     double speedErrorAtZero = kNone;
 };
 
-/// Finds out how the crank turns, from its angle as `model` reads it.
+/// Finds the drive of a file from the angle in the file, as `model` reads it, and the time.
 Drive findDrive(const Observations &observations, const Model &model);
 
 } // namespace slidercrank

@@ -49,7 +49,7 @@ ReferenceData tableOverAngle(const ReferenceData &data)
     return table;
 }
 
-/// Applies conventions in their order.
+/// Applies conventions to the data in their order.
 ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, ReferenceData data)
 {
     for (const ConventionFinding &finding : conventions) {
@@ -58,8 +58,8 @@ ReferenceData applyAll(const std::vector<ConventionFinding> &conventions, Refere
     return data;
 }
 
-/// Compares a mechanism with a file to which all conventions have been applied. If the file with θ2 does not show a
-/// constant speed, positions are compared as in a table over the crank angle, and derivatives are not compared.
+/// Compares a mechanism with a corrected file, to which all conventions have been applied. If a file with θ2 does not
+/// show a constant speed, positions are compared as in a table over the crank angle, and derivatives are not compared.
 /// `fitted`: how the mechanism was fitted to the file; {} if it was not.
 std::vector<ChannelComparison> compareCorrectedFile(const Parameters &mechanism, const ReferenceData &data,
                                                     const Findings &findings, const FittedMechanism &fitted)
@@ -98,8 +98,8 @@ double largestPercentOfPeak(const std::vector<ChannelComparison> &comparisons, c
     return largest;
 }
 
-/// Sets the largest errors without (`before`) and with (`after`) each of the conventions of a mechanism. `usedColumns`:
-/// as they are in the file.
+/// Sets the largest errors of a mechanism without (`before`) and with (`after`) each convention of the file.
+/// `usedColumns`: as they are in the file.
 void measureConventions(std::vector<ConventionFinding> &conventions, const Parameters &mechanism,
                         const ReferenceData &usedColumns, const Findings &findings)
 {
@@ -125,9 +125,9 @@ void measureConventions(std::vector<ConventionFinding> &conventions, const Param
     }
 }
 
-/// The file with gaps in the excluded rows, and without the columns that the fit does not use. `tableConvention`:
-/// the one that was applied before the file was observed. It is applied here only to find out which columns the fit
-/// uses; the columns returned are as they are in the file.
+/// The file with gaps in the excluded rows, and without the columns that the fit does not use. (It uses θ2 if its model
+/// follows the angle in the file.) `tableConvention`: the one that was applied before the file was observed. It is
+/// applied here only to find out which columns the fit uses; the columns returned are as they are in the file.
 ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention> &tableConvention,
                               const LastFit &lastFit)
 {
@@ -151,7 +151,7 @@ ReferenceData keepUsedColumns(ReferenceData data, const std::optional<Convention
 }
 
 /// The conventions of the columns add a turn to a negated θ3 of the crossed assembly, and those of the whole file add
-/// one again after they have negated it once more. Removes both: -(θ3 + 360°) + 360° = -θ3.
+/// one again after they have negated θ3 once more. Removes both turns: -(-θ3 + 360°) + 360° = θ3.
 void removeCancellingTurns(std::vector<ConventionFinding> &conventions)
 {
     const auto isTurn = [](const ConventionFinding &finding) {
@@ -185,9 +185,8 @@ void addWholeFileConventions(Identification &result, const ReferenceData &usedCo
     result.alternatives.clear();
 }
 
-/// Compares the file, to which all conventions have been applied, with the mechanism found. If a column does not agree
-/// with it, but all columns agree with the rounded parameters, these are compared (R4_y = 12 mm may agree with the
-/// rounded c only).
+/// Compares the corrected file with the mechanism found. Returns the comparisons with result.parameters; those with
+/// result.rounded instead if all columns agree with these only (R4_y = 12 mm may agree with the rounded c only).
 std::vector<ChannelComparison> compareWithMechanismFound(const Identification &result, const ReferenceData &corrected,
                                                          const Findings &findings)
 {
@@ -226,7 +225,7 @@ ReferenceData addConventions(Identification &result, const ReferenceData &data,
 {
     const ReferenceData usedColumns = keepUsedColumns(data, tableConvention, findings.lastFit);
     result.conventions = listConventions(findings.lastFit);
-    if (tableConvention) { // the others are applied to the result
+    if (tableConvention) { // the other conventions refer to the table after this one is applied
         result.conventions.insert(result.conventions.begin(), {*tableConvention});
     }
     addWholeFileConventions(result, usedColumns, given);
@@ -234,7 +233,8 @@ ReferenceData addConventions(Identification &result, const ReferenceData &data,
     return applyAll(result.conventions, usedColumns);
 }
 
-/// Adds the comparisons of a file to which all conventions have been applied.
+/// Adds the comparisons of the corrected file with the mechanism found and with the given one, and what follows from
+/// them: the unit of the lengths, the residuals and `agreesWithGiven`.
 void compareWithBothMechanisms(Identification &result, const ReferenceData &corrected, const Findings &findings,
                                const Parameters &given)
 {

@@ -10,14 +10,14 @@
 namespace slidercrank
 {
 
-/// What the steps up to the last fit, and those that describe it, found out about a file.
+/// What the steps before judge() (outcome.h) have found out about a file.
 struct Findings {
     Drive drive;
     LastFit lastFit; ///< not finite if no mechanism can be assembled
     std::vector<LeftOutColumn> leftOut;
     std::vector<double> speeds;         ///< the values of ω2 that a table over the crank angle allows, rad/s
-    std::vector<Model> otherImages;     ///< other mechanisms that need the same reading of the file
-    std::optional<LengthChange> change; ///< the one wrong length of the given mechanism
+    std::vector<Model> otherImages;     ///< mirror images of the last fit that need the same reading of the file
+    std::optional<LengthChange> change; ///< the one wrong length of the given mechanism, if there is one
 };
 
 } // namespace slidercrank

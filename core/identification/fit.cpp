@@ -96,8 +96,8 @@ bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observation
     return true;
 }
 
-/// The part of the misfit that a column contributes. `count`: number of its values; `meanSquare`: mean square of their
-/// residuals.
+/// The part of the misfit that a column contributes; a constant one counts like a single value (fit.h). `count`: number
+/// of its values; `meanSquare`: mean square of their residuals.
 double columnMisfit(const ObservedColumn &column, double meanSquare, double count)
 {
     return column.isConstant() ? meanSquare / column.variance : count * std::log(meanSquare + column.variance);
@@ -339,6 +339,7 @@ Eigen::MatrixXd computeCovariance(const Fit &fit)
     const Eigen::VectorXd inverse = system.values.cwiseInverse();
     const Eigen::MatrixXd vectors = system.scale.asDiagonal() * system.vectors;
     // The covariance is the inverse of the second derivatives of S/2, which is minus the logarithm of the likelihood.
+    // The curvature approximates those of S.
     return 2.0 * (vectors * inverse.asDiagonal() * vectors.transpose());
 }
 

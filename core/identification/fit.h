@@ -9,9 +9,11 @@
 // where n is the number of values and RSS the sum of their squared residuals (value - prediction). S is minus twice the
 // logarithm of the likelihood of independent errors, whose size is unknown in each column but not below the rounding.
 // The gradient of S is that of a weighted sum of squared residuals, in which the weight of a column is
-// 1 / (RSS/n + mean of step²/12). The second derivatives of this sum with fixed weights approximate those of S. A
-// constant column repeats one rounding error n times. Therefore it contributes to S like a single value: RSS/n divided
-// by the mean of step²/12.
+// 1 / (RSS/n + mean of step²/12). The second derivatives of S are approximated by those of this sum with fixed weights
+// and predictions that are linear in the unknowns (the method of Gauss and Newton).
+//
+// A constant column (ObservedColumn::isConstant()) repeats one rounding error n times. Therefore it contributes to S
+// like a single value whose error is known: RSS/n divided by the mean of step²/12.
 
 #include "core/comparison/comparison.h"
 #include "core/identification/minimizer.h"
@@ -84,8 +86,8 @@ struct Fit {
     std::vector<double> counts{}; ///< number of values, for each of `columns`
     double misfit = kInfinity;    ///< S; infinite if the mechanism cannot be assembled in a row that has values
     Eigen::VectorXd gradient{};   ///< first derivatives of S by the unknowns
-    Eigen::MatrixXd curvature{};  ///< second derivatives of S by the unknowns
-    int iterations = 0;
+    Eigen::MatrixXd curvature{};  ///< approximate second derivatives of S by the unknowns
+    int iterations = 0;           ///< number of steps that the search for the minimum has tried
 
     bool isFinite() const { return std::isfinite(misfit); }
     bool usesColumn(Index column) const;
@@ -97,8 +99,8 @@ struct Fit {
     /// The unknowns and those of `more` that are not among them.
     Unknowns unknownsWith(const Unknowns &more) const;
 
-    /// Replaces the model and its residuals by those of another fit of the same columns. The unknowns, the gradient and
-    /// the curvature remain.
+    /// Replaces the model, its residuals, their rms and the misfit by those of another fit of the same columns. The
+    /// rest remains, such as the unknowns and the curvature.
     void replaceModel(const Fit &other);
 
     /// How the mechanism was fitted, for a comparison. The number of values is the average of the columns and not that
@@ -116,8 +118,8 @@ Fit evaluateModel(const Observations &observations, Model model, Indices columns
 double columnMisfit(const Observations &observations, const Fit &fit, Index place);
 
 /// Changes the unknowns of a model so that the misfit in `columns` is least, and returns this fit. The search starts at
-/// the values that they have in `start`. The fit is not finite if the mechanism of the start cannot be assembled, or if
-/// the observations request a stop.
+/// the values that the unknowns have in `start`, and tries at most `iterationLimit` steps. The fit is not finite if the
+/// mechanism of the start cannot be assembled, or if the observations request a stop.
 Fit fitModel(const Observations &observations, Model start, Indices columns, Unknowns unknowns,
              int iterationLimit = MinimizerOptions{}.iterationLimit);
 
@@ -133,13 +135,14 @@ double dependence(const Fit &fit);
 Eigen::VectorXd stepToMinimum(const Fit &fit);
 
 /// The error of the worst determined combination of the unknowns, divided by that of the best determined one. The
-/// unknowns are scaled so that the second derivative of S by each is 1.
+/// unknowns are scaled so that the diagonal elements of the curvature are 1.
 double conditionNumber(const Fit &fit);
 
-/// The covariance matrix of the unknowns; very large variances for unknowns that the columns do not determine.
+/// The covariance matrix of the unknowns if the residuals are independent. Unknowns that the columns do not determine
+/// have very large variances.
 Eigen::MatrixXd computeCovariance(const Fit &fit);
 
-/// The standard error of an unknown if the residuals are independent; 0 if it is not free.
+/// The standard error of an unknown if the residuals are independent; 0 if it is not free, because it is exact then.
 double standardErrorOrZero(const Fit &fit, Unknown unknown);
 
 } // namespace slidercrank

@@ -26,7 +26,8 @@ double nearestUsualValue(const Observations &observations, const Model &model, U
                                                                  : 0.0;
 }
 
-/// Fits with `unknown` fixed at a value. The other unknowns start at the values that their covariance with it predicts.
+/// Repeats a fit with `unknown` fixed at a value. The other unknowns start at the values that their covariance with it
+/// predicts.
 Fit fitWithFixed(const Observations &observations, const Fit &fit, Unknown unknown, double value)
 {
     const Eigen::MatrixXd covariance = computeCovariance(fit);
@@ -66,8 +67,8 @@ bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 }
 
 /// Whether an origin is so close to its usual value that a filter or an interpolation may have shifted the curve by as
-/// much. (The residuals of these are not always recognized as systematic. A coarse simulation that was interpolated
-/// linearly would otherwise get an origin that nobody has chosen.)
+/// much. (The residuals of a filter or an interpolation are not always recognized as systematic. A coarse simulation
+/// that was interpolated linearly would otherwise get an origin that nobody has chosen.)
 bool isSmallOrigin(const Observations &observations, const Model &model, Unknown unknown, double usual)
 {
     constexpr double kMaxOriginFraction = 0.02;           // of the range of the column
@@ -160,7 +161,7 @@ void addPossibleErrors(ParameterErrors &errors, const Fit &freeFit, const Fit &f
     }
 }
 
-/// The origins that are unknowns of a fit, with that of the angle of the crank in the file.
+/// The origins that are unknowns of a fit, including θ20 of a model that follows the angle in the file.
 Unknowns originsAmong(const Fit &fit)
 {
     Unknowns origins;
@@ -171,7 +172,8 @@ Unknowns originsAmong(const Fit &fit)
     return origins;
 }
 
-/// Fits again with more free origins. Does nothing if they cannot be determined.
+/// Fits again with some origins free that are not free in `fit`. Does nothing if there are none, or if that fit is not
+/// finite.
 void freeOriginsAgain(const Observations &observations, Fit &fit, const Unknowns &origins)
 {
     const Unknowns unknowns = fit.unknownsWith(origins);

@@ -8,7 +8,8 @@
 namespace slidercrank
 {
 
-/// A fit from which freedoms were taken back. Where the file does not exclude them, its parameters are uncertain.
+/// A fit from which freedoms were taken back. Its parameters are uncertain if the file does not exclude an origin that
+/// was taken back.
 struct ConstrainedFit {
     Fit fit;
     Unknowns possibleOrigins{}; ///< origins at their usual values, although the file does not exclude other ones
@@ -33,9 +34,9 @@ Fit withUsualReadings(const Observations &observations, Fit fit);
 ///      residuals of the fit with the free origin are systematic.
 /// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
 /// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are possible
-/// errors. `earlier`: the result from which `fit` was made; {} if there is none. If columns were added, its possible
-/// origins are free again at first, so that their possible errors become those that all columns leave. A fit that is
-/// not finite remains as it is.
+/// errors. `earlier`: the result from which `fit` was made; {} if there is none. If columns were added to it, its
+/// possible origins are free again at first, so that the possible errors become those that all columns leave; if not,
+/// its possible origins and errors are kept. A fit that is not finite remains as it is.
 ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ConstrainedFit &earlier = {});
 
 } // namespace slidercrank

@@ -38,15 +38,15 @@ bool isMotionOfOtherProportions(const Observations &observations, const Fit &fit
         return false;
     }
     const Parameters &found = fit.model.mechanism;
-    const Parameters &other = alone.model.mechanism;
-    const double changeOfProportions =
-        std::max(std::abs(other.b / other.a - found.b / found.a), std::abs(other.c / other.a - found.c / found.a));
-    return !hidesLengths(found) && !hidesLengths(other) &&
+    const Parameters &foundAlone = alone.model.mechanism;
+    const double changeOfProportions = std::max(std::abs(foundAlone.b / foundAlone.a - found.b / found.a),
+                                                std::abs(foundAlone.c / foundAlone.a - found.c / found.a));
+    return !hidesLengths(found) && !hidesLengths(foundAlone) &&
            changeOfProportions > kMinChange * (found.b + std::abs(found.c)) / found.a;
 }
 
-/// The largest deviation of a column from the prediction times a factor, in percent of the largest magnitude in the
-/// column, at most 100 %. NaN if the column and the prediction are zero.
+/// The largest deviation of a column from the motion of the fitted mechanism times `factor`, in percent of the largest
+/// magnitude in the column, at most 100 %. NaN if the column and the motion are zero.
 double deviationInPercentOfPeak(const Observations &observations, const Fit &fit, Index k, double factor)
 {
     Model model = fit.model;
@@ -58,15 +58,15 @@ double deviationInPercentOfPeak(const Observations &observations, const Fit &fit
     return peak > 0.0 ? 100.0 * deviation / peak : kNone;
 }
 
-/// The same as deviationInPercentOfPeak(), with the factor that suits the column best: a derivative is multiplied by it
-/// if the speed of the crank or the unit is different.
+/// The result of deviationInPercentOfPeak() with the factor that suits the column best. A different speed of the crank
+/// or a different unit would multiply a derivative by such a factor.
 double percentOfPeakAtBestScale(const Observations &observations, const Fit &fit, Index k)
 {
     return deviationInPercentOfPeak(observations, fit, k, bestFactor(observations, fit.model, k));
 }
 
-/// Largest deviation at the best scale, in percent of the peak, with which a derivative may be that of the mechanism at
-/// a different speed. If several speeds are possible, the derivatives have smaller deviations.
+/// Largest result of percentOfPeakAtBestScale() with which a derivative counts as that of the mechanism at an unknown
+/// speed.
 constexpr double kMaxPercentAtOpenSpeed = 5.0;
 
 /// Why nothing predicts column k of `result`, so that it cannot be compared with the mechanism; nullopt if the

@@ -104,9 +104,10 @@ bool dependsOnUnknownSpeed(const ObservedColumn &column, const Model &model)
     return column.isDerivative() && model.followsAngle;
 }
 
-/// Fits the reading of a column to the motion of a mechanism with a = 1 mm. Apart from its sign, the factor is the
-/// length of the crank for lengths, and a unit for angles. For columns that depend on an unknown speed, the factor also
-/// contains this speed to the power of the order of the derivative.
+/// Fits the reading of a column to the motion of a mechanism with a = 1 mm. For lengths, |factor| is the length of the
+/// crank (mm); for angles, it is a unit conversion. For columns that depend on an unknown speed, the factor is
+/// multiplied by this speed to the power of the order of the derivative. `moments`: sums over the values of the column
+/// and the motion.
 Regression fitColumn(const ObservedColumn &column, const Moments &moments, const Model &model, ColumnOrigin origin)
 {
     return column.containsAngles() && !dependsOnUnknownSpeed(column, model) ? fitCouplerReading(moments, origin)
@@ -119,7 +120,7 @@ struct Scale {
     double speed = 1.0;       ///< ω2, rad/s, if the model follows the angle in the file
 };
 
-/// The scale that the columns show; if no column shows them, the given length, and the given speed unless it is 0.
+/// The scale that the columns show. What no column shows is the given length, and the given speed unless it is 0.
 /// `regressions`: the result of fitColumn() for each of `columns`.
 Scale scaleOfColumns(const Observations &observations, const Indices &columns,
                      const std::vector<Regression> &regressions, const Model &model, const Parameters &given)
@@ -144,9 +145,9 @@ Scale scaleOfColumns(const Observations &observations, const Indices &columns,
     return scale;
 }
 
-/// The reading of a column after the mechanism has got its true size and speed. These contain the factor of a length
-/// and that of a derivative over the angle, of which only the sign remains. θ3 keeps its factor, which is a unit.
-/// `fitted`: the reading before, from fitColumn(). `speed`: ω2, rad/s.
+/// The reading of a column after the mechanism has got its true size and speed: of the factor of a length, or of a
+/// derivative over the angle, only the sign remains, because size and speed replace the rest. θ3 keeps its factor,
+/// which is a unit conversion. `fitted`: the reading before, from fitColumn(). `speed`: ω2, rad/s.
 ColumnReading readingAfterScaling(const ObservedColumn &column, const ColumnReading &fitted, const Model &model,
                                   double speed)
 {
@@ -158,7 +159,7 @@ ColumnReading readingAfterScaling(const ObservedColumn &column, const ColumnRead
     return column.containsAngles() ? fitted : ColumnReading{std::copysign(1.0, fitted.factor), fitted.origin};
 }
 
-/// A model from which a fit may start, and the misfit before that fit.
+/// A model from which a fit may start, and the result of misfitOfRegressions() for it.
 struct Candidate {
     double misfit = kInfinity;
     Model model;
@@ -189,8 +190,9 @@ std::vector<Regression> fitColumns(const Observations &observations, const Indic
     return regressions;
 }
 
-/// Gives a mechanism with a = 1 mm the size, and the columns the readings, that `regressions` show, the result of
-/// fitColumns(). A model that follows the angle in the file also gets the speed that the derivatives show.
+/// Scales a mechanism with a = 1 mm to the size that `regressions`, the result of fitColumns(), show, and sets the
+/// readings of the columns. A model that follows the angle in the file also gets the speed that derivatives show. What
+/// the columns do not show is that of `given`.
 Candidate scaleToColumns(Model model, const Observations &observations, const Indices &columns,
                          const std::vector<Regression> &regressions, const Parameters &given)
 {
@@ -208,7 +210,7 @@ Candidate scaleToColumns(Model model, const Observations &observations, const In
     return {.misfit = misfitOfRegressions(observations, columns, regressions), .model = std::move(model)};
 }
 
-/// The best candidates of a grid if the columns have their usual origins, and if they may have any.
+/// The best candidates of a grid: those for columns with their usual origins, and those for columns with any origins.
 struct GridResult {
     std::vector<Candidate> usualOrigins, anyOrigins;
 };
@@ -220,7 +222,7 @@ void replaceIfBetter(Candidate &best, Candidate candidate)
     }
 }
 
-/// Removes all candidates but the best ones, and sorts these.
+/// Removes all candidates but those with the lowest misfits, and sorts these.
 void keepBest(std::vector<Candidate> &candidates)
 {
     constexpr std::size_t kCandidates = 6; // the right one is not always the best on a coarse grid; each costs a fit
@@ -229,8 +231,8 @@ void keepBest(std::vector<Candidate> &candidates)
     candidates.resize(std::min(kCandidates, candidates.size()));
 }
 
-/// Tries a mechanism with a = 1 mm with all angles of the crank at t = 0, and appends the best angle to the candidates:
-/// one if the columns have their usual origins, and one if they may have any.
+/// Tries a mechanism with a = 1 mm with several values of θ20, and appends the best candidate of these to each list of
+/// `result`.
 void addBestAngles(GridResult &result, Model model, const Observations &observations, const Indices &columns,
                    const Parameters &given)
 {
@@ -256,7 +258,7 @@ void addBestAngles(GridResult &result, Model model, const Observations &observat
 
 /// Tries mechanisms of all proportions, each with the best angle of the crank. Couplers shorter than a + |c| belong to
 /// cranks that oscillate. Neighbouring proportions are so near that a fit which starts at one reaches mechanisms up to
-/// the next; it also reaches those beyond the longest coupler and offset.
+/// the next; it also reaches those beyond the longest coupler and offset. `start`: one of startModels().
 GridResult searchGrid(const Observations &observations, const Indices &columns, const Model &start,
                       const Parameters &given)
 {
@@ -314,7 +316,8 @@ std::vector<Fit> fitCandidates(const Observations &observations, const Indices &
     return fits;
 }
 
-/// Repeats the best two of some fits with all rows of `observations`, and returns the better one.
+/// Repeats the best two of some fits with all rows of `observations`, and returns the better one. Not finite if there
+/// are no fits, or if none is finite.
 Fit fitFinalists(const Observations &observations, std::vector<Fit> fits)
 {
     constexpr std::size_t kFinalists = 2; // the best fit of some rows may be the second one of all
@@ -366,11 +369,11 @@ Indices changingColumns(const Observations &observations, Coordinate coordinate)
     return columns;
 }
 
-/// The places in changingColumns() of the columns that show the shape of a mechanism.
+/// Places in the result of changingColumns().
 constexpr std::size_t kLowestOrder = 0;
 constexpr std::size_t kSecondLowestOrder = 1;
 
-/// The column at this place of changingColumns() for each of some coordinates, as far as it exists.
+/// The column at one place of changingColumns() for each of some coordinates, as far as it exists.
 Indices columnsOfOrder(const Observations &observations, std::span<const Coordinate> coordinates, std::size_t place)
 {
     Indices columns;

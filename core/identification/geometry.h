@@ -20,7 +20,7 @@ Indices shapeColumns(const Observations &observations);
 /// For each of θ3 and R4_x, in this order, the column of the second lowest order that changes.
 Indices higherShapeColumns(const Observations &observations);
 
-/// Whether the columns determine lengths, and not only ratios of lengths.
+/// Whether the columns determine lengths, and not only ratios of lengths or their products with powers of ω2.
 bool determineLengths(const Observations &observations, const Indices &columns);
 
 /// Fits a mechanism of the open assembly to `columns` of at most some hundred rows. The crank turns counter-clockwise
@@ -34,7 +34,7 @@ Fit findGeometry(const Observations &observations, const Indices &columns, const
                  const Parameters &given);
 
 /// Fits only the origins of the positions among `columns` again, so that a geometry explains `columns` as well as it
-/// can. Not finite if the geometry is not finite.
+/// can. Columns that it does not use get usualFactor(). Not finite if the geometry is not finite.
 Fit fitWithFreeOrigins(const Observations &observations, const Fit &geometry, const Indices &columns);
 
 } // namespace slidercrank

@@ -23,7 +23,7 @@ namespace slidercrank
 /// A statement about each parameter, at indexOf(Parameter): whether it is true of this parameter.
 using ParameterFlags = std::array<bool, kParameterCount>;
 
-/// A different mechanism whose motion is the same in all columns of the file, read in the same way.
+/// A different mechanism whose motion is the same in all columns that the fit uses, if they are read in the same way.
 struct AlternativeMechanism {
     enum class Symmetry {
         MirrorImage,   ///< R4_x alone: c, ω2 and θ20 negated
@@ -52,8 +52,8 @@ struct LeftOutColumn {
     double percentOfPeak = kNone;
 };
 
-/// How far a column and the mechanism found are apart, without excluded rows: after the conventions are applied;
-/// without a mechanism, in the unit of the heading.
+/// How far a column and the mechanism found are apart, without excluded rows: after the conventions are applied or, if
+/// no mechanism explains the file, without them.
 struct ColumnResidual {
     Channel channel;
     double rms = 0.0;
@@ -65,9 +65,9 @@ struct ColumnResidual {
 /// The speed of the crank in a file that contains both θ2 and the time, if it is not constant.
 struct UnevenDrive {
     double omega2 = 0.0;            ///< rad/s: at t = 0 of a run-up, otherwise the mean speed
-    double standardError = kNone;   ///< standard error of omega2, rad/s
+    double standardError = kNone;   ///< standard error of omega2 in a run-up, rad/s; otherwise NaN
     double least = 0.0;             ///< the smallest speed in the file, rad/s
-    double greatest = 0.0;          ///< the largest speed
+    double greatest = 0.0;          ///< the largest speed in the file, rad/s
     std::optional<double> alpha2{}; ///< angular acceleration, rad/s², if the speed changes evenly (run-up, run-down)
 };
 
@@ -87,7 +87,7 @@ struct Identification {
         None             ///< no mechanism explains the file: see `rejection`
     };
     Outcome outcome = Outcome::None;
-    bool stopped = false; ///< the search was stopped, and nothing else is known
+    bool stopped = false; ///< the search was stopped: only the parameters are set, to the given ones
 
     /// Whether there is a mechanism that explains the file.
     bool hasMechanism() const
@@ -152,7 +152,7 @@ struct Identification {
 
     std::vector<ColumnResidual> residuals{}; ///< residuals of the used columns; None: those of the best attempt
     std::vector<LeftOutColumn> leftOut{};
-    std::vector<std::size_t> excludedRows{}; ///< outliers: their lines in the file, counted from 1
+    std::vector<std::size_t> excludedRows{}; ///< lines in the file, from 1, of rows with outliers or typing errors
 
     /// The reason for Insufficient; the first that applies.
     enum class Lack {
@@ -182,7 +182,7 @@ struct Identification {
 };
 
 /// Identifies the mechanism of a file. `given` supplies what the file does not determine, and is preferred among equal
-/// answers. If stopped, the result has the given parameters, and Identification::stopped is set.
+/// answers. `stop`: ends the search early, see Identification::stopped.
 Identification identify(const ReferenceData &data, const Mechanism &given, std::stop_token stop = {});
 
 } // namespace slidercrank

@@ -35,6 +35,8 @@ struct ExtendedImage {
     FurtherColumns further;
 };
 
+/// Fits `image`, a mirror image of the model of a geometry, again, finds its drive, and adds the columns that it
+/// explains.
 ExtendedImage extendImage(ObservedFit geometry, const Model &image, const Parameters &given)
 {
     Fit &fit = geometry.fit;
@@ -45,9 +47,9 @@ ExtendedImage extendImage(ObservedFit geometry, const Model &image, const Parame
     return {.observed = std::move(observed), .drive = drive, .further = std::move(further)};
 }
 
-/// Extends the mirror image with the simplest reading. If the geometry was found from angles alone and this image
-/// leaves columns out, extends the others as well, and returns the one that leaves out the fewest: both assemblies have
-/// the same angles, but different motions of the slider.
+/// Extends the mirror image of a geometry that has the simplest reading. If the geometry was found from angles alone
+/// and this image leaves columns out, extends the other images as well, and returns the one that leaves out the fewest:
+/// both assemblies have the same angles, but different motions of the slider.
 ExtendedImage extendBestImage(const ObservedFit &geometry, const Parameters &given)
 {
     const std::vector<Model> images = rankMirrorImages(geometry.searched, geometry.fit, given);
@@ -77,6 +79,16 @@ void leaveOutUnusedAngle(std::vector<LeftOutColumn> &leftOut, const ReferenceDat
 using FindGeometry = ConstrainedFit (&)(const Observations &wholeFile, const Observations &searched,
                                         const Parameters &given);
 
+/// Adds the errors of the lengths because of angles that were moved within their rounding (ObservedFit::errorsOfAngles)
+/// to the possible errors of the parameters, as independent errors.
+ParameterErrors withErrorsOfAngles(ParameterErrors possibleErrors, const ParameterErrors &errorsOfAngles)
+{
+    for (std::size_t i = 0; i < kParameterCount; ++i) {
+        possibleErrors[i] = std::hypot(possibleErrors[i], errorsOfAngles[i]);
+    }
+    return possibleErrors;
+}
+
 /// Runs the steps from the geometry to the last fit, and then chooses the description of it that a person expects. The
 /// last fit is not finite if no mechanism can be assembled. `wholeFile`: the observations of `data`.
 Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGeometry findGeometry,
@@ -96,19 +108,16 @@ Findings findMechanism(const ReferenceData &data, Observations wholeFile, FindGe
     findings.leftOut = std::move(further.leftOut);
     leaveOutUnusedAngle(findings.leftOut, data, observed.wholeFile);
     findings.speeds = std::move(further.speeds);
-    ConstrainedFit fitOfAllColumns = withoutFreedoms(observed.searched, std::move(further.fit), geometry);
-    for (std::size_t i = 0; i < kParameterCount; ++i) {
-        fitOfAllColumns.possibleErrors[i] = std::hypot(fitOfAllColumns.possibleErrors[i], observed.errorsOfAngles[i]);
-    }
-    findings.lastFit =
-        fitAllRows(std::move(observed.wholeFile), fitOfAllColumns.fit, fitOfAllColumns.possibleErrors, findings.drive);
+    const ConstrainedFit fitOfAllColumns = withoutFreedoms(observed.searched, std::move(further.fit), geometry);
+    const ParameterErrors possibleErrors = withErrorsOfAngles(fitOfAllColumns.possibleErrors, observed.errorsOfAngles);
+    findings.lastFit = fitAllRows(std::move(observed.wholeFile), fitOfAllColumns.fit, possibleErrors, findings.drive);
     if (findings.lastFit.fit.isFinite()) {
         chooseExpectedDescription(findings, observed.searched, given);
     }
     return findings;
 }
 
-/// What is known about a table.
+/// The result for a table, and the findings that lead to it.
 struct IdentifiedTable {
     Identification result;
     Findings findings{};
@@ -121,8 +130,9 @@ struct Task {
     const std::stop_token &stop;
 };
 
-/// Identifies the mechanism of a table. `tableConvention`: the one that is applied before the table is observed;
-/// nullopt if it is observed as it is in the file.
+/// Identifies the mechanism of a table by running all steps once. `tableConvention`: the convention that is applied to
+/// the table before it is observed; nullopt if it is observed as it is. `findGeometry`: the step that finds the
+/// geometry.
 IdentifiedTable identifyTable(const Task &task, const std::optional<Convention> &tableConvention,
                               FindGeometry findGeometry)
 {
@@ -155,8 +165,8 @@ bool isBetter(const Identification &result, const Identification &other)
     return rank(result) < rank(other);
 }
 
-/// Identifies the mechanism of a table whose slider moves along y, after the axes are rotated: those of the positions,
-/// or also those of the angles. Returns nullopt if the slider moves along x.
+/// Identifies the mechanism of a table whose slider moves along y, after the axes are rotated: those of the positions
+/// only, and those of the angles, too. Returns the better result; nullopt if the slider moves along x.
 std::optional<Identification> identifyRotated(const Task &task)
 {
     std::optional<Identification> best;
@@ -171,14 +181,14 @@ std::optional<Identification> identifyRotated(const Task &task)
     return best;
 }
 
-/// Whether a mechanism explains all columns exactly.
+/// Whether a mechanism explains all columns of the file exactly.
 bool explainsAll(const Identification &result)
 {
     return result.outcome == Identification::Outcome::Identified && result.leftOut.empty();
 }
 
-/// Adds rows without which a mechanism was found to the excluded ones. Returns nullopt if a row does not contradict the
-/// mechanism. `data`: the table with all rows.
+/// The result for a table in which `rows` were replaced by gaps, with these among the excluded rows. Returns nullopt if
+/// one of them does not contradict the mechanism found. `data`: the table with all rows.
 std::optional<Identification> withExcludedRows(IdentifiedTable table, const ReferenceData &data,
                                                const std::vector<std::size_t> &rows)
 {
@@ -193,9 +203,10 @@ std::optional<Identification> withExcludedRows(IdentifiedTable table, const Refe
     return std::move(table.result);
 }
 
-/// Identifies the mechanism of a table without the rows that may contain typing errors: one after the other, the most
-/// suspicious row is left out until a mechanism explains the others exactly. Returns nullopt if there is no such
-/// mechanism, or if it also explains a row that was left out. `table`: the result for all rows.
+/// Identifies the mechanism of a table without the rows that may contain typing errors. Leaves rows out, one after the
+/// other, until a mechanism explains the others exactly: the row of the most suspicious value or, if no value is
+/// suspicious, the row with the largest residual. Returns nullopt after maxTypingErrors() rows, if no row is left to
+/// suspect, or if the mechanism also explains a row that was left out. `table`: the result for all rows.
 std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table, const Task &task)
 {
     ReferenceData remaining = task.table;
@@ -218,14 +229,15 @@ std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table,
     return std::nullopt;
 }
 
-/// Whether the approximate formula explains the columns of a fit better than the exact motion does.
-bool isApproximateFormulaBetter(const LastFit &exact)
+/// Whether the approximate formula explains the columns of the last fit better than the exact motion does. False if the
+/// file does not contain θ2, which the formula needs.
+bool isApproximateFormulaBetter(const LastFit &exactMotion)
 {
-    const Fit &fit = exact.fit;
-    if (!fit.isFinite() || !exact.observations.hasAngle()) { // the formula needs θ2
+    const Fit &fit = exactMotion.fit;
+    if (!fit.isFinite() || !exactMotion.observations.hasAngle()) {
         return false;
     }
-    const Observations searched = selectRows(exact.observations, kSearchedRows);
+    const Observations searched = selectRows(exactMotion.observations, kSearchedRows);
     Model formula = fit.model;
     formula.isApproximateFormula = true;
     const Fit byFormula = fitModel(searched, std::move(formula), fit.columns, fit.unknowns);
@@ -233,7 +245,7 @@ bool isApproximateFormulaBetter(const LastFit &exact)
     return byFormula.misfit + kMaxMisfitIncrease < byExactMotion.misfit;
 }
 
-/// Whether a result reads R4_x from a different origin.
+/// Whether the conventions of a result measure R4_x from a different origin.
 bool needsOrigin(const Identification &result)
 {
     const Convention::Kind kind = Convention::Kind::ZeroPoint;
@@ -243,8 +255,8 @@ bool needsOrigin(const Identification &result)
 }
 
 /// Identifies the mechanism with which the approximate formula of textbooks explains a table exactly; nullopt if there
-/// is none, or if the exact motion explains the table as well and as simply. `asInFile`: the result with the exact
-/// motion, which may need an origin of R4_x where the formula needs none.
+/// is none, if it has the crossed assembly, or if the exact motion explains the table as well and as simply.
+/// `asInFile`: the result with the exact motion, which may need an origin of R4_x where the formula needs none.
 std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable &asInFile, const Task &task)
 {
     const LastFit &exactMotion = asInFile.findings.lastFit;
@@ -266,8 +278,10 @@ std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable
     return std::move(result);
 }
 
-/// Tries unlikely readings of a table. Returns the best result of one that explains everything exactly, or that of
-/// `asInFile`, the table as it is in the file, if that is as good.
+/// Tries unlikely readings of a table (README.md): the approximate formula, the geometry of higher derivatives,
+/// conventions of the table, and typing errors. Returns the best result that explains everything exactly, or that of
+/// `asInFile`, the table as it is in the file, if none is better. The approximate formula, if it is accepted, comes
+/// first.
 Identification tryUnlikelyReadings(IdentifiedTable asInFile, const Task &task)
 {
     if (std::optional<Identification> result = identifyByApproximateFormula(asInFile, task)) {

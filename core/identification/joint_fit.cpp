@@ -15,8 +15,8 @@ namespace slidercrank
 namespace
 {
 
-/// Whether the last column of a fit, which was added to the others, is explained: its residuals are rounding, or they
-/// are below two limits, that of any explained column and largestFurtherResidual(). `others`: the fit without it.
+/// Whether the last column of a fit, which was added to the others, is explained: rounding explains its residuals, or
+/// they are below the limits of both isExplained() and largestFurtherResidual(). `others`: the fit without this column.
 bool isLastColumnExplained(const Observations &observations, const Fit &together, const Fit &others)
 {
     const Index place = std::ssize(together.columns) - 1;
@@ -26,7 +26,7 @@ bool isLastColumnExplained(const Observations &observations, const Fit &together
                 largestFurtherResidual(observations, others) * columnSize(observations, together, place));
 }
 
-/// The origin with which the prediction, multiplied by a factor, fits a column of positions best; 0 for derivatives.
+/// The origin with which the motion times `factor` fits a column of positions best (the median); 0 for derivatives.
 double bestOrigin(const Observations &observations, const Fit &fit, Index k, double factor)
 {
     const ObservedColumn &column = observations.columns[k];
@@ -66,8 +66,9 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
     return readings;
 }
 
-/// Whether the last column of a fit may be used: one that seems to contain difference quotients may be a genuine
-/// derivative nevertheless.
+/// Whether the last column of a fit may be used: it does not contain difference quotients of printed values for certain
+/// (isPrintedDifference), and if it only agrees with difference quotients (isDifference), its residuals are as small as
+/// rounding.
 bool mayUseLastColumn(const Observations &observations, const Fit &fit)
 {
     const Index place = std::ssize(fit.columns) - 1;

@@ -27,8 +27,7 @@ Values largestChangeToNeighbours(const Values &values)
     return largest;
 }
 
-/// Which rows have an outlier in fit.columns[place]: a residual that is far from those of the other rows, and larger
-/// than rounding or a row that is a little late could make it.
+/// Which rows have an outlier in fit.columns[place], see fitAllRows().
 Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fit, Index place)
 {
     constexpr double kMaxDeviations = 8.0;         // robust standard deviations: noise does not reach them in any file
@@ -49,7 +48,8 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
     return errors > limit && errors > harmless;
 }
 
-/// Replaces the rows with an outlier by gaps, and returns them; no rows if they are too many.
+/// Replaces the values in rows with an outlier by gaps, and returns these rows. If they are too many, replaces nothing
+/// and returns no rows.
 Indices excludeOutliers(Observations &observations, const Fit &fit)
 {
     Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
@@ -87,7 +87,7 @@ Order lowestOrderOfLengths(const Observations &observations, const Fit &fit)
 
 /// The standard errors because of rounded time stamps, whose start and duration may be anywhere within their margins:
 /// those of the speed and the angle of the crank, and of the lengths if n-th derivatives determine them, which are
-/// proportional to a ω2ⁿ.
+/// proportional to a ω2ⁿ. All are 0 if the model follows the angle in the file.
 ParameterErrors errorsOfClock(const Observations &observations, const Fit &fit)
 {
     ParameterErrors errors{};
@@ -107,7 +107,8 @@ ParameterErrors errorsOfClock(const Observations &observations, const Fit &fit)
 
 /// Computes the covariance of the unknowns and the standard errors of the parameters at t = 0 of the file. Two more
 /// independent errors are added to those of the fit: `possibleErrors`, and the step to the minimum that the search did
-/// not make if it ended early. The standard errors also contain those of the clock, which change nothing in the fit.
+/// not make if it ended early. The standard errors also contain errorsOfClock(), which the covariance does not contain,
+/// because these change no residual.
 void computeErrors(LastFit &result, const ParameterErrors &possibleErrors)
 {
     const ParameterErrors clockErrors = errorsOfClock(result.observations, result.fit);
@@ -116,7 +117,8 @@ void computeErrors(LastFit &result, const ParameterErrors &possibleErrors)
     covariance = result.dependence * computeCovariance(fit);
     Eigen::VectorXd step = stepToMinimum(fit);
     if (!fit.model.followsAngle && fit.isFree(Parameter::Omega2) && fit.isFree(Parameter::Theta20)) {
-        // The unknown is the angle in the middle of the file: θ20 at its t = 0 is CrankAngle - ω2 timeOrigin.
+        // The unknown θ20 is the angle in the middle of the file. At t = 0 of the file, the angle is θ20 - ω2
+        // timeOrigin.
         const Index angle = fit.indexOf(Parameter::Theta20);
         const Index speed = fit.indexOf(Parameter::Omega2);
         covariance.row(angle) -= result.observations.timeOrigin * covariance.row(speed);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Whether a single wrong length of the given mechanism explains why a different one produced the file.
+// Whether a single wrong length of the given mechanism explains why it differs from the mechanism that produced the
+// file.
 
 #include "core/identification/fit.h"
 #include "core/identification/identification.h"

@@ -25,22 +25,26 @@ using Objective = std::function<std::optional<LocalShape>(const Eigen::VectorXd 
 
 struct MinimizerOptions {
     int iterationLimit = 200;
-    double smallestGain = 1e-4; ///< a step that changes the value by less ends the search
+    double smallestGain = 1e-4; ///< see Minimum::Status::Converged
 };
 
 struct Minimum {
     enum class Status {
-        Converged,     ///< the last step changed the value by less than the smallest gain
+        Converged,     ///< the last step changed the value by less than MinimizerOptions::smallestGain. A step that
+                       ///< lowered the value counts only if it was hardly damped, because a damped step is short.
         NoProgress,    ///< no step lowers the value, however short
-        IterationLimit ///< the value may be lower elsewhere
+        IterationLimit ///< the limit was reached before one of the above
     };
+
+    /// Why the search ended. fitModel() accepts a minimum with any status; what is missing to the minimum becomes a
+    /// part of the standard errors (see stepToMinimum()).
     Status status = Status::IterationLimit;
     Eigen::VectorXd point;
     LocalShape shape; ///< the function near the point
     int iterations = 0;
 };
 
-/// Searches a minimum from `start`. Returns nullopt if the function does not exist there.
+/// Searches a local minimum from `start`. Returns nullopt if the function does not exist there.
 std::optional<Minimum> minimize(const Objective &function, Eigen::VectorXd start, const MinimizerOptions &options);
 
 /// The factors by which rows and columns of a positive semidefinite matrix are multiplied to get a unit diagonal.

@@ -25,7 +25,7 @@ Model withReversedCrank(Model model, double sum)
     return model;
 }
 
-/// Changes the reading of a column whose motion in the image is `sum` minus that of the model: its values are the same.
+/// Changes a reading so that its values remain the same when the motion of the column becomes `sum` minus the motion.
 void subtractMotionFrom(double sum, ColumnReading &reading)
 {
     reading = {-reading.factor, reading.origin + reading.factor * sum};
@@ -194,7 +194,7 @@ ImageRank rankImage(const Observations &observations, const Fit &fit, const Mode
             .distanceOfC = std::abs(m.c - given.c) / sumOfOffsets};
 }
 
-/// θ2 becomes half a turn minus θ2, at which θ3 is the same.
+/// The model whose crank is at half a turn minus θ2 where that of the given model is at θ2: θ3 is the same there.
 Model withReflectedCrank(const Model &model, const Observations &observations)
 {
     Model image = withReversedCrank(model, kHalfTurn);
@@ -231,8 +231,8 @@ std::vector<Model> rankMirrorImages(const Observations &observations, const Fit 
     const Model inX = mirroredInX(fit.model, observations);
     std::vector<Model> images{fit.model, inX, mirroredInY(fit.model, observations), mirroredInY(inX, observations)};
     if (observations.containOnlyAngles(fit.columns)) {
-        const std::vector<Model> withCrankOfFit = images;
-        for (const Model &image : withCrankOfFit) {
+        const std::vector<Model> imagesWithCrankOfFit = images;
+        for (const Model &image : imagesWithCrankOfFit) {
             images.push_back(withReflectedCrank(image, observations));
         }
     }

@@ -23,7 +23,7 @@
 namespace slidercrank
 {
 
-/// How a column has to be read. The factor is ±1 times a unit conversion.
+/// How a column has to be read (see above). The factor is ±1 times a unit conversion.
 struct ColumnReading {
     double factor = 1.0;
     double origin = 0.0; ///< the value in the file where the motion is zero
@@ -38,8 +38,8 @@ inline double nearestHalfTurns(double origin, double factor)
     return halfTurn * std::rint(origin / halfTurn);
 }
 
-/// An oscillation of the angle of the crank, once per turn: cosine · cos φ + sine · sin φ (rad) with φ = ω2 t. A crank
-/// whose speed varies has it.
+/// An oscillation of the angle of the crank, once per turn: cosine · cos φ + sine · sin φ (rad) at the phase φ = ω2 t.
+/// It occurs if the speed of the crank varies with the load.
 struct Ripple {
     double cosine = 0.0;
     double sine = 0.0;
@@ -51,16 +51,19 @@ struct Ripple {
     double derivative(double phase) const { return sine * std::cos(phase) - cosine * std::sin(phase); }
 };
 
+/// A mechanism with the motion of its crank and the readings of the columns.
 struct Model {
-    Parameters mechanism{};                ///< θ20: in the middle of the file, or where the angle in the file is zero
+    /// θ20: the angle of the crank at t = 0 of the observations (the middle of the file) or, if followsAngle, where the
+    /// angle in the file is zero.
+    Parameters mechanism{};
     bool followsAngle = false;             ///< θ2 follows from the angle in the file
-    double angleFactor = 1.0;              ///< ±1 times a unit conversion
+    double angleFactor = 1.0;              ///< of the angle in the file: ±1 times a unit conversion
     double alpha2 = 0.0;                   ///< angular acceleration of the crank, rad/s²
     Ripple ripple{};                       ///< only if the angle is not that in the file
     bool isApproximateFormula = false;     ///< R4_x is that of the approximate formula (computeUnitSpeedMotion())
     std::vector<ColumnReading> readings{}; ///< reading of each column of the observations
 
-    /// The angle (rad), the speed (rad/s) and the acceleration (rad/s²) of the crank in a row.
+    /// The angle of the crank in a row, rad.
     double crankAngle(const Observations &observations, Index row) const
     {
         if (followsAngle) {
@@ -69,6 +72,8 @@ struct Model {
         const double phase = mechanism.omega2 * observations.time.values[row];
         return mechanism.theta20 + phase + (ripple.isZero() ? 0.0 : ripple.angle(phase));
     }
+
+    /// The speed of the crank in a row, rad/s.
     double crankSpeed(const Observations &observations, Index row) const
     {
         double speed = mechanism.omega2;
@@ -80,6 +85,8 @@ struct Model {
         }
         return speed;
     }
+
+    /// The angular acceleration of the crank in a row, rad/s².
     double crankAcceleration(const Observations &observations, Index row) const
     {
         const double w = mechanism.omega2;
@@ -148,8 +155,8 @@ Number motionAtSpeed(const TextbookMotion<Number> &motion, Channel channel, doub
     return motion.valueAt({channel.coordinate, Order::Position});
 }
 
-/// The motion of the model in each row, for some columns (mm, rad, s), before it is read as ColumnReading says. Returns
-/// one column for each of `columns`; NaN where the mechanism cannot be assembled or is singular.
+/// The motion of the model in each row (mm, rad, s), without the readings: a column for each of `columns`. NaN where
+/// the mechanism cannot be assembled or is singular, and in the remaining rows if the observations request a stop.
 Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observations, const Indices &columns);
 
 /// The values that some columns should contain: factor · motion + origin. Otherwise like computeMotion().

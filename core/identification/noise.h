@@ -11,7 +11,8 @@
 namespace slidercrank
 {
 
-/// How many standard errors a value may differ from the true one: it is farther away in one of 400 cases.
+/// How many standard errors a value may be from the true one. Of 400 values with normally distributed errors, one is
+/// farther away.
 inline constexpr double kStandardErrors = 3.0;
 
 /// How many residuals prove as much as one independent residual: 1 for noise, whose sign changes in every second row on

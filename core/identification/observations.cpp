@@ -43,7 +43,7 @@ bool statesUnit(const FileLayout &layout, Channel channel)
 
 /// Half of the rounding step of the value in each of `rows`, in mm or rad. `values`: all values, in mm or °; `unit`:
 /// the size of this unit in mm or rad; `size`: the largest magnitude of the values, in mm or rad, or 0 if all are zero.
-/// Zeros do not show their rounding.
+/// Zeros do not show their rounding, so that a step is assumed for them.
 Values computeHalfSteps(const std::vector<double> &values, const Rounding &rounding, const Indices &rows, double unit,
                         double size)
 {
@@ -127,8 +127,9 @@ struct Grid {
 /// function shows no more of its argument.
 constexpr int kBits = 26;
 
-/// The argument between `minimum` and `end` farthest from the minimum of a convex function where it is not positive:
-/// its root, or `end`. `minimum` if the function is positive everywhere.
+/// The argument between `minimum`, at which a convex function is least, and `end` that is farthest from `minimum` and
+/// at which the function is not positive: its root there, or `end` if it has none. Returns `minimum` if the function is
+/// nowhere negative.
 template <class Function>
 double farthestBelowZero(const Function &function, double minimum, double end)
 {
@@ -145,10 +146,10 @@ double farthestBelowZero(const Function &function, double minimum, double end)
     return 0.5 * (left + right);
 }
 
-/// The time stamps (or angles of a table) before they were rounded. Rounding explains a grid if each of its times is
-/// within half a rounding step of the printed time stamp. Returns the grid with the largest margin to these limits or,
-/// if none is within them, the one that exceeds them least. `gridNumbers`: how many spacings each time stamp is after
-/// the first one.
+/// Finds the time stamps (or angles of a table) before they were rounded. Rounding explains a grid if each of its times
+/// is within half a rounding step of the printed time stamp. Returns the grid with the largest margin to these limits
+/// or, if none is within them, the one that exceeds them least. `gridNumbers`: how many spacings each time stamp is
+/// after the first one.
 Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<double> &gridNumbers)
 {
     const Index last = printed.size() - 1;
@@ -178,8 +179,10 @@ Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<
     return grid;
 }
 
-/// Reads the time stamps of a file, or the angles of a table over the crank angle, in some rows. Evenly spaced ones are
-/// exact (clock.h), also if they were rounded.
+/// Reads the time stamps of a file (s), or the angles of a table over the crank angle (°), in some rows. Those that are
+/// evenly spaced as printed are taken as exact (clock.h). Those that are evenly spaced within their rounding are
+/// replaced by a grid; their half step remains, because a program may have computed its values at the printed ones (see
+/// withBestAbscissa()).
 Abscissa readAbscissa(const std::vector<double> &stamps, const Rounding &rounding, const Indices &rows)
 {
     const Clock clock = clockOf(stamps, rounding);
@@ -206,8 +209,8 @@ void observeTime(Observations &observations, const ReferenceData &data)
     time.printed -= observations.timeOrigin;
 }
 
-/// Whether the rows are too far apart to show how many turns the crank makes, and in which direction. Half a turn
-/// between two rows hides the direction; a quarter leaves a margin. `angle`: rad, without jumps.
+/// Whether too many rows are too far apart to show how many turns the crank makes, and in which direction. Half a turn
+/// between two rows hides the direction; a quarter of a turn leaves a margin. `angle`: rad, without jumps.
 bool hidesTurns(const Values &angle)
 {
     const Index pairs = angle.size() - 1;
@@ -218,7 +221,7 @@ bool hidesTurns(const Values &angle)
 /// no row shows.
 void countTurnsInGaps(Values &angle, const Values &time)
 {
-    constexpr double kGap = 1.5; // usual times between two rows
+    constexpr double kMinGap = 1.5; // in units of the usual time between two rows
     const Index pairs = angle.size() - 1;
     const Values durations = time.tail(pairs) - time.head(pairs);
     const Values advances = angle.tail(pairs) - angle.head(pairs);
@@ -226,7 +229,7 @@ void countTurnsInGaps(Values &angle, const Values &time)
     const double usualSpeed = median(advances / durations);
     double turns = 0.0;
     for (Index i = 0; i < pairs; ++i) {
-        if (durations[i] > kGap * usualDuration) {
+        if (durations[i] > kMinGap * usualDuration) {
             turns += std::rint((usualSpeed * durations[i] - advances[i]) / kTurn);
         }
         angle[i + 1] += kTurn * turns;

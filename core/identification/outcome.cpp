@@ -22,12 +22,13 @@ using Lack = Identification::Lack;
 using Rejection = Identification::Rejection;
 using LengthScale = Identification::LengthScale;
 
-/// A parameter is left open if its standard error is a larger fraction of its size (see findOpenParameters()): a value
-/// that is less certain is of no use.
+/// A parameter is left open if its standard error is a larger fraction of its size (parameterSize()): a value that is
+/// less certain is of no use.
 constexpr double kMaxError = 0.2;
 
-/// The same for a. Standard errors are computed as if the motion were a linear function of the unknowns. If a is less
-/// certain than this, the motion is not, the standard errors of all parameters are too small, and all lengths are open.
+/// The limit for the relative error of a, beyond which all lengths are left open. Standard errors are computed as if
+/// the motion were a linear function of the unknowns. If a is less certain than this, the motion is not linear within
+/// its error, and the standard errors of all parameters are too small.
 constexpr double kMaxErrorOfCrank = 0.03;
 
 /// A parameter is left open if systematic residuals can change it by a larger fraction of its size (see
@@ -50,9 +51,10 @@ ColumnResidual describeResidual(const Observations &observations, const Fit &fit
             .percentOfRange = hasRange ? 100.0 * largest / column.range : 0.0};
 }
 
-/// How far the parameters may be off. Standard errors assume that the errors of many rows cancel. Systematic errors may
-/// all have the same sign, and n of these change a parameter √n times as much as n independent ones of the same
-/// size. The standard errors already contain the square root of the dependence of the residuals.
+/// How far the parameters may be off: their standard errors, enlarged if the residuals are systematic. Standard errors
+/// assume that the errors of many rows cancel. Systematic errors may all have the same sign, and n of these change a
+/// parameter √n times as much as n independent ones of the same size. The standard errors already contain the square
+/// root of the dependence of the residuals.
 ParameterErrors worstCaseErrors(const LastFit &lastFit, bool areResidualsSystematic)
 {
     ParameterErrors errors = lastFit.standardErrors;
@@ -90,17 +92,18 @@ bool arePositionsFromOrigin(const LastFit &lastFit)
            std::ranges::any_of(lastFit.fit.unknowns, &Unknown::isOrigin);
 }
 
-/// Whether systematic residuals leave every parameter open: the columns belong to one coordinate, so that no other one
-/// confirms the mechanism, and they are an arc, on which many motions resemble each other, or positions behind a
-/// filter, which resemble those of a different mechanism with a different origin.
+/// Whether systematic residuals, if there are any, would leave every parameter open: the columns belong to one
+/// coordinate, so that no other one confirms the mechanism, and they are an arc, on which many motions resemble each
+/// other, or positions that need an origin, which behind a filter resemble those of a different mechanism with a
+/// different origin.
 bool canBeAmbiguous(const LastFit &lastFit)
 {
-    const bool isAmbiguous = isShortArc(lastFit.observations, lastFit.fit.model) || arePositionsFromOrigin(lastFit);
-    return isAmbiguous && hasOneCoordinate(lastFit);
+    return hasOneCoordinate(lastFit) &&
+           (isShortArc(lastFit.observations, lastFit.fit.model) || arePositionsFromOrigin(lastFit));
 }
 
-/// Which unknown parameters the file leaves open. `errors`: the result of worstCaseErrors(). A parameter whose error is
-/// NaN belongs to the drive, and is open only if all are.
+/// Which of the parameters that are unknowns of the fit the file leaves open. `errors`: the result of
+/// worstCaseErrors(). A parameter of the drive may have the error NaN, which leaves it open only if all parameters are.
 ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors &errors, bool areResidualsSystematic)
 {
     const Fit &fit = lastFit.fit;
@@ -127,8 +130,7 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
     return open;
 }
 
-/// Whether the file lacks values (FewValues), rows (FewRowsPerTurn) or positions (UnevenSpeed) for the fit; otherwise
-/// Nothing.
+/// What the file lacks for the fit: values (FewValues), positions (UnevenSpeed), rows (FewRowsPerTurn) or Nothing.
 Lack findLackOfValues(const LastFit &lastFit, const Drive &drive)
 {
     constexpr double kSpareValues = 3.0;    // with fewer, small residuals prove nothing
@@ -173,7 +175,8 @@ Parameters completedByGiven(Parameters found, const ParameterFlags &isDetermined
     return found;
 }
 
-/// What is said about a crank whose speed changes; nullopt if the file does not show that. `found`: the parameters.
+/// Describes a speed that changes; nullopt if the file does not show that it does. `found`: the parameters at t = 0 of
+/// the file.
 std::optional<UnevenDrive> describeUnevenDrive(const Drive &drive, const Parameters &found)
 {
     if (!drive.hasChangingSpeed()) {
@@ -219,7 +222,7 @@ LengthScale findLengthScale(const LastFit &lastFit)
     return observations.containOnlyAngles(columns) ? LengthScale::GivenCrank : LengthScale::GivenSpeed;
 }
 
-/// The magnitudes of several possible speeds; empty if there is only one.
+/// The magnitudes of the possible speeds if there are several; otherwise empty.
 std::vector<double> possibleMagnitudes(const std::vector<double> &speeds)
 {
     std::vector<double> magnitudes;
@@ -259,7 +262,7 @@ void addAlternatives(Identification &result, const Findings &findings, const Par
     }
 }
 
-/// Sets the mechanism of an identified or approximate file and those of its other mirror images. Requires that
+/// Sets the mechanism of an identified or approximate file, its drive and the alternatives. Requires that
 /// result.identifiable has been set.
 void setMechanism(Identification &result, const Findings &findings, const Parameters &given)
 {
@@ -276,8 +279,8 @@ void setMechanism(Identification &result, const Findings &findings, const Parame
     addAlternatives(result, findings, isFromFit, given);
 }
 
-/// Sets what is known about the mechanism of an identified or approximate file, and which rows and columns it does not
-/// explain. `data`: the file.
+/// Sets which parameters of the mechanism of an identified or approximate file are known and how exactly, and which
+/// rows and columns it does not explain. `data`: the file.
 void setFindings(Identification &result, const ReferenceData &data, const Findings &findings)
 {
     const LastFit &lastFit = findings.lastFit;

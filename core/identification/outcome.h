@@ -8,11 +8,12 @@
 namespace slidercrank
 {
 
-/// Whether a file has too few rows or columns for any fit; Nothing if it has enough.
+/// What a file lacks for any fit: rows (FewValues), columns that change (NothingMoves) or Nothing.
 Identification::Lack findLack(const Observations &observations);
 
-/// The outcome without conventions and comparisons. Insufficient: the file has too few values, or leaves parameters of
-/// a mechanism open that explains it. None: no mechanism explains it.
+/// The outcome without conventions and comparisons. Insufficient: the file has too few values, or leaves parameters
+/// open of the mechanism that explains it. None: no mechanism explains it. `data`: the file from which `findings` were
+/// made. `given`: supplies the parameters that the file does not determine.
 Identification judge(const ReferenceData &data, const Findings &findings, const Parameters &given);
 
 } // namespace slidercrank

@@ -32,10 +32,13 @@ void appendForColumn(std::vector<ConventionFinding> &conventions, Kind kind, Cha
     conventions.push_back({{kind, {channel}, amount}});
 }
 
-/// Appends the convention that adds `amount` (° or mm) to a column. A usual amount, which is a multiple of 180° or 0
-/// mm, is exact: an odd multiple becomes HalfTurn, an even one WholeTurns, and 0 nothing. Another amount becomes
-/// ZeroPoint, with `errorOfAmount`. `hadJumps`: jumps by whole turns have to be removed from the column, which
-/// WholeTurns and HalfTurn do.
+/// Appends the convention that adds `amount` (° or mm) to a column:
+///   - ZeroPoint with `errorOfAmount` if the amount is not usual: farther than kOriginTolerance from a multiple of 180°
+///     (from 0 for lengths). If `hadJumps`, WholeTurns 0 comes before it.
+///   - HalfTurn if it is usual, and the multiple is odd.
+///   - WholeTurns if it is usual, and the multiple is even; but nothing if it is 0 and not `hadJumps`, and nothing for
+///     θ2, which is compared up to whole turns.
+/// `hadJumps`: jumps by whole turns have to be removed from the column, which HalfTurn and WholeTurns do.
 void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, double amount, double errorOfAmount,
                  bool hadJumps)
 {
@@ -51,13 +54,14 @@ void appendShift(std::vector<ConventionFinding> &conventions, Channel channel, d
         conventions.back().standardError = errorOfAmount;
     } else if (!areWholeTurns) {
         appendForColumn(conventions, Kind::HalfTurn, channel, usual);
-    } else if (channel != kCrankAngle && (usual != 0.0 || hadJumps)) { // crank angles are compared up to whole turns
+    } else if (channel != kCrankAngle && (usual != 0.0 || hadJumps)) {
         appendForColumn(conventions, Kind::WholeTurns, channel, usual);
     }
 }
 
-/// Appends the conventions that turn a column into `channel`: value = factor · motion + origin, so that the motion is
-/// value / factor - origin / factor. `errorOfOrigin`: standard error of the origin (mm, rad).
+/// Appends the conventions that turn the column `channel` into the motion, which is value / factor - origin / factor,
+/// because value = factor · motion + origin. `errorOfOrigin`: standard error of the origin (mm, rad). `hadJumps`: see
+/// appendShift().
 void appendReading(std::vector<ConventionFinding> &conventions, Channel channel, const ColumnReading &reading,
                    double errorOfOrigin, bool hadJumps)
 {

@@ -15,7 +15,7 @@ namespace slidercrank
 inline constexpr double kLargestNoise = 0.02;
 inline constexpr double kLargestSystematicResidual = 0.007;
 
-/// A fit explains the values as well as another one if its misfit is larger by at most this. The ratio of the
+/// A fit explains the values as well as a different one if its misfit is larger by less than this. The ratio of the
 /// likelihoods is less than exp(10) then: even among a thousand fits, chance seldom prefers one by more.
 inline constexpr double kMaxMisfitIncrease = 20.0;
 
@@ -23,8 +23,8 @@ inline constexpr double kMaxMisfitIncrease = 20.0;
 /// error of the fit, which is seldom larger.
 inline constexpr double kMaxBoundsBesideFit = 2.0;
 
-/// How far the values of fit.columns[place] may be off by their rounding: half a rounding step of the value, plus the
-/// motion during half a rounding step of the abscissa.
+/// How far the values of fit.columns[place] may be from the motion because of rounding: half a rounding step of the
+/// value, plus the motion during half a rounding step of the abscissa.
 Values roundingBounds(const Observations &observations, const Fit &fit, Index place);
 
 /// The size with which the residuals of fit.columns[place] are compared: the range of the column. R4_y is constant; its
@@ -41,16 +41,17 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index pl
 /// residuals.
 bool isNearRounding(const Observations &observations, const Fit &fit, Index place);
 
-/// Whether rounding explains the residuals of fit.columns[place], or they are noise or systematic and small.
+/// Whether rounding explains the residuals of fit.columns[place], or their rms, relative to columnSize(), is below
+/// kLargestNoise if their signs change like those of noise, or below kLargestSystematicResidual if not.
 bool isExplained(const Observations &observations, const Fit &fit, Index place);
 
-/// Whether rounding explains the residuals of all columns of the fit.
+/// Whether rounding explains the residuals of all columns of the fit; false if the fit is not finite.
 bool isExact(const Observations &observations, const Fit &fit);
 
-/// Whether a fit with no more unknowns explains its columns as well as `best`, a fit of the same columns, does: its
-/// residuals are rounding, or its misfit is higher by less than 20 (kMaxMisfitIncrease). As the misfit counts each
-/// independent error of systematic residuals several times (dependence() in noise.h), the share of each column is
-/// divided by that number.
+/// Whether a fit explains its columns as well as `best`, a fit of the same columns with at least as many unknowns,
+/// does: rounding explains its residuals, or its misfit is higher by less than kMaxMisfitIncrease. As the misfit counts
+/// each independent error of systematic residuals several times (dependence() in noise.h), the difference of each
+/// column is divided by that number. False if `fit` is not finite.
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best);
 
 /// Whether the file proves that the residuals of the fit are systematic, not rounding or noise: they keep their sign

@@ -34,9 +34,10 @@ double roundedTo(int decimalPlace, double value)
     return (decimalPlace < 0 ? std::round(value * power) / power : std::round(value / power) * power) + 0.0; // never -0
 }
 
+/// A decimal number.
 struct Decimal {
     double value = 0.0;
-    int digits = 0; ///< from the first one that is not zero to the last
+    int digits = 0; ///< number of digits from the first to the last one that is not zero
 };
 
 /// The number with the fewest digits within a tolerance of a value: a multiple of the largest possible power of ten.
@@ -53,8 +54,8 @@ std::optional<Decimal> shortestDecimal(double value, double tolerance, double mi
     return std::nullopt;
 }
 
-/// Rounds a value of an unknown in the units in which a person may have chosen it. The first of these is also the unit
-/// in which a number that nobody has chosen is rounded.
+/// Rounds a value of an unknown in the units in which a person may have chosen it (see findRoundNumber()). Origins are
+/// not rounded.
 RoundNumber roundInUsualUnits(Unknown unknown, double value, double standardError, double lengthUnit)
 {
     constexpr double kDegree = 1.0 / kDegreesPerRadian;
@@ -87,6 +88,7 @@ struct Estimate {
     Eigen::MatrixXd covariance; ///< covariance of the values
     double lengthUnit = 1.0;    ///< the unit in which lengths are rounded, mm
 
+    /// The standard error of an unknown, at least that of the arithmetic.
     double standardError(Index k) const
     {
         return std::max(std::sqrt(std::max(covariance(k, k), 0.0)), kFitArithmetic * unknowns[k].size);
@@ -153,7 +155,8 @@ RoundNumber roundUnknown(const Estimate &estimate, Index k)
                              estimate.lengthUnit);
 }
 
-/// Fixes unknowns at chosen numbers. Each that is fixed makes the others more certain, so that these may follow.
+/// Fixes all unknowns at chosen numbers (RoundNumber::isChosen) for which there are such. Each unknown that is fixed
+/// makes the others more certain, so that numbers may be found for these afterwards.
 void fixChosenNumbers(Estimate &estimate)
 {
     for (bool isAnyFixed = true; isAnyFixed;) {
@@ -168,7 +171,7 @@ void fixChosenNumbers(Estimate &estimate)
     }
 }
 
-/// Replaces parameters by their values in an estimate.
+/// Replaces those parameters that an estimate contains by their values in it.
 Parameters replaceByEstimate(Parameters parameters, const Estimate &estimate)
 {
     for (Index k = 0; k < estimate.values.size(); ++k) {
@@ -179,12 +182,14 @@ Parameters replaceByEstimate(Parameters parameters, const Estimate &estimate)
     return parameters;
 }
 
-/// Rounds the parameters of the last fit to a fraction of their standard errors, with the origins that it has found.
+/// Rounds the parameters of the last fit as if their standard errors were multiplied by `fraction`. The free origins
+/// keep their values; then chosen numbers are fixed (fixChosenNumbers()), then every other parameter is rounded to the
+/// first digit of its error.
 Parameters roundToErrors(const LastFit &lastFit, const Parameters &unrounded, double fraction)
 {
     Parameters rounded = unrounded;
     Estimate estimate = makeEstimate(lastFit, unrounded);
-    if (lastFit.fit.model.followsAngle) { // the drive has errors of its own
+    if (lastFit.fit.model.followsAngle) { // ω2 and θ20 are those of the drive, which have errors of their own
         for (const Parameter parameter : {Parameter::Omega2, Parameter::Theta20}) {
             const double error = fraction * lastFit.standardErrors[indexOf(parameter)];
             valueOf(rounded, parameter) =
@@ -233,7 +238,8 @@ bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit
 }
 
 /// Whether rounded parameters still explain what the fit from which they were rounded explains: each column that was
-/// nearly all within rounding still is, and the misfit is hardly higher. (For a fit, explainsAsWell() allows more.)
+/// nearly all within rounding still is, and the misfit is higher by less than a limit. (explainsAsWell(), which
+/// compares two fits, allows more.)
 bool areStillExplained(const Observations &observations, const Fit &rounded, const Fit &fit)
 {
     // The misfit of the true values of five parameters is higher than that of the fit by 5 on average, and seldom

@@ -10,6 +10,7 @@
 namespace slidercrank
 {
 
+/// A number with few digits near a value.
 struct RoundNumber {
     double value = 0.0;
     bool isChosen = false; ///< a person may have chosen it: it is 0, or an equally round number is near by chance with
@@ -18,21 +19,24 @@ struct RoundNumber {
 
 /// The number with the fewest digits that is within three standard errors of a value, where digits are counted in the
 /// unit among `units` that needs the fewest; 0 if the value is within three standard errors of 0. If that number is not
-/// so round that a person may have chosen it, returns the value rounded to the first digit of its standard error, in
-/// the first of `units`. Returns the value itself if its standard error is 0, infinite or NaN.
+/// so round that a person may have chosen it (RoundNumber::isChosen), returns the value rounded to the first digit of
+/// its standard error, in the first of `units`. Returns the value itself if its standard error is 0, infinite or NaN.
 RoundNumber findRoundNumber(double value, double standardError, std::span<const double> units);
 
-/// Rounds a length (mm) like findRoundNumber(), in a unit of `unit` mm.
+/// The result of findRoundNumber() for a length and its standard error in mm, in a unit of `unit` mm.
 RoundNumber roundLength(double value, double standardError, double unit);
 
-/// Rounds the lengths, ω2 (in rad/s, °/s or rpm) and θ20 (in ° or rad) of a last fit, as far as they explain the file
-/// as well with the origins that the fit has found. `unrounded`: the parameters without rounding.
+/// Rounds the lengths, ω2 (in rad/s, °/s or rpm) and θ20 (in ° or rad) of a last fit together. If they do not explain
+/// the file as well, with the origins of the fit, tries again as if the standard errors were a tenth and a hundredth of
+/// what they are; if none of these explains the file as well, returns `unrounded`, the parameters of the fit at t = 0
+/// of the file.
 Parameters roundedParameters(const LastFit &lastFit, const Parameters &unrounded);
 
-/// If a fit has free origins, moves it to the chosen numbers of its parameters and of the origin of θ2, and to the
-/// other origins that suit them. Does nothing if these do not explain the file as well. (An origin depends on the
-/// lengths: if a coupler is 0.3 mm longer and the origin 0.3 mm farther away, the positions in the file are nearly the
-/// same.)
+/// If a fit has free origins, moves its parameters, and the origin of θ2, to numbers that a person may have chosen
+/// (RoundNumber::isChosen), and the other origins to the values that suit these. Does nothing if the result does not
+/// explain the file as well. (An origin depends on the lengths: if a coupler is 0.3 mm longer and the origin 0.3 mm
+/// farther away, the positions in the file are nearly the same.) Free origins include θ20 of a model that follows the
+/// angle in the file. `unrounded`: the parameters of the fit at t = 0 of the file.
 void moveToChosenNumbers(LastFit &lastFit, const Parameters &unrounded);
 
 } // namespace slidercrank

@@ -18,8 +18,8 @@ namespace slidercrank
 namespace
 {
 
-/// Whether the lengths in some columns over the angle of the crank are all velocities, which show only the product a
-/// ω2, or all accelerations, which show only a ω2², and no rate of an angle shows ω2.
+/// Whether some columns over the angle of the crank contain lengths, but these are all velocities, which show only the
+/// product a ω2, or all accelerations, which show only a ω2², and no rate of an angle shows ω2.
 bool showOnlyProductWithSpeed(const Observations &observations, const Indices &columns)
 {
     return !determineLengths(observations, columns) && !observations.containOnlyAngles(columns);
@@ -78,8 +78,8 @@ std::optional<Fit> withSpeedOfTwoOrders(const Observations &observations, const 
 }
 
 /// Angles show only ratios of lengths. Returns a fit of angles together with the first column of lengths that the same
-/// mechanism explains in a different size; the same fit if there is none. Where a table over the crank angle leaves ω2
-/// open, a derivative only shows the size at the assumed speed. `drive`: the kind of the drive; if it is Uneven,
+/// mechanism explains in a different size; the same fit if there is none. If a table over the crank angle leaves ω2
+/// open, a derivative shows the size at the assumed speed only. `drive`: the kind of the drive; if it is Uneven,
 /// nothing predicts derivatives.
 Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::Kind drive)
 {

@@ -17,10 +17,12 @@ namespace slidercrank
 /// do not depend on the speed.)
 Model modelAtSpeed(const Observations &observations, const Fit &fit, double omega2);
 
+/// The result of withSpeedAndSize().
 struct FitWithSpeeds {
     Fit fit; ///< of the geometry, with the columns that had to be added and the speed that they show
 
-    /// In a table over the crank angle, the values of ω2 that the derivatives allow, rad/s.
+    /// In a table over the crank angle, the candidates for ω2 (rad/s) that the derivatives allow, see
+    /// findTableSpeeds().
     std::vector<double> speeds{};
 };
 

@@ -61,12 +61,13 @@ double misfitOfHarmonics(const Observations &observations, const Indices &column
     return misfit;
 }
 
+/// A point of the periodogram.
 struct Trial {
-    double speed = 0.0; ///< rad/s
-    double misfit = 0.0;
+    double speed = 0.0;  ///< rad/s
+    double misfit = 0.0; ///< the result of misfitOfHarmonics()
 };
 
-/// The trials that are no worse than their neighbours.
+/// The trials whose misfit is not higher than that of either neighbour.
 std::vector<Trial> findLocalMinima(const std::vector<Trial> &trials)
 {
     std::vector<Trial> minima;
@@ -121,9 +122,8 @@ struct CrossingCount {
     }
 };
 
-/// Those of equally spaced numbers of turns that the crank may have made in the file, according to the number of
-/// crossings. If crossings may be missed, these are all numbers up to half a turn per row: a faster crank gives the
-/// same positions as one of these.
+/// Equally spaced numbers of turns, without those that the number of crossings excludes. If crossings may be missed,
+/// the numbers end at half a turn per row: a faster crank gives the same positions as a slower one.
 std::vector<double> possibleTurns(const CrossingCount &crossings)
 {
     constexpr double kSpacing = 0.1;  // a tenth of the width of a minimum of the periodogram
@@ -174,7 +174,7 @@ std::vector<Trial> computePeriodogram(const Observations &observations, const In
     return trials;
 }
 
-/// Speeds (rad/s) of a crank that makes about one turn in the file, or only a part of one; the highest first.
+/// Speeds (rad/s) of a crank that makes one and a half turns in the file or less; the highest first.
 std::vector<double> arcSpeeds(const Observations &observations)
 {
     constexpr double kMaxTurns = 1.5;  // one and a half turns may have only the two crossings of a single turn

@@ -10,7 +10,8 @@
 namespace slidercrank
 {
 
-/// Returns candidates for |ω2|, rad/s, the most likely one first.
+/// Returns candidates for |ω2|, rad/s, the most likely one first. `columns`: those from which the geometry is to be
+/// found.
 ///
 /// A column crosses the middle of its range twice per turn, or more often, which limits the number of turns. The
 /// candidates are the best minima of a periodogram: for each speed, a constant and two harmonics are fitted to all

@@ -30,7 +30,8 @@ bool movesAlongY(const ReferenceData &data)
     return moves;
 }
 
-/// The columns whose headings may be exchanged, because the result does not explain the columns under these headings.
+/// The columns whose headings may be exchanged, because `result` does not explain them. If it explains nothing, θ3 and
+/// R4_x.
 std::vector<Channel> findDoubtfulHeadings(const Identification &result)
 {
     constexpr double kMinPercent = 10.0; // of the peak: a filter leaves less, a wrong heading leaves more
@@ -49,9 +50,9 @@ std::vector<Channel> findDoubtfulHeadings(const Identification &result)
     return doubtful;
 }
 
-/// A conversion of the time stamps that is worth a trial if derivatives are left out from a file over the time, because
-/// derivatives do not suit the positions if the unit of the clock is wrong: from seconds to milliseconds, or from
-/// a different unit to seconds.
+/// If derivatives are left out from a file over the time, the unit of its time stamps may be wrong. Returns the
+/// conversion that corrects it then: from seconds to milliseconds, or from a different unit to seconds. Otherwise
+/// returns nullopt.
 std::optional<Convention> possibleUnitOfClock(const ReferenceData &data, const Identification &result)
 {
     const auto isDerivative = [](const LeftOutColumn &column) { return column.channel.order != Order::Position; };

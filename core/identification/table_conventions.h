@@ -15,8 +15,8 @@ namespace slidercrank
 /// `rotatesAngles`: whether angles are also measured from the new x axis.
 std::optional<Convention> findAxisRotation(const ReferenceData &data, bool rotatesAngles);
 
-/// Conventions of the table, one of which may explain what a result does not: two headings exchanged, or a clock in a
-/// different unit.
+/// Conventions of the table, one of which may explain what `result`, that of the table as it is in the file, does not
+/// explain: a clock in a different unit, or two headings exchanged.
 std::vector<Convention> possibleTableConventions(const ReferenceData &data, const Identification &result);
 
 } // namespace slidercrank

@@ -27,10 +27,12 @@ struct Vote {
     bool contradictsUnit = false; ///< see contradictsUnit()
 };
 
+/// Whether two speeds or factors are equal apart from their signs and from the effect of rounding.
 bool haveSameMagnitude(double value, double other)
 {
-    constexpr double kTolerance = 0.03; // coarsely rounded tables have smaller errors, wrong units far larger ones
-    return std::abs(std::abs(value / other) - 1.0) < kTolerance;
+    // The rounding of a coarse table changes a speed by less, a wrong unit by far more.
+    constexpr double kRelativeTolerance = 0.03;
+    return std::abs(std::abs(value / other) - 1.0) < kRelativeTolerance;
 }
 
 /// Whether a speed has the magnitude of the given one. (haveSameMagnitude() allows more, but in other units speeds may
@@ -58,8 +60,8 @@ bool contradictsUnit(const ObservedColumn &column, const Model &model, double un
     return unitOfCrankAngle != 1.0 && unit != unitOfCrankAngle;
 }
 
-/// The scale of a derivative at 1 rad/s by a mechanism that is fitted to it together with the columns of the fit;
-/// nullopt if no mechanism explains them all. `start`: the scale by the fit alone, with which the search starts.
+/// The scale of a derivative at ω2 = 1 rad/s by a mechanism that is fitted to it together with the columns of the fit;
+/// nullopt if no mechanism explains all of them. `start`: the scale by the fit alone, with which the search starts.
 std::optional<ColumnScale> scaleOfJointFit(const Observations &observations, const Fit &fit, Index k,
                                            const ColumnScale &start)
 {
@@ -82,8 +84,9 @@ std::optional<ColumnScale> scaleOfJointFit(const Observations &observations, con
                        .isNearRounding = isNearRounding(observations, *together, std::ssize(together->columns) - 1)};
 }
 
-/// The scale of a derivative at 1 rad/s. If the mechanism of the fit does not explain the derivative, its positions may
-/// have been rounded too coarsely to determine it; then the scale is that of scaleOfJointFit(), if there is one.
+/// The scale of a derivative at ω2 = 1 rad/s. If the mechanism of the fit does not explain the derivative, perhaps
+/// because the positions are too coarsely rounded to determine the mechanism, returns scaleOfJointFit() if there is
+/// one.
 ColumnScale scaleOfDerivative(const Observations &observations, const Fit &fit, Index k)
 {
     Model atUnitSpeed = fit.model;
@@ -215,9 +218,8 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
         return {*speed};
     }
     std::vector<double> bestSpeeds = findBestSpeeds(supports, bestRank);
-    // A tenth of the given speed: the values of a single velocity may be in cm/s under a heading that says mm/s.
-    const Vote &vote = votes.front();
-    const bool isVelocityOfLength = vote.isVelocity && !observations.columns[vote.column].containsAngles();
+    const Vote &firstVote = votes.front();
+    const bool isVelocityOfLength = firstVote.isVelocity && !observations.columns[firstVote.column].containsAngles();
     if (bestSpeeds.size() == 1 && bestRank.first == 1 && isVelocityOfLength &&
         isGivenSpeed(10.0 * bestSpeeds[0], givenSpeed)) {
         bestSpeeds.push_back(10.0 * bestSpeeds[0]);

@@ -20,14 +20,14 @@ namespace
 /// is wrong, the five differences that contain it change by its error times these factors.
 constexpr std::array kFourthDifference{1.0, -4.0, 6.0, -4.0, 1.0};
 
-/// An error of one value, and how much of the squares of the fourth differences around it this error explains.
+/// An error of one value, and by how much this error explains the sum of squares of the fourth differences around it.
 struct PossibleError {
     double error = 0.0;
     double explained = 0.0;
 };
 
-/// The error of a value that explains the fourth differences around it best, by least squares. Differences that contain
-/// a gap do not count.
+/// Estimates the error of the value in a row: the one that explains the fourth differences around it best, by least
+/// squares. Differences that contain a gap do not count.
 PossibleError estimateError(const std::vector<double> &values, std::size_t row)
 {
     double sum = 0.0;
@@ -48,6 +48,7 @@ PossibleError estimateError(const std::vector<double> &values, std::size_t row)
     return weight > 0.0 ? PossibleError{sum / weight, sum * sum / weight} : PossibleError{};
 }
 
+/// The result of estimateError() for each value.
 std::vector<PossibleError> estimateErrors(const std::vector<double> &values)
 {
     std::vector<PossibleError> errors(values.size());
@@ -60,7 +61,8 @@ std::vector<PossibleError> estimateErrors(const std::vector<double> &values)
 /// A value that is far from the curve through its neighbours.
 struct SuspiciousValue {
     std::size_t row = 0;
-    double suspicion = 0.0; ///< its error, relative to the median of the errors of the other values and to its rounding
+    double suspicion = 0.0; ///< its error, divided by the median of the errors of the other values or, if that is
+                            ///< smaller, by half a rounding step
 };
 
 /// The value of a column that is most probably a typing error.

@@ -11,8 +11,8 @@ namespace slidercrank
 namespace
 {
 
-/// Values in the shape of fit.residuals as one column. Each is divided by the size of the errors of its column, so that
-/// all weigh the same. Gaps are 0.
+/// The elements of `values`, which has the shape of fit.residuals, as one column. Each is divided by the size of the
+/// errors of its column in the file, so that all columns weigh the same. Gaps are 0.
 Eigen::VectorXd weightedColumn(const Observations &observations, const Fit &fit, const Eigen::ArrayXXd &values)
 {
     Eigen::ArrayXXd weighted = fit.residuals.isFinite().select(values, 0.0);
@@ -23,8 +23,8 @@ Eigen::VectorXd weightedColumn(const Observations &observations, const Fit &fit,
     return weighted.reshaped();
 }
 
-/// The derivative of all predictions by a number of the model, as weightedColumn(), by central differences. `add`: adds
-/// an amount to this number in a model. `size`: its order of magnitude.
+/// The derivative of all predictions by a number of the model, in the form of weightedColumn(), by central differences.
+/// `add`: adds an amount to this number in a model. `size`: its order of magnitude.
 template <class Add>
 Eigen::VectorXd derivativeOfPredictions(const Observations &observations, const Fit &fit, double size, const Add &add)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The lengths that a file over the time would have shown if the speed of the crank had varied.
+// How the parameters found in a file over the time would change if the speed of the crank had varied.
 
 #include "core/identification/last_fit.h"
 

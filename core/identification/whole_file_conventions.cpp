@@ -62,13 +62,13 @@ std::vector<double> possibleFactors(std::span<const double> units, double unitIn
     return {1.0, 1.0 / unitInFile};
 }
 
-/// The one of some factors that is nearest to |wanted|, by their ratio.
+/// The one of some factors whose ratio to |wanted| is nearest to 1.
 double nearestFactor(const std::vector<double> &factors, double wanted)
 {
     return std::ranges::min(factors, {}, [&](double factor) { return std::abs(std::log(std::abs(wanted) / factor)); });
 }
 
-/// What all columns of a file are multiplied by.
+/// The factors by which all lengths and all times of a file are multiplied.
 struct WholeFileFactors {
     double length = 1.0;
     double time = 1.0;       ///< of the times; derivatives are multiplied by its inverse powers
@@ -82,7 +82,7 @@ WholeFileFactors findFactorsTowards(const Parameters &given, const Parameters &f
     const auto length = std::ranges::find_if(data.series, isLength);
     const double lengthUnit = length != data.series.end() ? length->rounding.unitFactor : 1.0;
     WholeFileFactors factors{.length = nearestFactor(possibleFactors(kLengthUnits, lengthUnit), given.a / found.a)};
-    if (!data.crank) { // a table over the crank angle shows neither
+    if (!data.crank) { // a table over the crank angle has no times and shows no sense of rotation
         factors.time =
             nearestFactor(possibleFactors(kTimeUnits, data.timeRounding.unitFactor), found.omega2 / given.omega2);
         factors.isReversed = found.omega2 * given.omega2 < 0.0;
@@ -90,8 +90,8 @@ WholeFileFactors findFactorsTowards(const Parameters &given, const Parameters &f
     return factors;
 }
 
-/// Appends the conventions of factors. θ3 of the crossed assembly is near 180°; negated, it is near -180°, and one turn
-/// is added to it. `branch`: the assembly of the mechanism found.
+/// Appends the conventions that multiply the columns by `factors`. θ3 of the crossed assembly is near 180°; if it is
+/// negated, it is near -180°, and one turn is added to it. `branch`: the assembly of the mechanism found.
 void appendFactors(std::vector<ConventionFinding> &conventions, const WholeFileFactors &factors,
                    const ReferenceData &data, Branch branch)
 {
@@ -114,8 +114,8 @@ void appendFactors(std::vector<ConventionFinding> &conventions, const WholeFileF
     }
 }
 
-/// Changes the parameters and their errors to those that are found after the columns have been multiplied. Reversed
-/// angles are those of the image in the x axis: c, ω2 and θ20 change their sign.
+/// Changes the parameters and their errors to those that are found after the columns have been multiplied. If angles
+/// are reversed, the mechanism is mirrored in the x axis: c, ω2 and θ20 change their signs.
 void multiplyMechanism(WholeFileConventions &result, const WholeFileFactors &factors)
 {
     Parameters &found = result.parameters;

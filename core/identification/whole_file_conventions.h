@@ -15,13 +15,14 @@ namespace slidercrank
 struct WholeFileConventions {
     std::vector<ConventionFinding> conventions{};
     Parameters parameters;
-    ParameterErrors standardErrors{};
+    ParameterErrors standardErrors{}; ///< of the parameters
 };
 
 /// A different length unit, times in milliseconds, the other sense of rotation, a late start and the other assembly
 /// cannot be distinguished from a different mechanism. Returns such conventions only if the mechanism found is the
 /// given one after they are applied, and only if one or two of them are sufficient (in a file with θ2: one). Otherwise
-/// returns no conventions, and `found`. `data`: the file after all other conventions were applied.
+/// returns no conventions, and `found` with its `standardErrors`. `data`: the file after all other conventions were
+/// applied.
 WholeFileConventions findWholeFileConventions(const ReferenceData &data, const Parameters &found,
                                               const ParameterErrors &standardErrors, const Parameters &given);
 
