@@ -130,8 +130,8 @@ private slots:
     void wrapsAnglesIntoOneTurn()
     {
         for (int halfTurns = -2000; halfTurns <= 2000; ++halfTurns) {
-            for (const double towards : {-kInfinity, 0.0, kInfinity}) { // and the neighbours of the double
-                const double angle = std::nextafter(halfTurns * std::numbers::pi, towards);
+            const double middle = halfTurns * std::numbers::pi;
+            for (const double angle : {std::nextafter(middle, -kInfinity), middle, std::nextafter(middle, kInfinity)}) {
                 const double wrapped = wrapToPi(angle);
                 const double positive = wrapToTwoPi(angle);
                 QVERIFY2(wrapped >= -std::numbers::pi && wrapped < std::numbers::pi,
