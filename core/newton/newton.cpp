@@ -277,8 +277,11 @@ private:
     /// Computes velocity and acceleration, and decides whether they are accurate enough (kResolvedFraction). By
     ///     b cos θ3 θ̈3 = a ω² sin θ2 + b sin θ3 θ̇3²
     /// the uncertainty of the two terms on the right must be small compared with θ̈3 itself (at an exact toggle they
-    /// nearly cancel) or, if that is larger, with its ordinary magnitude. The uncertainty of sin θ3 is the residual or,
-    /// if larger, its rounding error.
+    /// nearly cancel) or, if that is larger, with its ordinary magnitude. The uncertainty s of sin θ3 is the residual
+    /// or, if larger, its rounding error. It changes θ̇3², which is inversely proportional to cos² θ3, by up to
+    /// 2 s/cos² θ3 of itself; hence, apart from the factor 2, the condition
+    ///     s (a ω² + b θ̇3²) <= kResolvedFraction · cos³ θ3 · b |θ̈3|.
+    /// In addition, the term of the crank must exceed the rounding error of that of the coupler.
     void differentiate()
     {
         State &state = m_timeStep.state;
@@ -294,7 +297,7 @@ private:
         const double termUncertainty = sineUncertainty * (crankTerm + couplerTerm);
         const double ordinaryMagnitude = crankTerm * relativeAcceleration(m_mechanism);
         const double magnitude = std::max(b * std::abs(state.qDDot[Theta3]), ordinaryMagnitude);
-        // If the coupler is much shorter than the crank, its accelerations hide those of the crank in rounding.
+        // If the coupler is much shorter than the crank, its term is so large that rounding hides that of the crank.
         const bool isCrankResolved = kEpsilon * couplerTerm <= kResolvedFraction * kResolvedFraction * crankTerm;
         const bool exists = isFinite && isCrankResolved &&
                             termUncertainty <= kResolvedFraction * (cosine * cosine) * cosine * magnitude;

@@ -28,8 +28,9 @@ enum class Elimination {
 struct NewtonOptions {
     int maxIterations = 10;
 
-    /// The iteration ends when the residual is at most this and determines two digits of the motion
-    /// (kResolvedFraction). It bounds the residual, not the error. 0: iterate until the residual no longer decreases.
+    /// The iteration ends when the residual is at most this, and small enough that velocity and acceleration have at
+    /// least two correct digits (kResolvedFraction in newton.h). It bounds the residual, not the error. 0: iterate
+    /// until the residual no longer decreases.
     double tolerance = 1e-8;
 
     ToleranceKind toleranceKind = ToleranceKind::Absolute;

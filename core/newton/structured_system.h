@@ -92,7 +92,7 @@ public:
         return std::sqrt(perLength * perLength * lengthsSquared + anglesSquared);
     }
 
-    // C_q x = r, with (a/2) u(θ2) = (Ax, Ay) and (b/2) u(θ3) = (Bx, By). Nine rows give one unknown each as soon as
+    // C_q x = r, with (a/2) u(θ2) = (Ax, Ay) and (b/2) u(θ3) = (Bx, By). Eight rows give one unknown each as soon as
     // those before it are known:
     //
     //     θ1 = r3      R1 = (r1, r2)      θ4 = r10 + θ1      θ2 = r12      R4y = r11
