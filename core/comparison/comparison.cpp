@@ -22,6 +22,9 @@ namespace
 /// appear larger by some units in the last place.
 constexpr double kUlpSlack = 4.0 * kEpsilon;
 
+/// rad: a smaller rotation of the crank is lost in the rounding errors of the motion.
+constexpr double kNegligibleRotation = 1e-12;
+
 constexpr SolverSettings kClosedFormSettings{.method = Method::ClosedForm, .newton = {}};
 
 constexpr std::size_t kMinTimeStampsForThreads = 50000; // with fewer, threads cost more than they save
@@ -242,8 +245,9 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
     return result;
 }
 
-/// Returns the effect of time stamps that were rounded or, if the clock shows no rounding, are exact in double
-/// precision. Returns nullopt if the crank does not move within the rounding of the time.
+/// Returns the exact motion half a rounding step before and after each time stamp. The step is that of the file if
+/// `clock.isRoundedGrid`, otherwise the rounding of a double. Returns nullopt if the crank turns by at most
+/// kNegligibleRotation in one step.
 std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism, const ReferenceData &reference,
                                                      const Clock &clock)
 {
@@ -258,7 +262,7 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
         late[i] += half;
         largest = std::max(largest, half);
     }
-    if (!(2.0 * largest * std::abs(mechanism.omega2()) > kArithmeticStep)) {
+    if (!(2.0 * largest * std::abs(mechanism.omega2()) > kNegligibleRotation)) {
         return std::nullopt;
     }
     const ChannelSet channels = channelsOf(reference);
@@ -273,15 +277,16 @@ void forEachSeries(const ReferenceData &reference, const Function &function)
     inParallel(reference.series.size(), function, reference.time.size() > kMinTimeStampsForThreads);
 }
 
-/// Compares the columns that differ once more, assuming that the time stamps were rounded, although the clock does not
-/// show it, and replaces their comparisons by those that do not differ then. The assumed rounding lowers an excess by
-/// at most kExcessOfCloseness. If the time stamps are evenly spaced, the best verdict is `Close`; otherwise columns
-/// that are close may agree. `clock`: that of the reference. `compared`, `reference`: those of `channels`.
+/// Compares again the columns that differ and, with uneven time stamps, those that are close, assuming that the time
+/// stamps were rounded, although the clock does not show it. Keeps the new comparisons that do not differ. If the time
+/// stamps are evenly spaced, the best new verdict is `Close`. `clock`: that of the reference. `compared`, `reference`:
+/// those of `channels`.
 void compareWithRoundedClock(std::vector<ChannelComparison> &channels, Clock clock, const ComparedModel &compared,
                              const ReferenceData &reference)
 {
     const auto canImprove = [&](const ChannelComparison &channel) {
-        // The assumption lowers the excess by kExcessOfCloseness at most, and a close column may have as much.
+        // Rounded time stamps lower the excess by at most kExcessOfCloseness, and a close column may still have an
+        // excess of kExcessOfCloseness: with more than twice that, the verdict remains Differs.
         const bool isTooFarOff = channel.excess > 2.0 * kExcessOfCloseness;
         return !isTooFarOff &&
                (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.isEven));

@@ -73,8 +73,8 @@ struct ChannelComparison {
     double largestErrorInBounds = 0.0;
     double excess = 0.0;
 
-    /// The verdict and its measures are those for rounded time stamps, although the time stamps are evenly spaced and
-    /// do not show it: if they were exact, the column would differ.
+    /// The verdict and its measures assume rounded time stamps. The file does not show that rounding, because its time
+    /// stamps are evenly spaced; with exact time stamps the column would differ.
     bool clockIsRounded = false;
 
     Verdict verdict = Verdict::Differs;
