@@ -82,7 +82,7 @@ Platform platformFor(const QString &firstArgument)
         return command->platform;
     }
     const bool isHelp = QStringList{"help", "--help", "-h", "--version"}.contains(firstArgument);
-    return isHelp ? Platform::None : Platform::Window;
+    return isHelp ? Platform::Console : Platform::Window;
 }
 
 ExitStatus runCommandLine(const QStringList &arguments, const Streams &streams)

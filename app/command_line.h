@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The command line as a library: finds the command that the arguments name, and runs it. Everything is written to two
-// devices, so that a test can call it in its own process.
+// The command line as a library: finds the command that the arguments name, and runs it. Text and error messages go to
+// the two devices of `Streams` instead of stdout and stderr, so that a test can run a command in its own process.
 
 #include <QCoreApplication>
 #include <QIODevice>
@@ -18,11 +18,11 @@ enum class ExitStatus {
     Differs = 1,        ///< --fail-on-difference was given and a channel differs, or a value of `check` is wrong
     UsageError = 2,     ///< the arguments are wrong
     FileError = 3,      ///< a file cannot be read or written, or its content is not valid
-    NotAssemblable = 4, ///< the mechanism cannot be assembled at some time step
+    NotAssemblable = 4, ///< cannot be assembled at some time step; or no answer to --design, --when or --omega2-for
     NotSolved = 5       ///< not converged or singular at some time step, or no mechanism was identified
 };
 
-/// Returns the exit status to report when both apply: 3 before 4 before 5 before 1.
+/// Returns the exit status to report when both apply: 2 before 3 before 4 before 5 before 1.
 ExitStatus moreSevere(ExitStatus x, ExitStatus y);
 
 /// The translation context of the command line.
@@ -47,7 +47,7 @@ struct Streams {
 
 /// What has to exist before a command runs.
 enum class Platform {
-    None,      ///< a QCoreApplication
+    Console,   ///< a QCoreApplication, no GUI
     Offscreen, ///< a QApplication, but no display
     Window     ///< a QApplication and a display
 };

@@ -78,7 +78,7 @@ int main(int argc, char *argv[])
     }
     Platform platform = platformFor(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QString());
     if (platform == Platform::Window && !hasDisplay()) {
-        platform = Platform::None; // reports wrong arguments, or that there is no display
+        platform = Platform::Console; // reports wrong arguments, or that there is no display
     }
     if (platform != Platform::Window) {
         QLoggingCategory::setFilterRules("*=false"); // hides messages of Qt, except fatal ones
@@ -88,13 +88,13 @@ int main(int argc, char *argv[])
         qputenv("QT_QPA_PLATFORM", "offscreen");
     }
 #endif
-    const std::unique_ptr<QCoreApplication> application(platform == Platform::None ? new QCoreApplication(argc, argv)
-                                                                                   : new QApplication(argc, argv));
+    const std::unique_ptr<QCoreApplication> application(platform == Platform::Console ? new QCoreApplication(argc, argv)
+                                                                                      : new QApplication(argc, argv));
     QCoreApplication::setOrganizationName("slidercrank"); // names the folder of the settings
     QCoreApplication::setApplicationName("slidercrank");
     QCoreApplication::setApplicationVersion(SLIDERCRANK_VERSION);
     setLanguage(platform == Platform::Window ? chosenLanguage() : Language::System);
-    if (platform == Platform::None) {
+    if (platform == Platform::Console) {
         QLocale::setDefault(QLocale::c()); // numbers in the output are the same everywhere
     } else {
         QApplication::setStyle("Fusion"); // its colours can be chosen on every platform

@@ -20,7 +20,7 @@ struct CommandDescription {
     const char *summary;   ///< a few words, untranslated
     const char *text;      ///< a paragraph, untranslated
     ExitStatus (*run)(const OptionReader &, const Streams &);
-    Platform platform = Platform::None;
+    Platform platform = Platform::Console;
 };
 
 /// Returns the command of the window, which opens if no command is typed.
