@@ -66,13 +66,15 @@ std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, const O
     return scaledFunction(mechanism, std::get<Channel>(channel).coordinate);
 }
 
-/// Returns the critical points of the channel for ω2 = 1 rad/s and a crank acceleration, each of them once.
-CriticalPoints criticalPointsOf(const Mechanism &mechanism, const ScaledFunction &scaled, Order order, double alpha2)
+/// Returns the critical points of the channel for ω2 = 1 rad/s, each of them once. `accelerationRatio`: α2/ω2².
+CriticalPoints findCriticalPointsOfChannel(const Mechanism &mechanism, const ScaledFunction &scaled, Order order,
+                                           double accelerationRatio)
 {
     constexpr double kAngleTolerance = 1e-10; // rad
     constexpr double kValueTolerance = 1e-12; // relative
-    const CrankCurve curve{
-        .function = scaled.function, .order = order, .accelerationRatio = order == Order::Acceleration ? alpha2 : 0.0};
+    const CrankCurve curve{.function = scaled.function,
+                           .order = order,
+                           .accelerationRatio = order == Order::Acceleration ? accelerationRatio : 0.0};
     CriticalPoints points;
     const std::vector<CriticalPoints> pointsOfCurves = findCriticalPoints(mechanism, std::span(&curve, 1));
     for (CriticalPoint point : pointsOfCurves.front()) { // there is one curve
@@ -102,19 +104,19 @@ bool canBeAssembled(const Mechanism &mechanism, double theta2)
     return !std::isnan(outputStateAt(withCrankAt(mechanism, theta2), 0.0).state.q[R4x]);
 }
 
-/// Solves channel(θ2) = value for ω2 = 1 rad/s and a crank acceleration.
+/// Solves channel(θ2) = value for ω2 = 1 rad/s. `accelerationRatio`: α2/ω2².
 class Solver
 {
 public:
-    Solver(const Mechanism &mechanism, const OutputChannel &channel, double value, double alpha2)
+    Solver(const Mechanism &mechanism, const OutputChannel &channel, double value, double accelerationRatio)
         : m_mechanism(mechanism)
         , m_channel(channel)
         , m_value(value)
-        , m_alpha2(alpha2)
+        , m_accelerationRatio(accelerationRatio)
         , m_naturalSize(isAngular(measureOf(channel)) ? 1.0 : characteristicLength(mechanism.parameters()))
     {
         if (orderOf(channel) == Order::Acceleration) {
-            m_naturalSize *= std::max(1.0, std::abs(alpha2));
+            m_naturalSize *= std::max(1.0, std::abs(accelerationRatio));
         }
     }
 
@@ -151,7 +153,7 @@ private:
 
     double valueAt(double theta2) const
     {
-        return outputStateAt(withDrive(m_mechanism, 1.0, theta2), 0.0, m_alpha2).valueOf(m_channel);
+        return outputStateAt(withDrive(m_mechanism, 1.0, theta2), 0.0, m_accelerationRatio).valueOf(m_channel);
     }
 
     /// Returns whether the channel keeps the wanted value from one critical point to the next.
@@ -205,21 +207,22 @@ private:
     const Mechanism &m_mechanism;
     const OutputChannel &m_channel;
     double m_value;
-    double m_alpha2;
-    double m_naturalSize; ///< of the channel; rounding errors of smaller values are measured against it
+    double m_accelerationRatio; ///< α2/ω2², the acceleration of the crank for ω2 = 1 rad/s
+    double m_naturalSize;       ///< of the channel; rounding errors of smaller values are measured against it
 };
 
 std::vector<double> solutionsOf(const Mechanism &mechanism, const OutputChannel &channel, const ScaledFunction &scaled,
-                                double value, double alpha2)
+                                double value, double accelerationRatio)
 {
-    return Solver(mechanism, channel, value, alpha2)
-        .solve(criticalPointsOf(mechanism, scaled, orderOf(channel), alpha2));
+    return Solver(mechanism, channel, value, accelerationRatio)
+        .solve(findCriticalPointsOfChannel(mechanism, scaled, orderOf(channel), accelerationRatio));
 }
 
 /// Returns the solutions for the transmission angle μ, or a derivative of it. With the angle φ = asin(h/b) of the
 /// coupler to the slider's line, which is θ3 on the open branch and π - θ3 on the crossed one, μ is π/2 - φ where φ > 0
 /// and π/2 + φ where φ < 0. So there are two searches for θ3, each of which keeps the solutions on its side.
-std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order order, double value, double alpha2)
+std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order order, double value,
+                                          double accelerationRatio)
 {
     const bool isPosition = order == Order::Position;
     const bool isOpen = mechanism.branch() == Branch::Open;
@@ -230,7 +233,8 @@ std::vector<double> transmissionSolutions(const Mechanism &mechanism, Order orde
         const double elevation = isPosition ? side * (kQuarterTurn - value) : -side * value;
         const double straightAngle = isPosition ? std::numbers::pi : 0.0;
         const double angle = isOpen ? elevation : straightAngle - elevation;
-        for (const double theta2 : solutionsOf(mechanism, theta3, {CrankFunction::CouplerAngle}, angle, alpha2)) {
+        for (const double theta2 :
+             solutionsOf(mechanism, theta3, {CrankFunction::CouplerAngle}, angle, accelerationRatio)) {
             const double height = mechanism.c() - mechanism.a() * std::sin(theta2);
             const bool isOnThisSide = side * height > 0.0;
             const bool isBetweenSides = isPosition && elevation == 0.0;
@@ -251,15 +255,16 @@ double asCouplerAngle(const Mechanism &mechanism, double angle)
     return angle - kTurn * std::round((angle - centre) / kTurn);
 }
 
-/// Returns the solutions for ω2 = 1 rad/s and a crank acceleration (crankAnglesAt()).
+/// As crankAnglesAt(), but for ω2 = 1 rad/s: `value` is the value divided by ω2ᵏ for the k-th derivative, and
+/// `accelerationRatio` is α2/ω2².
 std::optional<std::vector<double>> solutionsAtUnitSpeed(const Mechanism &mechanism, const OutputChannel &channel,
-                                                        double value, double alpha2)
+                                                        double value, double accelerationRatio)
 {
     const Order order = orderOf(channel);
     if (const DerivedChannel *derived = std::get_if<DerivedChannel>(&channel)) {
         const std::optional<ScaledFunction> scaled = scaledFunction(mechanism, derived->quantity);
-        return scaled ? solutionsOf(mechanism, channel, *scaled, value, alpha2)
-                      : transmissionSolutions(mechanism, order, value, alpha2);
+        return scaled ? solutionsOf(mechanism, channel, *scaled, value, accelerationRatio)
+                      : transmissionSolutions(mechanism, order, value, accelerationRatio);
     }
     const Coordinate coordinate = std::get<Channel>(channel).coordinate;
     if (coordinate == Theta2 && order == Order::Position) {
@@ -270,7 +275,7 @@ std::optional<std::vector<double>> solutionsAtUnitSpeed(const Mechanism &mechani
         value = asCouplerAngle(mechanism, value);
     }
     const std::optional<ScaledFunction> scaled = scaledFunction(mechanism, coordinate);
-    return scaled ? std::optional(solutionsOf(mechanism, channel, *scaled, value, alpha2)) : std::nullopt;
+    return scaled ? std::optional(solutionsOf(mechanism, channel, *scaled, value, accelerationRatio)) : std::nullopt;
 }
 
 } // namespace
@@ -301,8 +306,9 @@ std::optional<ChannelRange> rangeOf(const Mechanism &mechanism, const OutputChan
     if (!scaled || unit == 0.0) {
         return std::nullopt;
     }
-    const CriticalPoints points = isAtRest ? criticalPointsOf(mechanism, *scaled, Order::Velocity, 0.0)
-                                           : criticalPointsOf(mechanism, *scaled, order, alpha2 / (omega2 * omega2));
+    const CriticalPoints points =
+        isAtRest ? findCriticalPointsOfChannel(mechanism, *scaled, Order::Velocity, 0.0)
+                 : findCriticalPointsOfChannel(mechanism, *scaled, order, alpha2 / (omega2 * omega2));
     if (points.empty()) {
         return std::nullopt;
     }

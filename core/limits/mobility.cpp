@@ -194,7 +194,7 @@ std::vector<double> anglesAcross(const CrankRange &range, int steps)
 
 std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double theta2, int sense)
 {
-    constexpr double kAtAnEnd = 1e-9; // rad: an angle nearer than this to the end of a stroke is considered to be there
+    constexpr double kEndTolerance = 1e-9; // rad: an angle nearer than this to the end of a stroke is considered to be there
     const double inside = theta2 + sense * kAtAnEnd;
     std::vector<SliderPosition> ends = findReversals(limits);
     if (ends.empty()) {

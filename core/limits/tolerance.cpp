@@ -12,10 +12,10 @@ namespace slidercrank
 namespace
 {
 
-using KindValues = std::array<double, kLimitKindCount>; ///< by LimitKind; NaN if the limit does not exist
+using KindValues = std::array<double, kLimitKindCount>; ///< indexed by LimitKind; NaN if the limit does not exist
 
 enum Length : std::size_t { A, B, C };
-using Point = std::array<double, 3>; ///< by Length, mm
+using Point = std::array<double, 3>; ///< indexed by Length, mm
 
 KindValues valuesAt(const Parameters &parameters, const Point &lengths)
 {
@@ -51,11 +51,12 @@ std::vector<double> valuesOfLength(double nominal, double tolerance, Length leng
     return values;
 }
 
-/// Finds the extremes of the limits over the box of lengths. Points that are needed again are computed once.
-class Box
+/// Finds the smallest and the largest value of each limit while the lengths vary within their tolerances. Computed
+/// points are cached.
+class ToleranceSearch
 {
 public:
-    Box(const Parameters &parameters, const LengthTolerances &tolerances)
+    ToleranceSearch(const Parameters &parameters, const LengthTolerances &tolerances)
         : m_parameters(parameters)
         , m_values{valuesOfLength(parameters.a, tolerances.a, A), valuesOfLength(parameters.b, tolerances.b, B),
                    valuesOfLength(parameters.c, tolerances.c, C)}
@@ -134,7 +135,7 @@ private:
     }
 
     const Parameters &m_parameters;
-    std::array<std::vector<double>, 3> m_values; ///< by Length
+    std::array<std::vector<double>, 3> m_values; ///< indexed by Length
     std::vector<Point> m_grid;
     std::map<Point, KindValues> m_known;
 };
@@ -143,12 +144,12 @@ private:
 
 LimitRanges limitRanges(const Mechanism &mechanism, const LengthTolerances &tolerances)
 {
-    Box box(mechanism.parameters(), tolerances);
+    ToleranceSearch search(mechanism.parameters(), tolerances);
     LimitRanges ranges;
     for (const LimitDescription &description : kLimitDescriptions) {
         if (description.kind != LimitKind::CrankLimit) {
             const auto kind = static_cast<std::size_t>(description.kind);
-            ranges[kind] = box.range(kind);
+            ranges[kind] = search.range(kind);
         }
     }
     return ranges;

@@ -29,7 +29,8 @@ struct LimitRange {
     double greatest = 0.0;
 };
 
-/// By LimitKind. nullopt if the limit does not exist, or is unbounded, for some of the lengths, and for CrankLimit.
+/// The ranges of all limits, indexed by LimitKind. An entry is empty if its limit does not exist, or is unbounded, for
+/// some of the lengths, and for CrankLimit.
 using LimitRanges = std::array<std::optional<LimitRange>, kLimitKindCount>;
 
 LimitRanges limitRanges(const Mechanism &mechanism, const LengthTolerances &tolerances);
