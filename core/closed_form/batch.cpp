@@ -31,7 +31,7 @@ bool evaluateBlock(const MotionConstants &constants, const double *times, std::s
     double heights[kBlock];
     for (std::size_t i = 0; i < count; i += lanes) {
         Lanes hi = 0.0, lo = 0.0, x = 0.0, cosine = 0.0;
-        turnCrank(k, Lanes::load(times + i), hi, lo, x, cosine);
+        crankAngleWithSine(k, Lanes::load(times + i), hi, lo, x, cosine);
         x.store(sines + i);
         cosine.store(cosines + i);
     }

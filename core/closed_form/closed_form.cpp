@@ -82,7 +82,7 @@ ClosedForm::ClosedForm(const Mechanism &mechanism)
 Motion ClosedForm::motionAt(double t) const
 {
     double hi, lo, x, cosine;
-    kernel::turnCrank(m_constants, t, hi, lo, x, cosine);
+    kernel::crankAngleWithSine(m_constants, t, hi, lo, x, cosine);
     const Clearance at = kernel::clearance(m_constants, x, cosine);
     const double root = std::sqrt(at.p * at.m);
     if (!kernel::isOrdinary(m_constants, at, root)) {

@@ -49,7 +49,7 @@ struct MotionConstants {
     // The crank angle is computed as g θ2, whose sine is x.
     double sideOmega;   ///< g ω
     double sideTheta20; ///< g θ20
-    double latest;      ///< s: for |t| below it, turnCrank() computes the crank angle and its sine exactly enough
+    double latest; ///< s: for |t| below it, crankAngleWithSine() computes the crank angle and its sine exactly enough
 };
 
 } // namespace slidercrank

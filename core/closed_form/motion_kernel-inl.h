@@ -199,10 +199,11 @@ HWY_INLINE Number halfPlaneAngle(Number y, Number x)
     return copysign(base + (base * 3.8981718325193755e-17 + signedArc), y);
 }
 
-/// Computes g θ2 = hi + lo at time t (s), its sine x, and its cosine, which is that of θ2. x is NaN if t is not a
-/// number or if the angle may be too large for the argument reduction.
+/// Returns the crank angle at time t (s) in its last four arguments: g θ2 = hi + lo, its sine x, and its cosine, which
+/// is that of θ2. x is NaN if t is not a number or if the angle may be too large for the argument reduction.
 template <class Number>
-HWY_INLINE void turnCrank(const MotionConstants &k, Number t, Number &hi, Number &lo, Number &x, Number &cosine)
+HWY_INLINE void crankAngleWithSine(const MotionConstants &k, Number t, Number &hi, Number &lo, Number &x,
+                                   Number &cosine)
 {
     // turned + turnedLo = g ω t exactly (Dekker), hi + sumError = turned + g θ20 exactly (Knuth).
     const TwoPart omega = split(k.sideOmega);
