@@ -24,9 +24,10 @@ constexpr double Parameters::*memberFor(Parameter parameter)
     return &Parameters::theta20;
 }
 
-// Mirroring in the y axis, or in both axes, also changes the branch, which mirrorImages() does.
+// These functions leave the branch unchanged. Mirroring in the y axis, or in both axes, also exchanges the branches:
+// mirrorImages() lists every image on both.
 
-/// Returns the mechanism whose points have the opposite x, if the branch is changed, too.
+/// Returns the mechanism whose points have the opposite x if it is on the opposite branch.
 Parameters mirroredInY(Parameters parameters)
 {
     parameters.omega2 = -parameters.omega2;
@@ -43,7 +44,8 @@ Parameters mirroredInX(Parameters parameters)
     return parameters;
 }
 
-/// Returns the mechanism that is turned by half a revolution about the crank pivot, if the branch is changed, too.
+/// Returns the mechanism that is turned by half a revolution about the crank pivot if it is on the
+/// opposite branch.
 Parameters mirroredInBoth(Parameters parameters)
 {
     parameters.c = -parameters.c;

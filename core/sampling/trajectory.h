@@ -74,7 +74,7 @@ struct SamplingSummary {
 /// What is sampled. A set of channels converts to it.
 struct SampledChannels {
     ChannelSet coordinates;
-    std::bitset<kDerivedChannelCount> derived = {}; ///< by indexOf(DerivedChannel)
+    std::bitset<kDerivedChannelCount> derived = {}; ///< indexed by indexOf(DerivedChannel)
     double alpha2 = 0.0; ///< rad/s²: the acceleration of the crank at each time stamp, in addition to the speed ω2
 
     SampledChannels(const ChannelSet &channels)
@@ -96,7 +96,7 @@ struct Trajectory {
     std::array<std::vector<double>, kChannelCount> values;
 
     std::array<std::vector<double>, kDerivedChannelCount>
-        derived; ///< by indexOf(DerivedChannel); units and missing values as in `values`
+        derived; ///< indexed by indexOf(DerivedChannel); units and missing values as in `values`
 
     std::vector<Status> status; ///< one for each time stamp
     SamplingSummary summary;

@@ -50,8 +50,8 @@ struct ExactInput {
 struct ExactState {
     Status status = Status::Solved; ///< Solved, Singular or NotAssemblable
     ManyDigits cosTheta3;
-    ManyDigits clearance;                         ///< (b - |h|)/b; negative: cannot be assembled
-    std::array<ManyDigits, kChannelCount> values; ///< by indexOf(channel); only the positions if Singular
+    ManyDigits clearance;                         ///< (b - |h|)/b with h = c - a sin θ2; negative: cannot be assembled
+    std::array<ManyDigits, kChannelCount> values; ///< indexed by indexOf(channel); only the positions if Singular
 };
 
 ExactState exactState(const ExactInput &in);

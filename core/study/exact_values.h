@@ -17,11 +17,11 @@ inline constexpr double kUnitRoundoff = 0.5 * kEpsilon; // 2^-53
 /// Values below this fraction of naturalSize() are zero except for the rounding of the exact motion.
 inline constexpr double kExactZero = 1e-36;
 
-/// The exact motion at one time stamp, by kPlottedChannels (rad, mm, s). The values are in two parts, so that
-/// comparing with them takes no many-digit arithmetic.
+/// The exact motion at one time stamp, in the order of kPlottedChannels (mm, rad, s). The values are in two parts, so
+/// that comparing with them takes no many-digit arithmetic.
 struct ExactValues {
     Status status = Status::Solved;
-    double clearance = 0.0; ///< (b - |h|)/b
+    double clearance = 0.0; ///< (b - |h|)/b with h = c - a sin θ2
     std::array<TwoPart, kPlottedChannels.size()> values{};
     std::array<double, kPlottedChannels.size()> kappa{}; ///< see conditioning() in exact_motion.h
 };

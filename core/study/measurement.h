@@ -27,9 +27,10 @@ struct TimedMethod {
 
 /// The exact motion at some time stamps, and the size of each channel, relative to which errors are stated.
 struct ExactMotion {
-    std::map<double, ExactValues> values{}; ///< by time stamp
+    std::map<double, ExactValues> values{}; ///< the key is the time stamp, s
 
-    /// By kPlottedChannels (rad, mm, s): the peak or, if the peak is 0, naturalSize(). Positive.
+    /// The size of each channel, in the order of kPlottedChannels (mm, rad, s): its peak or, if that is 0,
+    /// naturalSize(). Always positive.
     std::array<double, kPlottedChannels.size()> sizes{};
 };
 

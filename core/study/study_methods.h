@@ -16,7 +16,7 @@
 namespace slidercrank
 {
 
-/// What a method computes at its time stamps. Values by kPlottedChannels (mm, rad, s).
+/// What a method computes at its time stamps. Values in the order of kPlottedChannels (mm, rad, s).
 struct StudyOutput {
     std::array<std::vector<double>, kPlottedChannels.size()> values;
     std::vector<Status> status;

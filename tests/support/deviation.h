@@ -32,7 +32,7 @@ inline double valueOf(const State &state, Channel channel)
 template <class Real>
 struct RoughState {
     Status status = Status::Solved;
-    std::array<Real, kChannelCount> values{}; ///< by indexOf(channel)
+    std::array<Real, kChannelCount> values{}; ///< indexed by indexOf(channel)
 };
 
 /// Returns the peak of each channel in a run (rad, mm), or its naturalSize() where it is identically zero.
