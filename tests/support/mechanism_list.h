@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The mechanisms on which the properties of the core are tested: the named cases, rockers close to every limit of their
-// existence, and random mechanisms.
+// The mechanisms on which the properties of the core are tested: the named cases, rockers that are difficult to
+// compute, and random mechanisms.
 
 #include "core/closed_form/motion_constants.h"
 #include "tests/support/all_cases.h"
@@ -25,12 +25,14 @@ inline bool isRocker(const Parameters &p)
     return MotionConstants(Mechanism(p)).epsilon < 0.0;
 }
 
-/// Returns rockers close to every limit of their existence.
+/// Returns rockers close to the limits of the rocker: almost full turns, almost locked, two arcs that almost meet,
+/// extreme ratios of lengths.
 inline std::vector<NamedMechanism> difficultRockers()
 {
     return {
-        {"by a hair, gap -1e-12", {20.0, 45.0 * (1.0 - 1e-12), 25.0, 3.0, 1.0, Branch::Crossed}},
-        {"by a unit in the last place", {20.0, std::nextafter(45.0, 0.0), 25.0, 3.0, 1.0, Branch::Open}},
+        {"almost full turns, gap -1e-12", {20.0, 45.0 * (1.0 - 1e-12), 25.0, 3.0, 1.0, Branch::Crossed}},
+        {"almost full turns, by a unit in the last place",
+         {20.0, std::nextafter(45.0, 0.0), 25.0, 3.0, 1.0, Branch::Open}},
         {"almost locked, 1e-10", {20.0, 5.0 * (1.0 + 1e-10), 25.0, 3.0, 1.0, Branch::Open}},
         {"almost locked, a unit in the last place", {20.0, std::nextafter(5.0, 6.0), -25.0, 3.0, 1.0, Branch::Crossed}},
         {"two arcs that almost meet", {20.0, 14.999999, 5.0, 3.0, 1.0, Branch::Open}},

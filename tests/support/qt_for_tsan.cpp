@@ -21,7 +21,7 @@
 namespace
 {
 
-char allThatEnded; // its address represents the end of every task
+char taskEndTag; // the address at which the sanitizer synchronizes the end of tasks with waiting for them
 
 class Handed : public QRunnable
 {
@@ -37,7 +37,7 @@ public:
         __tsan_acquire(this);
         m_work();
         m_work = nullptr;
-        __tsan_release(&allThatEnded);
+        __tsan_release(&taskEndTag);
     }
 
 private:
@@ -125,7 +125,7 @@ void QFutureInterfaceBase::reportFinished()
     using Report = void (*)(QFutureInterfaceBase *);
     static const auto report =
         reinterpret_cast<Report>(dlsym(RTLD_NEXT, "_ZN20QFutureInterfaceBase14reportFinishedEv"));
-    __tsan_release(&allThatEnded);
+    __tsan_release(&taskEndTag);
     report(this);
 }
 
@@ -134,7 +134,7 @@ void QFutureInterfaceBase::waitForResult(int index)
     using Wait = void (*)(QFutureInterfaceBase *, int);
     static const auto wait = reinterpret_cast<Wait>(dlsym(RTLD_NEXT, "_ZN20QFutureInterfaceBase13waitForResultEi"));
     wait(this, index);
-    __tsan_acquire(&allThatEnded);
+    __tsan_acquire(&taskEndTag);
 }
 
 bool QThreadPool::waitForDone(int milliseconds)
@@ -142,7 +142,7 @@ bool QThreadPool::waitForDone(int milliseconds)
     using Wait = bool (*)(QThreadPool *, int);
     static const auto wait = reinterpret_cast<Wait>(dlsym(RTLD_NEXT, "_ZN11QThreadPool11waitForDoneEi"));
     const bool isDone = wait(this, milliseconds);
-    __tsan_acquire(&allThatEnded);
+    __tsan_acquire(&taskEndTag);
     return isDone;
 }
 
