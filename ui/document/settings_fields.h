@@ -55,7 +55,7 @@ QJsonValue toJson(Settings settings)
     return node.value;
 }
 
-/// Returns the settings in JSON. A field that is missing or not valid has a valid default.
+/// Reads the settings from JSON. A field that is missing or not valid keeps its default value.
 template <typename Settings>
 Settings fromJson(const QJsonValue &json)
 {

@@ -44,7 +44,8 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
     const double a = mechanism.a();
     const double c = mechanism.c();
     Interval x{-a, a};
-    // Where an oscillating crank turns back, the slider is at a cos θ2, within the width of the crank's circle.
+    // The slider's extreme positions are its dead centres. The ends of a rocker's arcs need no space of their own:
+    // there the slider is at x = a cos θ2, within [-a, a].
     for (const std::optional<SliderPosition> &centre : {limits.outer, limits.inner}) {
         if (centre) {
             x.include(centre->R4x);

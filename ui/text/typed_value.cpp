@@ -52,7 +52,7 @@ CheckResult checkAll(const std::vector<TypedValue> &values, const CrankPosition 
     return check(position, given);
 }
 
-/// Returns the number in radians instead of the degrees of `units`, or the reverse.
+/// Reads the typed text again, taking its number as radians if `units` are degrees, and as degrees if they are radians.
 TypedValue inOtherAngleUnit(const TypedValue &typed, const Units &units)
 {
     Units otherUnits = units;
