@@ -218,8 +218,8 @@ public:
           {"limits", "design", "LIST",
            QT_TR_NOOP(
                "find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: "
-               "stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen. "
-               "With time-ratio alone, and with --a and --b: find the offset c")},
+               "stroke=80,time-ratio=1.2,transmission-angle=40; if several are possible, the one with the largest "
+               "angle is chosen. With time-ratio alone, and with --a and --b: find the offset c")},
           {"limits", "tolerance", "LIST",
            QT_TR_NOOP(
                "a=0.05,b=0.1,c=0.05: how much each limit may decrease and increase if the lengths deviate by this "

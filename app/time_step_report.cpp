@@ -49,7 +49,7 @@ QString messageFor(Status status, const SamplingSummary &summary, const NewtonOp
     }
     const double crankAngle = summary.firstAngles[static_cast<std::size_t>(status)];
     if (status == Status::NotFinite && std::isfinite(crankAngle)) { // kLargestDrive; the closed form has no such limit
-        return CommandLine::tr("The crank angle is too large for Newton-Raphson at %1, because its θ₂ has 16 digits: "
+        return CommandLine::tr("The crank angle is too large for Newton-Raphson at %1, which stores θ₂ with 16 digits: "
                                "choose --method closed-form, a smaller --omega2, or times nearer to 0.");
     }
     return CommandLine::tr(rowOf(kMessages, status).text);

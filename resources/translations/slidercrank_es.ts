@@ -244,8 +244,8 @@
         <translation>%1 da exactamente lo que usted obtuvo para %2.</translation>
     </message>
     <message>
-        <source>All values are right to their digits.</source>
-        <translation>Todos los valores son correctos en sus cifras.</translation>
+        <source>All values are right to their last digit.</source>
+        <translation>Todos los valores son correctos hasta su última cifra.</translation>
     </message>
     <message>
         <source>More than one slip is possible; more quantities or digits may decide:</source>
@@ -478,8 +478,8 @@
         <translation>Compruebe estas columnas, cuyo encabezado no fija su significado: %1.</translation>
     </message>
     <message>
-        <source>Every number with a decimal sign has three digits behind it: read as decimals, not as thousands.</source>
-        <translation>Todos los números con signo decimal tienen tres cifras detrás de él: se leen como decimales, no como miles.</translation>
+        <source>Every number with a decimal sign has exactly three digits after it: read as decimals, not as thousands.</source>
+        <translation>Todos los números con signo decimal tienen exactamente tres cifras detrás de él: se leen como decimales, no como miles.</translation>
     </message>
     <message>
         <source>The lengths have no unit and are read as mm. If they are metres, add %1</source>
@@ -562,7 +562,7 @@
         <translation>ni la unidad ni los valores dicen si es un ángulo o una longitud</translation>
     </message>
     <message>
-        <source>its values do not change, as those of a parameter</source>
+        <source>its values do not change, like those of a parameter</source>
         <translation>sus valores no cambian, como los de un parámetro</translation>
     </message>
 </context>
@@ -738,7 +738,7 @@
     </message>
     <message>
         <source>Times every method on the same time stamps and measures its error against the exact motion in 115 digits: the largest error of the six plotted channels, relative to the channel&apos;s peak, over the time stamps that the method reports as solved. Times depend on the machine: compare them within one run. With several cases (--cases), a table of the methods over all cases comes first: largest error, median time, and how many time steps were solved. The tables of the cases follow; --format csv has their rows, too.</source>
-        <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 115 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición. Con varios casos (--cases), primero viene una tabla de los métodos para todos los casos: el error máximo, la mediana del tiempo y cuántos instantes se resolvieron. Siguen las tablas de los casos; --format csv también da sus filas.</translation>
+        <translation>Cronometra cada método en los mismos instantes y mide su error respecto al movimiento exacto con 115 cifras: el mayor error de los seis canales representados, relativo al máximo del canal, en los instantes que el método da por resueltos. Los tiempos dependen del equipo: compárelos dentro de una misma medición. Con varios casos (--cases), primero viene una tabla de los métodos para todos los casos: el error máximo, la mediana del tiempo y cuántos pasos de tiempo se resolvieron. Siguen las tablas de los casos; --format csv también da sus filas.</translation>
     </message>
     <message>
         <source>Draws what the window shows into a file, or writes a report of it. Needs no display. A scene (--scene) also supplies what the window showed: arrows, path, names, dimensions, zoom, abscissa and error measure. Without --start, --duration and --scene, the plots of a fast crank show its first revolution.</source>
@@ -897,8 +897,8 @@
         <translation>El ángulo de la manivela no es un número finito en %1: elija un valor menor de --omega2, o instantes más cercanos a 0.</translation>
     </message>
     <message>
-        <source>The crank angle is too large for Newton-Raphson at %1, because its θ₂ has 16 digits: choose --method closed-form, a smaller --omega2, or times nearer to 0.</source>
-        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson en %1, porque su θ₂ tiene 16 cifras: elija --method closed-form, un valor menor de --omega2, o instantes más cercanos a 0.</translation>
+        <source>The crank angle is too large for Newton-Raphson at %1, which stores θ₂ with 16 digits: choose --method closed-form, a smaller --omega2, or times nearer to 0.</source>
+        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson en %1, que guarda θ₂ con 16 cifras: elija --method closed-form, un valor menor de --omega2, o instantes más cercanos a 0.</translation>
     </message>
     <message>
         <source>Cannot write the settings in %1: remove that file.</source>
@@ -917,7 +917,7 @@
 They are measured against a computation with 115 digits.
 Machine: %1. Time: %2 s.
 </source>
-        <translation>Los errores son los mayores de los seis canales representados, relativos al máximo del canal, en los instantes que un método resuelve.
+        <translation>Los errores son los mayores de los seis canales representados, relativos al máximo del canal, en los pasos de tiempo que un método resuelve.
 Se miden respecto a un cálculo con 115 cifras.
 Equipo: %1. Tiempo: %2 s.
 </translation>
@@ -1119,7 +1119,7 @@ Equipo: %1. Tiempo: %2 s.
         <translation>con --at-angle: calcula la velocidad de la manivela con la que una primera derivada tiene este valor, y la indica: v=8m/s</translation>
     </message>
     <message>
-        <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; of several, the one with the largest angle is chosen. With time-ratio alone, and with --a and --b: find the offset c</source>
+        <source>find the mechanism with this stroke, this time ratio (1) and at least this minimum transmission angle: stroke=80,time-ratio=1.2,transmission-angle=40; if several are possible, the one with the largest angle is chosen. With time-ratio alone, and with --a and --b: find the offset c</source>
         <translation>busca el mecanismo con esta carrera, esta relación de tiempos (1) y al menos este ángulo de transmisión mínimo: stroke=80,time-ratio=1.2,transmission-angle=40; si hay varios, elige el de mayor ángulo. Solo con time-ratio, y con --a y --b: busca la excentricidad c</translation>
     </message>
     <message>
@@ -1365,16 +1365,16 @@ Equipo: %1. Tiempo: %2 s.
         <translation>pulgadas</translation>
     </message>
     <message>
-        <source>%1: jumps by whole turns.</source>
-        <translation>%1: tiene saltos de vueltas enteras.</translation>
+        <source>{columns}: jumps by whole turns.</source>
+        <translation>{columns}: tiene saltos de vueltas enteras.</translation>
     </message>
     <message>
-        <source>%1: with the opposite sign.</source>
-        <translation>%1: con el signo contrario.</translation>
+        <source>{columns}: with the opposite sign.</source>
+        <translation>{columns}: con el signo contrario.</translation>
     </message>
     <message>
-        <source>%1: not the time derivative of the position column.</source>
-        <translation>%1: no es la derivada temporal de la columna de posición.</translation>
+        <source>{columns}: not the time derivative of the position column.</source>
+        <translation>{columns}: no es la derivada temporal de la columna de posición.</translation>
     </message>
     <message>
         <source>The slider moves along y instead of x, as in an upright engine.</source>
@@ -1413,8 +1413,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>en %1, pero leído como %2</translation>
     </message>
     <message>
-        <source>The time is %4.</source>
-        <translation>El tiempo está %4.</translation>
+        <source>The time is {units}.</source>
+        <translation>El tiempo está {units}.</translation>
     </message>
     <message>
         <source>%1 Largest error: %2 → %3 % of peak.</source>
@@ -1425,32 +1425,32 @@ Equipo: %1. Tiempo: %2 s.
         <translation>%1: diferencias finitas, no la derivada temporal.</translation>
     </message>
     <message>
-        <source>%1: the headings are swapped.</source>
-        <translation>%1: los encabezados están intercambiados.</translation>
+        <source>{columns}: the headings are swapped.</source>
+        <translation>{columns}: los encabezados están intercambiados.</translation>
     </message>
     <message>
         <source>The mechanism that produced the file has the other assembly: its slider is on the other side of A.</source>
         <translation>El mecanismo que produjo los datos tiene la otra configuración: su corredera está al otro lado de A.</translation>
     </message>
     <message>
-        <source>%1: measured from the opposite direction; %3 is the value in the file %2.</source>
-        <translation>%1: medido desde la dirección opuesta; %3 es el valor del archivo %2.</translation>
+        <source>{columns}: measured from the opposite direction; {symbol} = value in the file {shift}.</source>
+        <translation>{columns}: medido desde la dirección opuesta; {symbol} = valor del archivo {shift}.</translation>
     </message>
     <message>
-        <source>%1: off by whole turns; %3 is the value in the file %2.</source>
-        <translation>%1: difiere en vueltas enteras; %3 es el valor del archivo %2.</translation>
+        <source>{columns}: off by whole turns; {symbol} = value in the file {shift}.</source>
+        <translation>{columns}: difiere en vueltas enteras; {symbol} = valor del archivo {shift}.</translation>
     </message>
     <message>
-        <source>%1: measured from a different origin; the zero of the file is at %3 = %5.</source>
-        <translation>%1: medido desde un origen distinto; el cero del archivo está en %3 = %5.</translation>
+        <source>{columns}: measured from a different origin; the zero of the file is at {symbol} = {value}.</source>
+        <translation>{columns}: medido desde un origen distinto; el cero del archivo está en {symbol} = {value}.</translation>
     </message>
     <message>
-        <source>%1: the angle of the coupler seen from B, as textbooks draw θ₃; %3 is the value in the file %2.</source>
-        <translation>%1: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; %3 es el valor del archivo %2.</translation>
+        <source>{columns}: the angle of the coupler seen from B, as textbooks draw θ₃; {symbol} = value in the file {shift}.</source>
+        <translation>{columns}: el ángulo de la biela visto desde B, como dibujan θ₃ los libros de texto; {symbol} = valor del archivo {shift}.</translation>
     </message>
     <message>
-        <source>The time stamps are shifted: t is the time in the file %2.</source>
-        <translation>Los instantes están desplazados: t es el tiempo del archivo %2.</translation>
+        <source>The time stamps are shifted: t = time in the file {shift}.</source>
+        <translation>Los instantes están desplazados: t = tiempo del archivo {shift}.</translation>
     </message>
 </context>
 <context>
@@ -1653,8 +1653,8 @@ Equipo: %1. Tiempo: %2 s.
         <translation>Este mecanismo es el fijado: cámbielo para ver la diferencia.</translation>
     </message>
     <message>
-        <source>Where one of the two cannot be assembled there is nothing to compare.</source>
-        <translation>Donde uno de los dos no se puede ensamblar no hay nada que comparar.</translation>
+        <source>Time steps at which one of the two mechanisms cannot be assembled are not compared.</source>
+        <translation>Los pasos de tiempo en que uno de los dos mecanismos no se puede ensamblar no se comparan.</translation>
     </message>
     <message>
         <source>Differences from the pinned motion, a row for each channel</source>
@@ -1686,12 +1686,12 @@ Equipo: %1. Tiempo: %2 s.
     </message>
     <message>
         <source>Rounding: half a unit of the last digit of the value, plus the motion during half a unit of the last digit of the time stamp
-agrees: at least 95 % of the values within the rounding, none beyond ten times that, or beyond it by 0.5 % of half the motion&apos;s range
-close: none beyond a hundred times, or by 1 %
+agrees: at least 95 % of the errors are within the rounding, and none exceeds it tenfold or by more than 0.5 % of half the range of the motion
+close: none exceeds it a hundredfold or by more than 1 % of half that range
 differs: anything else</source>
         <translation>Redondeo: media unidad de la última cifra del valor, más el movimiento durante media unidad de la última cifra del instante
-coincide: al menos el 95 % de los valores dentro del redondeo, ninguno más allá de diez veces el redondeo, ni más allá de él en un 0,5 % de la mitad del recorrido
-casi coincide: ninguno más allá de cien veces, ni en un 1 %
+coincide: al menos el 95 % de los errores está dentro del redondeo y ninguno lo supera diez veces ni en más del 0,5 % de la mitad del recorrido del movimiento
+casi coincide: ninguno lo supera cien veces ni en más del 1 % de la mitad del recorrido
 difiere: lo demás</translation>
     </message>
     <message>
@@ -2009,8 +2009,8 @@ difiere: lo demás</translation>
         <translation>Coincide. Magnitudes que coinciden dentro del redondeo del archivo: %1 de %2.</translation>
     </message>
     <message>
-        <source>Close match. Quantities that agree within the rounding of the file: %1 of %2, the others nearly.</source>
-        <translation>Coincidencia aproximada. Magnitudes que coinciden dentro del redondeo del archivo: %1 de %2; las demás, casi.</translation>
+        <source>Close match. Quantities that agree within the rounding of the file: %1 of %2; the others are close.</source>
+        <translation>Coincidencia aproximada. Magnitudes que coinciden dentro del redondeo del archivo: %1 de %2; las demás casi coinciden.</translation>
     </message>
     <message>
         <source>No match: the mechanism cannot be assembled at any time step of the file.</source>
@@ -2057,8 +2057,8 @@ difiere: lo demás</translation>
         <translation>error relativo máx. [%]</translation>
     </message>
     <message>
-        <source>differs within the rounding of the time stamps</source>
-        <translation>difiere, pero dentro del redondeo de los instantes</translation>
+        <source>differs; the rounded time stamps may explain it</source>
+        <translation>difiere; los instantes redondeados pueden explicarlo</translation>
     </message>
     <message>
         <source>No match. Quantities that differ: %1 of %2.</source>
@@ -2104,12 +2104,12 @@ difiere: lo demás</translation>
         <translation>Buscar</translation>
     </message>
     <message>
-        <source>There is no such position: this θ₃ is measured at B. View &gt; Notation and units has the angle at A.</source>
-        <translation>No existe tal posición: este θ₃ se mide en B. Ver &gt; Notación y unidades tiene el ángulo en A.</translation>
+        <source>There is no such position: this θ₃ is measured at B. Choose the angle at A in View &gt; Notation and units.</source>
+        <translation>No existe tal posición: este θ₃ se mide en B. Elija el ángulo en A en Ver &gt; Notación y unidades.</translation>
     </message>
     <message>
-        <source>There is no such position: this θ³ is measured at A. View &gt; Notation and units has the angle at B.</source>
-        <translation>No existe tal posición: este θ³ se mide en A. Ver &gt; Notación y unidades tiene el ángulo en B.</translation>
+        <source>There is no such position: this θ³ is measured at A. Choose the angle at B in View &gt; Notation and units.</source>
+        <translation>No existe tal posición: este θ³ se mide en A. Elija el ángulo en B en Ver &gt; Notación y unidades.</translation>
     </message>
     <message>
         <source>There is no such position.</source>
@@ -2314,8 +2314,8 @@ difiere: lo demás</translation>
         <translation>%1 en promedio</translation>
     </message>
     <message>
-        <source>The columns deviate from its motion by up to %1 % of the range of %2. What remains is systematic (filtered, interpolated or integrated data, or a crank speed that varies?), so that no standard errors can be given.</source>
-        <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2. Lo que queda es sistemático (¿datos filtrados, interpolados o integrados, o una velocidad de la manivela que varía?), por lo que no se pueden dar errores estándar.</translation>
+        <source>The columns deviate from its motion by up to %1 % of the range of %2. The residuals are systematic, so that no standard errors can be given: the data may be filtered, interpolated or integrated, or the crank speed may vary.</source>
+        <translation>Las columnas se desvían de su movimiento hasta un %1 % del intervalo de valores de %2. Los residuos son sistemáticos, por lo que no se pueden dar errores estándar: los datos pueden estar filtrados, interpolados o integrados, o la velocidad de la manivela puede variar.</translation>
     </message>
     <message>
         <source>The columns agree with the approximate formula Rₓ⁴ ≈ a cos θ₂ + b − (a sin θ₂ − c)²/2b. From the exact motion they deviate by up to %1 % of the range of %2.</source>
@@ -3060,8 +3060,8 @@ PA = %4, PB = %5</translation>
         <translation>La manivela oscila y no puede dar una vuelta completa: b = %1 &lt; a + |c| = %2.</translation>
     </message>
     <message>
-        <source>The crank oscillates and cannot make a full turn: b is less than a + |c| = %1, by less than the last digit.</source>
-        <translation>La manivela oscila y no puede dar una vuelta completa: b es menor que a + |c| = %1, por menos de la última cifra.</translation>
+        <source>The crank oscillates and cannot make a full turn: b is less than a + |c| = %1, by less than the last digit shown.</source>
+        <translation>La manivela oscila y no puede dar una vuelta completa: b es menor que a + |c| = %1, por menos de la última cifra mostrada.</translation>
     </message>
     <message>
         <source>The crank is locked in a single position: b = |c| − a = %1. It makes full turns if b ≥ a + |c| = %2.</source>
@@ -3173,8 +3173,8 @@ PA = %4, PB = %5</translation>
         <translation>ángulo de transmisión mínimo</translation>
     </message>
     <message>
-        <source>The transmission angle μ is the acute angle between the coupler and the normal to the slider&apos;s line. Mechanisms with less than about 40° tend to jam.</source>
-        <translation>El ángulo de transmisión μ es el ángulo agudo entre la biela y la normal a la línea de la corredera. Los mecanismos con menos de unos 40° tienden a atascarse.</translation>
+        <source>The transmission angle μ is the acute angle between the coupler and the normal to the slider&apos;s line. Mechanisms with a minimum of less than about 40° tend to jam.</source>
+        <translation>El ángulo de transmisión μ es el ángulo agudo entre la biela y la normal a la línea de la corredera. Los mecanismos con un mínimo menor de unos 40° tienden a atascarse.</translation>
     </message>
     <message>
         <source>maximum transmission angle</source>
@@ -3228,8 +3228,8 @@ PA = %4, PB = %5</translation>
         <translation>El mecanismo no se puede ensamblar: la biela es demasiado corta.</translation>
     </message>
     <message>
-        <source>The crank angle is too large for Newton-Raphson, because its θ₂ has 16 digits: choose the closed form, a smaller ω₂, or times nearer to 0.</source>
-        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson, porque su θ₂ tiene 16 cifras: elija la forma cerrada, una ω₂ menor o instantes más cercanos a 0.</translation>
+        <source>The crank angle is too large for Newton-Raphson, which stores θ₂ with 16 digits: choose the closed form, a smaller ω₂, or times nearer to 0.</source>
+        <translation>El ángulo de la manivela es demasiado grande para Newton-Raphson, que guarda θ₂ con 16 cifras: elija la forma cerrada, una ω₂ menor o instantes más cercanos a 0.</translation>
     </message>
 </context>
 <context>
@@ -4875,7 +4875,7 @@ perpendicular a la línea de la corredera.</translation>
     <name>slidercrank::StudyPage</name>
     <message>
         <source>The same, started from position, velocity and acceleration of the time step before (Taylor series)</source>
-        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del instante anterior (serie de Taylor)</translation>
+        <translation>Lo mismo, a partir de la posición, la velocidad y la aceleración del paso de tiempo anterior (serie de Taylor)</translation>
     </message>
     <message>
         <source>Newton-Raphson, dense</source>
@@ -4883,7 +4883,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>The textbook&apos;s method: 12 equations solved together (dense LU), started from the time step before</source>
-        <translation>El método del libro: 12 ecuaciones resueltas juntas (LU denso), a partir del instante anterior</translation>
+        <translation>El método del libro: 12 ecuaciones resueltas juntas (LU denso), a partir del paso de tiempo anterior</translation>
     </message>
     <message>
         <source>dense, Taylor start</source>
@@ -4907,7 +4907,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>The exact formulas, one time step after the other</source>
-        <translation>Las fórmulas exactas, un instante tras otro</translation>
+        <translation>Las fórmulas exactas, un paso de tiempo tras otro</translation>
     </message>
     <message>
         <source>closed form, batch</source>
@@ -4915,7 +4915,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>The exact formulas for several time steps at once (vector instructions)</source>
-        <translation>Las fórmulas exactas para varios instantes a la vez (instrucciones vectoriales)</translation>
+        <translation>Las fórmulas exactas para varios pasos de tiempo a la vez (instrucciones vectoriales)</translation>
     </message>
     <message>
         <source>finite differences</source>
@@ -4963,15 +4963,15 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>%1 ns per time step (± %2), %3 channels</source>
-        <translation>%1 ns por instante (± %2), %3 canales</translation>
+        <translation>%1 ns por paso de tiempo (± %2), %3 canales</translation>
     </message>
     <message>
         <source>Largest error: %1 of the peak</source>
-        <translation>Error máximo: %1 del máximo</translation>
+        <translation>Error máximo: %1 del valor máximo del canal</translation>
     </message>
     <message>
         <source>No time step is solved</source>
-        <translation>No se resuelve ningún instante</translation>
+        <translation>No se resuelve ningún paso de tiempo</translation>
     </message>
     <message>
         <source>Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cause an error of %1</source>
@@ -4991,7 +4991,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>Position, velocity and acceleration at one time step: median over interleaved rounds</source>
-        <translation>Posición, velocidad y aceleración en un instante: mediana de rondas intercaladas</translation>
+        <translation>Posición, velocidad y aceleración en un paso de tiempo: mediana de rondas intercaladas</translation>
     </message>
     <message>
         <source>error</source>
@@ -4999,7 +4999,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>Largest error of the six plotted channels, relative to the peak of the channel, over the time steps solved</source>
-        <translation>Error máximo de los seis canales representados, relativo al máximo del canal, en los instantes resueltos</translation>
+        <translation>Error máximo de los seis canales representados, relativo al máximo del canal, en los pasos de tiempo resueltos</translation>
     </message>
     <message>
         <source>iterations</source>
@@ -5007,11 +5007,11 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>For each time step</source>
-        <translation>Por instante</translation>
+        <translation>Por paso de tiempo</translation>
     </message>
     <message>
         <source>time steps</source>
-        <translation>instantes</translation>
+        <translation>pasos de tiempo</translation>
     </message>
     <message>
         <source>What the method reports</source>
@@ -5019,7 +5019,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>time for one time step [ns]</source>
-        <translation>tiempo por instante [ns]</translation>
+        <translation>tiempo por paso de tiempo [ns]</translation>
     </message>
     <message>
         <source>error / peak</source>
@@ -5074,7 +5074,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>Every method is timed at the same time steps of one revolution, and its error is measured against a computation with 115 digits.</source>
-        <translation>Cada método se cronometra en los mismos instantes de una revolución, y su error se mide frente a un cálculo con 115 cifras.</translation>
+        <translation>Cada método se cronometra en los mismos pasos de tiempo de una revolución, y su error se mide frente a un cálculo con 115 cifras.</translation>
     </message>
     <message>
         <source>How fast and how accurate is each method for this mechanism?</source>
@@ -5128,8 +5128,8 @@ perpendicular a la línea de la corredera.</translation>
         <translation>dos arcos</translation>
     </message>
     <message>
-        <source>barely a rocker</source>
-        <translation>oscila por muy poco</translation>
+        <source>almost full turns</source>
+        <translation>casi vueltas completas</translation>
     </message>
     <message>
         <source>gap %1</source>
@@ -5140,8 +5140,8 @@ perpendicular a la línea de la corredera.</translation>
         <translation>bloqueado</translation>
     </message>
     <message>
-        <source>never assemblable</source>
-        <translation>nunca ensamblable</translation>
+        <source>cannot be assembled</source>
+        <translation>no se puede ensamblar</translation>
     </message>
     <message>
         <source>lengths x %1</source>
@@ -5152,7 +5152,7 @@ perpendicular a la línea de la corredera.</translation>
         <translation>t cerca de %1</translation>
     </message>
     <message>
-        <source>%1 steps a turn</source>
+        <source>%1 steps per revolution</source>
         <translation>%1 pasos por revolución</translation>
     </message>
     <message>
@@ -5165,7 +5165,7 @@ perpendicular a la línea de la corredera.</translation>
     </message>
     <message>
         <source>The closed form is %1 times as fast as dense Newton-Raphson with its default tolerance (± %2 %).</source>
-        <translation>La forma cerrada es %1 veces más rápida que Newton-Raphson denso con su tolerancia por defecto (± %2 %).</translation>
+        <translation>La forma cerrada es %1 veces tan rápida como Newton-Raphson denso con su tolerancia por defecto (± %2 %).</translation>
     </message>
 </context>
 <context>

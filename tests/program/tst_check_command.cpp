@@ -45,7 +45,7 @@ private slots:
         QCOMPARE(right.status, 0);
         QCOMPARE(right.error, QByteArray());
         QVERIFY(right.output.contains("right to its 3 digits"));
-        QVERIFY(right.output.endsWith("All values are right to their digits.\n"));
+        QVERIFY(right.output.endsWith("All values are right to their last digit.\n"));
 
         const RunResult wrong = run(QString(kExample) + "x=9.80 v=-41.46");
         QCOMPARE(wrong.status, 1);

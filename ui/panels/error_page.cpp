@@ -165,9 +165,9 @@ public:
              .explanation =
                  tr("Rounding: half a unit of the last digit of the value, plus the motion during half a unit of "
                     "the last digit of the time stamp\n"
-                    "agrees: at least 95 % of the values within the rounding, none beyond ten times that, or "
-                    "beyond it by 0.5 % of half the motion's range\n"
-                    "close: none beyond a hundred times, or by 1 %\n"
+                    "agrees: at least 95 % of the errors are within the rounding, and none exceeds it tenfold or "
+                    "by more than 0.5 % of half the range of the motion\n"
+                    "close: none exceeds it a hundredfold or by more than 1 % of half that range\n"
                     "differs: anything else"),
              .csvName = "verdict",
              .isNumber = false});
@@ -189,7 +189,8 @@ public:
                 ? tr("This mechanism is the pinned one: change it to see the difference.")
                 : tr("Difference: this mechanism minus the pinned one (%1).").arg(pinnedText(pinned, current));
         if (result.difference->hasGaps) {
-            page.sentence += u' ' + tr("Where one of the two cannot be assembled there is nothing to compare.");
+            page.sentence +=
+                u' ' + tr("Time steps at which one of the two mechanisms cannot be assembled are not compared.");
         }
         PageTable table = tableWith("differenceTable", tr("Differences from the pinned motion, a row for each channel"),
                                     {tr("largest difference"), tr("max |this − pinned|"), "max_difference"});

@@ -109,10 +109,10 @@ QString FindLine::noPosition() const
     const Mechanism mechanism(m_session->parameters());
     if (isCouplerAngle && !crankAnglesAt(mechanism, channel, wantedValue() + 0.5 * kTurn)->empty()) {
         return notation().symbols == Symbols::Textbook
-                   ? tr("There is no such position: this θ₃ is measured at B. View > Notation and units has the angle "
-                        "at A.")
-                   : tr("There is no such position: this θ³ is measured at A. View > Notation and units has the angle "
-                        "at B.");
+                   ? tr("There is no such position: this θ₃ is measured at B. Choose the angle at A in View > Notation "
+                        "and units.")
+                   : tr("There is no such position: this θ³ is measured at A. Choose the angle at B in View > Notation "
+                        "and units.");
     }
     const std::optional<ChannelRange> range = rangeOf(mechanism, channel, m_session->alpha2());
     if (!range || !range->excludes(wantedValue())) {

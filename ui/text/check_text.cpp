@@ -100,7 +100,7 @@ QString explanationText(const CheckResult &result, const QStringList &wrongNames
         return {}; // a value may not exist: that is said elsewhere
     }
     switch (result.explanation) {
-    case CheckOutcome::NotNeeded: return CheckText::tr("All values are right to their digits.");
+    case CheckOutcome::NotNeeded: return CheckText::tr("All values are right to their last digit.");
     case CheckOutcome::Named: return slipText(result.slips.front(), wrongNames);
     case CheckOutcome::Ambiguous: {
         QStringList sentences(CheckText::tr("More than one slip is possible; more quantities or digits may decide:"));

@@ -52,7 +52,7 @@ public:
         {ColumnReason::AngleOrLength, QT_TR_NOOP("neither unit nor values tell whether it is an angle or a length")},
         {ColumnReason::TurnsOrRadians, QT_TR_NOOP("its unit may be rad/s or turns per second: state which one")},
         {ColumnReason::CrankPin, QT_TR_NOOP("it describes the crank pin A, which is not compared")},
-        {ColumnReason::Constant, QT_TR_NOOP("its values do not change, as those of a parameter")},
+        {ColumnReason::Constant, QT_TR_NOOP("its values do not change, like those of a parameter")},
     };
 };
 
@@ -200,8 +200,8 @@ QStringList doubtTexts(const ReferenceData &data)
                           QString::fromStdString(first.text), rowFaultText(first));
     }
     if (layout.mayBeThousands) {
-        texts << ColumnText::tr("Every number with a decimal sign has three digits behind it: read as decimals, not as "
-                                "thousands.");
+        texts << ColumnText::tr("Every number with a decimal sign has exactly three digits after it: read as decimals, "
+                                "not as thousands.");
     }
     QStringList ignored, guesses;
     for (std::size_t i = 0; i < layout.columns.size(); ++i) {

@@ -43,7 +43,7 @@ QString verdictText(const ChannelComparison &channel)
     if (channel.count == 0) {
         return ComparisonText::tr("differs: nothing to compare with");
     }
-    return channel.isWithinRoundedTime ? ComparisonText::tr("differs within the rounding of the time stamps")
+    return channel.isWithinRoundedTime ? ComparisonText::tr("differs; the rounded time stamps may explain it")
                                        : ComparisonText::tr("differs");
 }
 
@@ -97,8 +97,8 @@ QString summaryText(std::span<const ChannelComparison> channels)
             .arg(all, all);
     }
     if (count(Verdict::Differs) == 0) {
-        return ComparisonText::tr(
-                   "Close match. Quantities that agree within the rounding of the file: %1 of %2, the others nearly.")
+        return ComparisonText::tr("Close match. Quantities that agree within the rounding of the file: %1 of %2; the "
+                                  "others are close.")
             .arg(agreeing, all);
     }
     const auto worst = std::ranges::max_element(channels, {}, [](const ChannelComparison &channel) {

@@ -33,8 +33,9 @@ public:
         OfChannel ///< in the unit of the first column
     };
 
-    /// A row of the table of conventions. In its text, %1 stands for the columns, %2 for "+ 5 mm" or "− 5 mm", %3 for
-    /// the symbol of the first column, %4 for "in radians, but read as degrees", %5 for "5 mm" or "−5 mm".
+    /// A row of the table of conventions. explanationText() replaces the placeholders in its text: {columns} by the
+    /// names of the columns, {symbol} by the symbol of the first one, {shift} by "+ 5 mm" or "− 5 mm", {value} by
+    /// "5 mm" or "−5 mm", {units} by "in radians, but read as degrees".
     struct Row {
         Kind key;
         const char *name; ///< in files and JSON
@@ -42,24 +43,24 @@ public:
         const char *text;
     };
     static constexpr Row kRows[] = {
-        {Kind::AngleUnit, "angle-unit", Amount::Factor, "%1: %4."},
-        {Kind::LengthUnit, "length-unit", Amount::Factor, "%1: %4."},
-        {Kind::TimeUnit, "time-unit", Amount::Factor, QT_TR_NOOP("The time is %4.")},
-        {Kind::Sign, "sign", Amount::Factor, QT_TR_NOOP("%1: with the opposite sign.")},
+        {Kind::AngleUnit, "angle-unit", Amount::Factor, "{columns}: {units}."},
+        {Kind::LengthUnit, "length-unit", Amount::Factor, "{columns}: {units}."},
+        {Kind::TimeUnit, "time-unit", Amount::Factor, QT_TR_NOOP("The time is {units}.")},
+        {Kind::Sign, "sign", Amount::Factor, QT_TR_NOOP("{columns}: with the opposite sign.")},
         {Kind::HalfTurn, "half-turn", Amount::Degrees,
-         QT_TR_NOOP("%1: measured from the opposite direction; %3 is the value in the file %2.")},
+         QT_TR_NOOP("{columns}: measured from the opposite direction; {symbol} = value in the file {shift}.")},
         {Kind::WholeTurns, "whole-turns", Amount::Degrees,
-         QT_TR_NOOP("%1: off by whole turns; %3 is the value in the file %2.")},
+         QT_TR_NOOP("{columns}: off by whole turns; {symbol} = value in the file {shift}.")},
         {Kind::ZeroPoint, "zero-point", Amount::OfChannel,
-         QT_TR_NOOP("%1: measured from a different origin; the zero of the file is at %3 = %5.")},
-        {Kind::SwappedColumns, "swapped-columns", Amount::None, QT_TR_NOOP("%1: the headings are swapped.")},
+         QT_TR_NOOP("{columns}: measured from a different origin; the zero of the file is at {symbol} = {value}.")},
+        {Kind::SwappedColumns, "swapped-columns", Amount::None, QT_TR_NOOP("{columns}: the headings are swapped.")},
         {Kind::OtherAssembly, "branch", Amount::None,
          QT_TR_NOOP("The mechanism that produced the file has the other assembly: its slider is on the other side "
                     "of A.")},
         {Kind::TimeShift, "time-shift", Amount::Seconds,
-         QT_TR_NOOP("The time stamps are shifted: t is the time in the file %2.")},
+         QT_TR_NOOP("The time stamps are shifted: t = time in the file {shift}.")},
         {Kind::NotDerivative, "not-derivative", Amount::None,
-         QT_TR_NOOP("%1: not the time derivative of the position column.")},
+         QT_TR_NOOP("{columns}: not the time derivative of the position column.")},
         {Kind::Axis, "axis", Amount::None,
          QT_TR_NOOP("The slider moves along y instead of x, as in an upright engine.")}};
 
@@ -99,20 +100,26 @@ QString misreadUnitText(const Convention &convention)
                                              : ConventionText::tr("in millimetres, but read in a different unit");
 }
 
-/// Returns the sentence of a convention, with %1 to %4.
+/// Returns the sentence of a convention, with the placeholders of ConventionText::Row.
 QString sentenceOf(const Convention &convention)
 {
     if (convention.kind == Kind::HalfTurn && concerns(convention, {Theta3, Order::Position})) {
-        return ConventionText::tr("%1: the angle of the coupler seen from B, as textbooks draw θ₃; %3 is the value in "
-                                  "the file %2.");
+        return ConventionText::tr("{columns}: the angle of the coupler seen from B, as textbooks draw θ₃; {symbol} = "
+                                  "value in the file {shift}.");
     }
     if (convention.kind == Kind::WholeTurns && convention.amount == 0.0) {
-        return ConventionText::tr("%1: jumps by whole turns.");
+        return ConventionText::tr("{columns}: jumps by whole turns.");
     }
     return ConventionText::tr(rowOf(ConventionText::kRows, convention.kind).text);
 }
 
-QString unitBehind(Channel channel)
+bool isUnit(Kind kind)
+{
+    return kind == Kind::AngleUnit || kind == Kind::LengthUnit || kind == Kind::TimeUnit;
+}
+
+/// Returns what follows a number of the channel: "°" or " mm/s".
+QString unitSuffix(Channel channel)
 {
     const QString unit = unitText(channel);
     return unit == u"°" ? unit : u' ' + unit;
@@ -158,13 +165,16 @@ QString explanationText(const Convention &convention)
 {
     const Channel channel = convention.channels.empty() ? Channel() : convention.channels.front();
     const double amount = convention.amount;
-    const QString unit = convention.kind == Kind::TimeShift ? " s" : unitBehind(channel);
-    return sentenceOf(convention)
-        .replace("%5", numberText(amount) + unit)
-        .replace("%4", misreadUnitText(convention))
-        .replace("%3", symbolText(channel))
-        .replace("%2", (amount < 0.0 ? "− " : "+ ") + numberText(std::abs(amount)) + unit)
-        .replace("%1", columnNames(convention.channels));
+    const QString unit = convention.kind == Kind::TimeShift ? " s" : unitSuffix(channel);
+    QString text = sentenceOf(convention);
+    text.replace("{columns}", columnNames(convention.channels));
+    text.replace("{symbol}", symbolText(channel));
+    text.replace("{shift}", (amount < 0.0 ? "− " : "+ ") + numberText(std::abs(amount)) + unit);
+    text.replace("{value}", numberText(amount) + unit);
+    if (isUnit(convention.kind)) {
+        text.replace("{units}", misreadUnitText(convention));
+    }
+    return text;
 }
 
 QString findingText(const ConventionFinding &finding)

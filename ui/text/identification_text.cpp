@@ -171,9 +171,9 @@ QString residualText(const Identification &found)
     const QString text =
         found.hasSystematicResiduals
             ? IdentificationText::tr("The columns deviate from its motion by up to %1 % of the range "
-                                     "of %2. What remains is systematic (filtered, interpolated or "
-                                     "integrated data, or a crank speed that varies?), so that no standard "
-                                     "errors can be given.")
+                                     "of %2. The residuals are systematic, so that no standard errors can be given: "
+                                     "the data may be filtered, interpolated or integrated, or the crank speed may "
+                                     "vary.")
             : IdentificationText::tr("The columns deviate from its motion by up to %1 % of the range "
                                      "of %2, more than by rounding; ± holds if these errors are "
                                      "independent.");

@@ -57,7 +57,7 @@ public:
          QT_TR_NOOP("Time of the slower stroke divided by the time of the faster one")},
         {LimitKind::MinimumTransmissionAngle, QT_TR_NOOP("minimum transmission angle"),
          QT_TR_NOOP("The transmission angle μ is the acute angle between the coupler and the normal to the "
-                    "slider's line. Mechanisms with less than about 40° tend to jam.")},
+                    "slider's line. Mechanisms with a minimum of less than about 40° tend to jam.")},
         {LimitKind::MaximumTransmissionAngle, QT_TR_NOOP("maximum transmission angle"),
          QT_TR_NOOP("90° where the coupler is parallel to the slider's line")},
         {LimitKind::MinimumCouplerAngle, QT_TR_NOOP("minimum coupler angle"),
@@ -169,7 +169,7 @@ QString mobilitySentence(const Mechanism &mechanism, const MotionLimits &limits)
     case Mobility::Rocker:
         if (fullTurn.length == fullTurn.bound) {
             return MotionFacts::tr("The crank oscillates and cannot make a full turn: b is less than a + |c| = %1, by "
-                                   "less than the last digit.")
+                                   "less than the last digit shown.")
                 .arg(fullTurn.bound);
         }
         return limits.ranges.size() > 1
@@ -275,8 +275,8 @@ QString statusSentence(Status status, const NewtonOptions &options)
                                nullptr, options.maxIterations);
     case Status::NotAssemblable: return MotionFacts::tr("The mechanism cannot be assembled: the coupler is too short.");
     case Status::NotFinite: // kLargestDrive; the closed form has no such limit
-        return MotionFacts::tr("The crank angle is too large for Newton-Raphson, because its θ₂ has 16 digits: choose "
-                               "the closed form, a smaller ω₂, or times nearer to 0.");
+        return MotionFacts::tr("The crank angle is too large for Newton-Raphson, which stores θ₂ with 16 digits: "
+                               "choose the closed form, a smaller ω₂, or times nearer to 0.");
     }
     return {};
 }

@@ -36,13 +36,13 @@ public:
                                                                  QT_TR_NOOP("rocker"),
                                                                  QT_TR_NOOP("one arc"),
                                                                  QT_TR_NOOP("two arcs"),
-                                                                 QT_TR_NOOP("barely a rocker"),
+                                                                 QT_TR_NOOP("almost full turns"),
                                                                  QT_TR_NOOP("gap %1"),
                                                                  QT_TR_NOOP("locked"),
-                                                                 QT_TR_NOOP("never assemblable"),
+                                                                 QT_TR_NOOP("cannot be assembled"),
                                                                  QT_TR_NOOP("lengths x %1"),
                                                                  QT_TR_NOOP("t near %1"),
-                                                                 QT_TR_NOOP("%1 steps a turn")};
+                                                                 QT_TR_NOOP("%1 steps per revolution")};
 };
 
 /// Translates a property such as "toggle gap 1e-4". Formulas are not translated.

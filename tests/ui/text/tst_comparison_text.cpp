@@ -62,12 +62,12 @@ private slots:
         missing.missingModel = 201;
         ChannelComparison timed = differs; // to 0.01 s
         timed.isWithinRoundedTime = true;
-        QCOMPARE(verdictText(timed), QString("differs within the rounding of the time stamps"));
+        QCOMPARE(verdictText(timed), QString("differs; the rounded time stamps may explain it"));
         const QString most = ", most of all the coupler angle, by 9.83 % of its peak.";
         const std::pair<std::vector<ChannelComparison>, QString> rows[] = {
             {{agrees, agrees}, "Match. Quantities that agree within the rounding of the file: 2 of 2."},
             {{agrees, close},
-             "Close match. Quantities that agree within the rounding of the file: 1 of 2, the others nearly."},
+             "Close match. Quantities that agree within the rounding of the file: 1 of 2; the others are close."},
             {{agrees, close, differs}, "No match. Quantities that differ: 1 of 3" + most},
             {{coarse, differs}, "No match. Quantities that differ: 1 of 2" + most},
             {{agrees, unknown}, "No match. Quantities that differ: 1 of 2."},

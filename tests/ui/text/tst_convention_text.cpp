@@ -39,10 +39,10 @@ private slots:
             {{TimeUnit, {kSliderSpeed}, 1e9}, "The time is in seconds, but read in a different unit."},
             {{Sign, {kTheta3}, -1.0}, "theta3: with the opposite sign."},
             {{HalfTurn, {kTheta3}, -180.0},
-             "theta3: the angle of the coupler seen from B, as textbooks draw θ₃; θ³ is the value in the file − 180°."},
+             "theta3: the angle of the coupler seen from B, as textbooks draw θ₃; θ³ = value in the file − 180°."},
             {{HalfTurn, {kTheta2}, -180.0},
-             "theta2: measured from the opposite direction; θ₂ is the value in the file − 180°."},
-            {{WholeTurns, {kTheta2}, 360.0}, "theta2: off by whole turns; θ₂ is the value in the file + 360°."},
+             "theta2: measured from the opposite direction; θ₂ = value in the file − 180°."},
+            {{WholeTurns, {kTheta2}, 360.0}, "theta2: off by whole turns; θ₂ = value in the file + 360°."},
             {{WholeTurns, {kTheta3}, 0.0}, "theta3: jumps by whole turns."},
             {{ZeroPoint, {kSlider}, -5.0},
              "R4_x: measured from a different origin; the zero of the file is at Rₓ⁴ = −5 mm."},
@@ -52,7 +52,7 @@ private slots:
             {{Axis, {{R4y, Order::Position}}, 1.0}, "The slider moves along y instead of x, as in an upright engine."},
             {{OtherAssembly, {}, 1.0},
              "The mechanism that produced the file has the other assembly: its slider is on the other side of A."},
-            {{TimeShift, {}, -0.25}, "The time stamps are shifted: t is the time in the file − 0.25 s."},
+            {{TimeShift, {}, -0.25}, "The time stamps are shifted: t = time in the file − 0.25 s."},
         };
         for (const auto &[convention, explanation] : rows) {
             QCOMPARE(explanationText(convention), QString::fromUtf8(explanation));

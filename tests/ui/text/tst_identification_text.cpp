@@ -86,11 +86,12 @@ private slots:
         Identification systematic = approximate();
         systematic.hasSystematicResiduals = true;
         systematic.standardErrors.fill(kNone);
-        QCOMPARE(summaryText(systematic),
-                 QString("Mechanism that approximately explains this file: a ≈ 20 mm, b ≈ 60 mm, c ≈ 25 mm, "
-                         "ω₂ ≈ 6.283 rad/s, θ₂₀ ≈ −2.177·10⁻⁵°, open assembly. The columns deviate from its motion by "
-                         "up to 1.20 % of the range of Rₓ⁴. What remains is systematic (filtered, interpolated or "
-                         "integrated data, or a crank speed that varies?), so that no standard errors can be given."));
+        QCOMPARE(
+            summaryText(systematic),
+            QString("Mechanism that approximately explains this file: a ≈ 20 mm, b ≈ 60 mm, c ≈ 25 mm, "
+                    "ω₂ ≈ 6.283 rad/s, θ₂₀ ≈ −2.177·10⁻⁵°, open assembly. The columns deviate from its motion by "
+                    "up to 1.20 % of the range of Rₓ⁴. The residuals are systematic, so that no standard errors can be "
+                    "given: the data may be filtered, interpolated or integrated, or the crank speed may vary."));
         QCOMPARE(measuredText(Parameter::B, systematic, notation()), QString("60 mm"));
 
         QCOMPARE(residualTable(systematic.residuals),
