@@ -56,34 +56,37 @@ struct Calculation {
 };
 
 /// Computes ω3 and α3 by the formulas above.
-void solveCoupler(Calculation &hand)
+void solveCoupler(Calculation &calculation)
 {
-    const auto &[a, b, c, omega2, theta2, branch] = hand.parameters;
-    const auto &[sin2, cos2] = hand.crank;
-    const auto &[sin3, cos3] = hand.coupler;
-    const double omega3 = -a * omega2 * cos2 / (b * cos3) + hand.omega3Error;
-    const double normals = a * hand.crankNormal * sin2 + b * hand.couplerNormalFactor * omega3 * omega3 * sin3;
-    hand.values.state.qDot[Theta3] = omega3;
-    hand.values.state.qDDot[Theta3] = (normals - a * hand.alpha2 * cos2) / (b * cos3) + hand.alpha3Error;
+    const auto &[a, b, c, omega2, theta2, branch] = calculation.parameters;
+    const auto &[sin2, cos2] = calculation.crank;
+    const auto &[sin3, cos3] = calculation.coupler;
+    const double omega3 = -a * omega2 * cos2 / (b * cos3) + calculation.omega3Error;
+    const double normals =
+        a * calculation.crankNormal * sin2 + b * calculation.couplerNormalFactor * omega3 * omega3 * sin3;
+    calculation.values.state.qDot[Theta3] = omega3;
+    calculation.values.state.qDDot[Theta3] =
+        (normals - a * calculation.alpha2 * cos2) / (b * cos3) + calculation.alpha3Error;
 }
 
 /// Computes the slider by the formulas above from ω3 and α3.
-void solveSlider(Calculation &hand)
+void solveSlider(Calculation &calculation)
 {
-    const auto &[a, b, c, omega2, theta2, branch] = hand.parameters;
-    const auto &[sin2, cos2] = hand.crank;
-    const auto &[sin3, cos3] = hand.coupler;
-    State &state = hand.values.state;
+    const auto &[a, b, c, omega2, theta2, branch] = calculation.parameters;
+    const auto &[sin2, cos2] = calculation.crank;
+    const auto &[sin3, cos3] = calculation.coupler;
+    State &state = calculation.values.state;
     const double omega3 = state.qDot[Theta3];
-    const double normals = a * hand.crankNormal * cos2 + b * hand.couplerNormalFactor * omega3 * omega3 * cos3;
+    const double normals =
+        a * calculation.crankNormal * cos2 + b * calculation.couplerNormalFactor * omega3 * omega3 * cos3;
     state.q[R4x] = a * cos2 + b * cos3;
     state.qDot[R4x] = -a * omega2 * sin2 - b * omega3 * sin3;
-    state.qDDot[R4x] = -a * hand.alpha2 * sin2 - b * state.qDDot[Theta3] * sin3 - normals;
+    state.qDDot[R4x] = -a * calculation.alpha2 * sin2 - b * state.qDDot[Theta3] * sin3 - normals;
 }
 
-void setSlider(Calculation &hand, const QuantityMotion &motion)
+void setSlider(Calculation &calculation, const QuantityMotion &motion)
 {
-    State &state = hand.values.state;
+    State &state = calculation.values.state;
     state.q[R4x] = motion.position;
     state.qDot[R4x] = motion.velocity;
     state.qDDot[R4x] = motion.acceleration;
@@ -91,77 +94,78 @@ void setSlider(Calculation &hand, const QuantityMotion &motion)
 
 /// Sets position, velocity and acceleration of the slider from x, dx/dθ2 and d²x/dθ2². Also sets the displacement from
 /// the outer dead centre, which is at x = a + b: the formulas that lead here neglect the offset c.
-void setSlider(Calculation &hand, double x, double firstDerivative, double secondDerivative)
+void setSlider(Calculation &calculation, double x, double firstDerivative, double secondDerivative)
 {
-    const double omega2 = hand.parameters.omega2;
+    const double omega2 = calculation.parameters.omega2;
     const double velocity = firstDerivative * omega2;
-    const double acceleration = secondDerivative * omega2 * omega2 + firstDerivative * hand.alpha2;
-    const double side = hand.side();
-    setSlider(hand, {.position = x, .velocity = velocity, .acceleration = acceleration});
-    hand.values.derived.displacement = {.position = hand.parameters.a + hand.parameters.b - side * x,
-                                        .velocity = -side * velocity,
-                                        .acceleration = -side * acceleration};
+    const double acceleration = secondDerivative * omega2 * omega2 + firstDerivative * calculation.alpha2;
+    const double side = calculation.side();
+    setSlider(calculation, {.position = x, .velocity = velocity, .acceleration = acceleration});
+    calculation.values.derived.displacement = {.position =
+                                                   calculation.parameters.a + calculation.parameters.b - side * x,
+                                               .velocity = -side * velocity,
+                                               .acceleration = -side * acceleration};
 }
 
 /// Sets the slider to the harmonic motion x = middle + a cos θ2.
-void moveHarmonically(Calculation &hand, double middle)
+void moveHarmonically(Calculation &calculation, double middle)
 {
-    const double a = hand.parameters.a;
-    const auto &[sin, cos] = hand.crank;
-    setSlider(hand, middle + a * cos, -a * sin, -a * cos);
+    const double a = calculation.parameters.a;
+    const auto &[sin, cos] = calculation.crank;
+    setSlider(calculation, middle + a * cos, -a * sin, -a * cos);
 }
 
-void moveLikeCrankPin(Calculation &hand)
+void moveLikeCrankPin(Calculation &calculation)
 {
-    moveHarmonically(hand, 0.0);
+    moveHarmonically(calculation, 0.0);
 }
 
 /// Sets the slider to the motion of the crank pin, shifted by the length of the coupler.
-void moveLikeShiftedCrankPin(Calculation &hand)
+void moveLikeShiftedCrankPin(Calculation &calculation)
 {
-    moveHarmonically(hand, hand.directedCoupler());
+    moveHarmonically(calculation, calculation.directedCoupler());
 }
 
-void approximateByTwoHarmonics(Calculation &hand)
+void approximateByTwoHarmonics(Calculation &calculation)
 {
-    const double a = hand.parameters.a;
-    const double b = hand.directedCoupler();
-    const double omega2 = hand.parameters.omega2;
-    const auto &[sin, cos] = hand.crank;
-    const auto &[sinTwice, cosTwice] = sinCos({2.0 * hand.parameters.theta20});
-    setSlider(hand, a * cos + b - a * a / (4.0 * b) * (1.0 - cosTwice), -a * sin - a * a / (2.0 * b) * sinTwice,
+    const double a = calculation.parameters.a;
+    const double b = calculation.directedCoupler();
+    const double omega2 = calculation.parameters.omega2;
+    const auto &[sin, cos] = calculation.crank;
+    const auto &[sinTwice, cosTwice] = sinCos({2.0 * calculation.parameters.theta20});
+    setSlider(calculation, a * cos + b - a * a / (4.0 * b) * (1.0 - cosTwice), -a * sin - a * a / (2.0 * b) * sinTwice,
               -a * cos - a * a / b * cosTwice);
-    hand.values.state.qDot[Theta3] = -a * omega2 * cos / b;
-    hand.values.state.qDDot[Theta3] = a * (omega2 * omega2 * sin - hand.alpha2 * cos) / b;
+    calculation.values.state.qDot[Theta3] = -a * omega2 * cos / b;
+    calculation.values.state.qDDot[Theta3] = a * (omega2 * omega2 * sin - calculation.alpha2 * cos) / b;
 }
 
 /// Approximates by two harmonics, but omits the factor 1/2 of sin 2θ2 in the velocity.
-void doubleSecondHarmonicOfVelocity(Calculation &hand)
+void doubleSecondHarmonicOfVelocity(Calculation &calculation)
 {
-    const double a = hand.parameters.a;
-    approximateByTwoHarmonics(hand);
-    const double change =
-        -a * a / (2.0 * hand.directedCoupler()) * sinCos({2.0 * hand.parameters.theta20}).sin * hand.parameters.omega2;
-    hand.values.state.qDot[R4x] += change;
-    hand.values.derived.displacement.velocity -= hand.side() * change;
+    const double a = calculation.parameters.a;
+    approximateByTwoHarmonics(calculation);
+    const double change = -a * a / (2.0 * calculation.directedCoupler()) *
+                          sinCos({2.0 * calculation.parameters.theta20}).sin * calculation.parameters.omega2;
+    calculation.values.state.qDot[R4x] += change;
+    calculation.values.derived.displacement.velocity -= calculation.side() * change;
 }
 
-void measureFromInnerDeadCentre(Calculation &hand)
+void measureFromInnerDeadCentre(Calculation &calculation)
 {
-    const auto &[a, b, c, omega2, theta2, branch] = hand.parameters;
-    const double side = hand.side();
-    const State &state = hand.values.state;
-    hand.values.derived.displacement = {side * state.q[R4x] - std::sqrt((b - a) * (b - a) - c * c),
-                                        side * state.qDot[R4x], side * state.qDDot[R4x]};
-    setSlider(hand, hand.values.derived.displacement);
+    const auto &[a, b, c, omega2, theta2, branch] = calculation.parameters;
+    const double side = calculation.side();
+    const State &state = calculation.values.state;
+    calculation.values.derived.displacement = {side * state.q[R4x] - std::sqrt((b - a) * (b - a) - c * c),
+                                               side * state.qDot[R4x], side * state.qDDot[R4x]};
+    setSlider(calculation, calculation.values.derived.displacement);
 }
 
 /// Replaces ω2² by ω2 in all accelerations q'' ω2² + q' α2, where ' is d/dθ2.
-void omitSquareOfSpeed(Calculation &hand)
+void omitSquareOfSpeed(Calculation &calculation)
 {
-    State &state = hand.values.state;
-    const double omega2 = hand.parameters.omega2;
-    const Vector12 alpha2Term = state.qDot / omega2 * hand.alpha2;
+    State &state = calculation.values.state;
+    const double omega2 = calculation.parameters.omega2;
+    const Vector12 alpha2Term = state.qDot / omega2 * calculation.alpha2;
     state.qDDot = (state.qDDot - alpha2Term) / omega2 + alpha2Term;
 }
 
@@ -181,11 +185,11 @@ void scaleCoordinates(State &state, bool (*isScaled)(Coordinate), double factor)
     }
 }
 
-void scaleLengths(Calculation &hand, double factor)
+void scaleLengths(Calculation &calculation, double factor)
 {
-    DerivedState &derived = hand.values.derived;
+    DerivedState &derived = calculation.values.derived;
     scaleCoordinates(
-        hand.values.state, [](Coordinate coordinate) { return !isAngle(coordinate); }, factor);
+        calculation.values.state, [](Coordinate coordinate) { return !isAngle(coordinate); }, factor);
     for (QuantityMotion *motion : {&derived.displacement, &derived.pinX, &derived.pinY}) {
         scale(*motion, factor);
     }
@@ -194,66 +198,66 @@ void scaleLengths(Calculation &hand, double factor)
 /// Multiplies all angles by the factor. Adds half turns to θ3 first, because θ3 may be measured at A or at B, and in
 /// either direction.
 template <int halfTurns>
-void scaleAngles(Calculation &hand, double factor)
+void scaleAngles(Calculation &calculation, double factor)
 {
-    hand.values.state.q[Theta3] += halfTurns * kHalfTurn;
-    scaleCoordinates(hand.values.state, isAngle, factor);
-    scale(hand.values.derived.transmissionAngle, factor);
+    calculation.values.state.q[Theta3] += halfTurns * kHalfTurn;
+    scaleCoordinates(calculation.values.state, isAngle, factor);
+    scale(calculation.values.derived.transmissionAngle, factor);
 }
 
 /// Measures all angles clockwise.
-void measureAnglesClockwise(Calculation &hand)
+void measureAnglesClockwise(Calculation &calculation)
 {
-    scaleAngles<0>(hand, -1.0);
+    scaleAngles<0>(calculation, -1.0);
 }
 
-void measureFromOuterDeadCentre(Calculation &hand)
+void measureFromOuterDeadCentre(Calculation &calculation)
 {
-    setSlider(hand, hand.values.derived.displacement);
+    setSlider(calculation, calculation.values.derived.displacement);
 }
 
 /// Measures as many textbooks do: the slider from the outer dead centre towards the crank, and the coupler clockwise.
-void measureTowardsCrank(Calculation &hand)
+void measureTowardsCrank(Calculation &calculation)
 {
-    measureFromOuterDeadCentre(hand);
-    measureAnglesClockwise(hand);
+    measureFromOuterDeadCentre(calculation);
+    measureAnglesClockwise(calculation);
 }
 
 /// Makes another slip first.
 template <void (*makeFirst)(Calculation &)>
-void thenMeasureTowardsCrank(Calculation &hand)
+void thenMeasureTowardsCrank(Calculation &calculation)
 {
-    makeFirst(hand);
-    measureTowardsCrank(hand);
+    makeFirst(calculation);
+    measureTowardsCrank(calculation);
 }
 
-void takeCouplerCentre(Calculation &hand)
+void takeCouplerCentre(Calculation &calculation)
 {
-    const State &state = hand.values.state;
-    setSlider(hand, {state.q[R3x], state.qDot[R3x], state.qDDot[R3x]});
+    const State &state = calculation.values.state;
+    setSlider(calculation, {state.q[R3x], state.qDot[R3x], state.qDDot[R3x]});
 }
 
-void turnCouplerByHalfTurn(Calculation &hand)
+void turnCouplerByHalfTurn(Calculation &calculation)
 {
-    hand.coupler = {-hand.coupler.sin, -hand.coupler.cos};
+    calculation.coupler = {-calculation.coupler.sin, -calculation.coupler.cos};
 }
 
-void subtractTransmissionAngleFrom(Calculation &hand, double angle)
+void subtractTransmissionAngleFrom(Calculation &calculation, double angle)
 {
-    double &transmissionAngle = hand.values.derived.transmissionAngle.position;
+    double &transmissionAngle = calculation.values.derived.transmissionAngle.position;
     transmissionAngle = angle - transmissionAngle;
 }
 
 template <int halfTurns>
-void takeRadiansAsDegrees(Calculation &hand)
+void takeRadiansAsDegrees(Calculation &calculation)
 {
-    scaleAngles<halfTurns>(hand, 1.0 / kDegreesPerRadian);
+    scaleAngles<halfTurns>(calculation, 1.0 / kDegreesPerRadian);
 }
 
 template <int halfTurns>
-void takeDegreesAsRadians(Calculation &hand)
+void takeDegreesAsRadians(Calculation &calculation)
 {
-    scaleAngles<halfTurns>(hand, kDegreesPerRadian);
+    scaleAngles<halfTurns>(calculation, kDegreesPerRadian);
 }
 
 /// Returns half a unit of the third significant digit.
@@ -263,11 +267,11 @@ double halfUnitOfThirdDigit(double value)
 }
 
 /// Rounds the angle θ3 + shift, in degrees, to three digits. `shift` (rad): 0 for the angle at A, -π for that at B.
-void roundTheta3(Calculation &hand, double shift)
+void roundTheta3(Calculation &calculation, double shift)
 {
-    const double degrees = (hand.values.state.q[Theta3] + shift) * kDegreesPerRadian;
+    const double degrees = (calculation.values.state.q[Theta3] + shift) * kDegreesPerRadian;
     const double unit = 2.0 * halfUnitOfThirdDigit(degrees);
-    hand.coupler = sinCos({std::round(degrees / unit) * unit / kDegreesPerRadian - shift});
+    calculation.coupler = sinCos({std::round(degrees / unit) * unit / kDegreesPerRadian - shift});
 }
 
 constexpr double kMillimetresPerInch = 25.4;
@@ -285,7 +289,7 @@ enum class Stage {
 /// One way to make a slip; a slip may have several.
 struct Way {
     Stage stage;
-    void (*make)(Calculation &hand); ///< nullptr: there is no further way
+    void (*make)(Calculation &calculation); ///< nullptr: there is no further way
 };
 constexpr std::size_t kMaxWays = 8;
 
@@ -299,58 +303,75 @@ std::span<const SlipRow> allSlips()
 {
     using enum Slip;
     using enum Stage;
-    using Hand = Calculation;
     static constexpr SlipRow kSlips[] = {
         {OtherAssembly,
          "other-assembly",
-         {{Input, [](Hand &hand) { hand.parameters.branch = oppositeBranch(hand.parameters.branch); }}}},
-        {OffsetSign, "offset-sign", {{Input, [](Hand &hand) { hand.parameters.c *= -1.0; }}}},
-        {OffsetOmitted, "offset-omitted", {{Input, [](Hand &hand) { hand.parameters.c = 0.0; }}}},
-        {CrankSpeedSign, "crank-speed-sign", {{Input, [](Hand &hand) { hand.parameters.omega2 *= -1.0; }}}},
-        {CrankAccelerationSign, "crank-acceleration-sign", {{Input, [](Hand &hand) { hand.alpha2 *= -1.0; }}}},
-        {CrankAccelerationOmitted, "crank-acceleration-omitted", {{Input, [](Hand &hand) { hand.alpha2 = 0.0; }}}},
-        {CrankAngleSign, "crank-angle-sign", {{Input, [](Hand &hand) { hand.parameters.theta20 *= -1.0; }}}},
+         {{Input,
+           [](Calculation &calculation) {
+               calculation.parameters.branch = oppositeBranch(calculation.parameters.branch);
+           }}}},
+        {OffsetSign, "offset-sign", {{Input, [](Calculation &calculation) { calculation.parameters.c *= -1.0; }}}},
+        {OffsetOmitted, "offset-omitted", {{Input, [](Calculation &calculation) { calculation.parameters.c = 0.0; }}}},
+        {CrankSpeedSign,
+         "crank-speed-sign",
+         {{Input, [](Calculation &calculation) { calculation.parameters.omega2 *= -1.0; }}}},
+        {CrankAccelerationSign,
+         "crank-acceleration-sign",
+         {{Input, [](Calculation &calculation) { calculation.alpha2 *= -1.0; }}}},
+        {CrankAccelerationOmitted,
+         "crank-acceleration-omitted",
+         {{Input, [](Calculation &calculation) { calculation.alpha2 = 0.0; }}}},
+        {CrankAngleSign,
+         "crank-angle-sign",
+         {{Input, [](Calculation &calculation) { calculation.parameters.theta20 *= -1.0; }}}},
         {CrankAngleUnit,
          "crank-angle-unit",
-         {{Input, [](Hand &hand) { hand.parameters.theta20 *= kDegreesPerRadian; }},
-          {Input, [](Hand &hand) { hand.parameters.theta20 /= kDegreesPerRadian; }}}},
+         {{Input, [](Calculation &calculation) { calculation.parameters.theta20 *= kDegreesPerRadian; }},
+          {Input, [](Calculation &calculation) { calculation.parameters.theta20 /= kDegreesPerRadian; }}}},
         {CrankSpeedInRpm,
          "crank-speed-in-rpm",
-         {{Input, [](Hand &hand) { hand.parameters.omega2 *= kRadiansPerSecondPerRpm; }},
-          {Input, [](Hand &hand) { hand.parameters.omega2 /= kRadiansPerSecondPerRpm; }}}},
+         {{Input, [](Calculation &calculation) { calculation.parameters.omega2 *= kRadiansPerSecondPerRpm; }},
+          {Input, [](Calculation &calculation) { calculation.parameters.omega2 /= kRadiansPerSecondPerRpm; }}}},
         {CrankSpeedInDegrees,
          "crank-speed-in-degrees",
-         {{Input, [](Hand &hand) { hand.parameters.omega2 *= kDegreesPerRadian; }},
-          {Input, [](Hand &hand) { hand.parameters.omega2 /= kDegreesPerRadian; }}}},
+         {{Input, [](Calculation &calculation) { calculation.parameters.omega2 *= kDegreesPerRadian; }},
+          {Input, [](Calculation &calculation) { calculation.parameters.omega2 /= kDegreesPerRadian; }}}},
         {LinksExchanged,
          "links-exchanged",
-         {{Input, [](Hand &hand) { std::swap(hand.parameters.a, hand.parameters.b); }}}},
+         {{Input, [](Calculation &calculation) { std::swap(calculation.parameters.a, calculation.parameters.b); }}}},
         {DiameterForRadius,
          "diameter-for-radius",
-         {{Input, [](Hand &hand) { hand.parameters.a *= 2.0; }},
-          {Input, [](Hand &hand) { hand.parameters.a /= 2.0; }}}},
+         {{Input, [](Calculation &calculation) { calculation.parameters.a *= 2.0; }},
+          {Input, [](Calculation &calculation) { calculation.parameters.a /= 2.0; }}}},
         {CouplerAngleSign,
          "coupler-angle-sign",
-         {{Measurement, [](Hand &hand) { hand.values.state.q[Theta3] *= -1.0; }},
+         {{Measurement, [](Calculation &calculation) { calculation.values.state.q[Theta3] *= -1.0; }},
           {Measurement, measureAnglesClockwise}}},
         {CrankSineForCosine,
          "crank-sine-for-cosine",
-         {{Input, [](Hand &hand) { hand.parameters.theta20 = kQuarterTurn - hand.parameters.theta20; }},
-          {Formula, [](Hand &hand) { std::swap(hand.crank.sin, hand.crank.cos); }}}},
+         {{Input,
+           [](Calculation &calculation) {
+               calculation.parameters.theta20 = kQuarterTurn - calculation.parameters.theta20;
+           }},
+          {Formula, [](Calculation &calculation) { std::swap(calculation.crank.sin, calculation.crank.cos); }}}},
         {CouplerSineForCosine,
          "coupler-sine-for-cosine",
-         {{Formula, [](Hand &hand) { std::swap(hand.coupler.sin, hand.coupler.cos); }}}},
+         {{Formula, [](Calculation &calculation) { std::swap(calculation.coupler.sin, calculation.coupler.cos); }}}},
         {CouplerAngleEnd, "coupler-angle-end", {{Formula, turnCouplerByHalfTurn}}},
         {CrankSpeedNotSquared,
          "crank-speed-not-squared",
-         {{Formula, [](Hand &hand) { hand.crankNormal = hand.parameters.omega2; }}, {Result, omitSquareOfSpeed}}},
-        {CrankNormalOmitted, "crank-normal-omitted", {{Formula, [](Hand &hand) { hand.crankNormal = 0.0; }}}},
+         {{Formula, [](Calculation &calculation) { calculation.crankNormal = calculation.parameters.omega2; }},
+          {Result, omitSquareOfSpeed}}},
+        {CrankNormalOmitted,
+         "crank-normal-omitted",
+         {{Formula, [](Calculation &calculation) { calculation.crankNormal = 0.0; }}}},
         {CouplerNormalOmitted,
          "coupler-normal-omitted",
-         {{Formula, [](Hand &hand) { hand.couplerNormalFactor = 0.0; }}}},
+         {{Formula, [](Calculation &calculation) { calculation.couplerNormalFactor = 0.0; }}}},
         {NormalsOmitted,
          "normals-omitted",
-         {{Formula, [](Hand &hand) { hand.crankNormal = hand.couplerNormalFactor = 0.0; }}}},
+         {{Formula,
+           [](Calculation &calculation) { calculation.crankNormal = calculation.couplerNormalFactor = 0.0; }}}},
         {HarmonicMotion,
          "harmonic-motion",
          {{Result, moveLikeCrankPin},
@@ -369,18 +390,18 @@ std::span<const SlipRow> allSlips()
         {FromInnerDeadCentre, "from-inner-dead-centre", {{Measurement, measureFromInnerDeadCentre}}},
         {InchesAsMetricUnits,
          "inches",
-         {{Result, [](Hand &hand) { scaleLengths(hand, kMillimetresPerInch); }},
-          {Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kMillimetresPerInch); }},
-          {Result, [](Hand &hand) { scaleLengths(hand, kCentimetresPerInch); }},
-          {Result, [](Hand &hand) { scaleLengths(hand, 1.0 / kCentimetresPerInch); }}}},
+         {{Result, [](Calculation &calculation) { scaleLengths(calculation, kMillimetresPerInch); }},
+          {Result, [](Calculation &calculation) { scaleLengths(calculation, 1.0 / kMillimetresPerInch); }},
+          {Result, [](Calculation &calculation) { scaleLengths(calculation, kCentimetresPerInch); }},
+          {Result, [](Calculation &calculation) { scaleLengths(calculation, 1.0 / kCentimetresPerInch); }}}},
         {MetresAsMillimetres,
          "metres",
-         {{Result, [](Hand &hand) { scaleLengths(hand, 1000.0); }},
-          {Result, [](Hand &hand) { scaleLengths(hand, 0.001); }}}},
+         {{Result, [](Calculation &calculation) { scaleLengths(calculation, 1000.0); }},
+          {Result, [](Calculation &calculation) { scaleLengths(calculation, 0.001); }}}},
         {CentimetresAsMillimetres,
          "centimetres",
-         {{Result, [](Hand &hand) { scaleLengths(hand, 10.0); }},
-          {Result, [](Hand &hand) { scaleLengths(hand, 0.1); }}}},
+         {{Result, [](Calculation &calculation) { scaleLengths(calculation, 10.0); }},
+          {Result, [](Calculation &calculation) { scaleLengths(calculation, 0.1); }}}},
         // θ3 may be measured at A or B and in either direction, so that up to two half turns are added to it.
         {ValueInRadians,
          "value-in-radians",
@@ -394,42 +415,45 @@ std::span<const SlipRow> allSlips()
           {Result, takeDegreesAsRadians<1>}}},
         {PressureAngle,
          "pressure-angle",
-         {{Result, [](Hand &hand) { subtractTransmissionAngleFrom(hand, kQuarterTurn); }}}},
-        {ObtuseAngle, "obtuse-angle", {{Result, [](Hand &hand) { subtractTransmissionAngleFrom(hand, kHalfTurn); }}}},
+         {{Result, [](Calculation &calculation) { subtractTransmissionAngleFrom(calculation, kQuarterTurn); }}}},
+        {ObtuseAngle,
+         "obtuse-angle",
+         {{Result, [](Calculation &calculation) { subtractTransmissionAngleFrom(calculation, kHalfTurn); }}}},
         {CouplerAngleRounded,
          "coupler-angle-rounded",
-         {{Formula, [](Hand &hand) { roundTheta3(hand, 0.0); }},
-          {Formula, [](Hand &hand) { roundTheta3(hand, -kHalfTurn); }}}},
+         {{Formula, [](Calculation &calculation) { roundTheta3(calculation, 0.0); }},
+          {Formula, [](Calculation &calculation) { roundTheta3(calculation, -kHalfTurn); }}}},
     };
     static_assert(isCompleteTable(kSlips, CouplerAngleRounded));
     return kSlips;
 }
 
-/// Computes the motion from a wrong input. Returns whether there is such a mechanism.
-bool solveMechanism(Calculation &hand)
+/// Computes the motion of `calculation.parameters`. Returns false if there is no such mechanism, or if it cannot be
+/// assembled or is singular at this position.
+bool solveMechanism(Calculation &calculation)
 {
-    if (findFault(hand.parameters)) {
+    if (findFault(calculation.parameters)) {
         return false;
     }
-    hand.values = outputStateAt(Mechanism(hand.parameters), 0.0, hand.alpha2);
-    return hand.values.state.status == Status::Solved;
+    calculation.values = outputStateAt(Mechanism(calculation.parameters), 0.0, calculation.alpha2);
+    return calculation.values.state.status == Status::Solved;
 }
 
 /// Appends what a slip leads to if it is made in this way: nothing if the mechanism is impossible then.
-void addOutcomes(std::vector<SlipOutcome> &outcomes, Slip slip, const Way &way, Calculation hand)
+void addOutcomes(std::vector<SlipOutcome> &outcomes, Slip slip, const Way &way, Calculation calculation)
 {
-    way.make(hand);
-    if (way.stage == Stage::Input && !solveMechanism(hand)) {
+    way.make(calculation);
+    if (way.stage == Stage::Input && !solveMechanism(calculation)) {
         return;
     }
     if (way.stage == Stage::Formula) { // in the formulas of the slider only, or in those of the coupler, too
-        solveSlider(hand);
-        outcomes.push_back({.slip = slip, .values = hand.values, .affectsPositions = false});
-        solveCoupler(hand);
-        solveSlider(hand);
+        solveSlider(calculation);
+        outcomes.push_back({.slip = slip, .values = calculation.values, .affectsPositions = false});
+        solveCoupler(calculation);
+        solveSlider(calculation);
     }
     const bool affectsPositions = way.stage == Stage::Input || way.stage == Stage::Measurement;
-    outcomes.push_back({.slip = slip, .values = hand.values, .affectsPositions = affectsPositions});
+    outcomes.push_back({.slip = slip, .values = calculation.values, .affectsPositions = affectsPositions});
 }
 
 } // namespace
