@@ -47,7 +47,7 @@ QString messageFor(Status status, const SamplingSummary &summary, const NewtonOp
         return CommandLine::tr("Newton-Raphson did not converge at %1: rounding errors are larger than the "
                                "--tolerance (now %4); choose a greater one.");
     }
-    const double crankAngle = summary.firstAngles[static_cast<std::size_t>(status)];
+    const double crankAngle = summary.withStatus(status).firstTheta2;
     if (status == Status::NotFinite && std::isfinite(crankAngle)) { // kLargestDrive; the closed form has no such limit
         return CommandLine::tr("The crank angle is too large for Newton-Raphson at %1, which stores θ₂ with 16 digits: "
                                "choose --method closed-form, a smaller --omega2, or times nearer to 0.");
@@ -59,14 +59,14 @@ QString messageFor(Status status, const SamplingSummary &summary, const NewtonOp
 /// steps, the number of those with the status comes before it.
 QString placeText(Status status, const SamplingSummary &summary)
 {
-    const auto index = static_cast<std::size_t>(status);
-    const QString place = QString("t = %1 s (θ₂ = %2°)")
-                              .arg(numberText(summary.firstTimes[index]), crankAngleText(summary.firstAngles[index]));
+    const StatusSummary &steps = summary.withStatus(status);
+    const QString place =
+        QString("t = %1 s (θ₂ = %2°)").arg(numberText(steps.firstTime), crankAngleText(steps.firstTheta2));
     if (summary.timeSteps == 1) {
         return place;
     }
     const QString count = CommandLine::tr("%1 of %2 time steps, first at ")
-                              .arg(QString::number(summary.count(status)), QString::number(summary.timeSteps));
+                              .arg(QString::number(steps.count), QString::number(summary.timeSteps));
     return count + place;
 }
 

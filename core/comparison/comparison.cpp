@@ -108,14 +108,14 @@ Verdict verdictOf(const ChannelComparison &channel)
     return areMostWithinBound && areAllClose ? Verdict::Agrees : Verdict::Close;
 }
 
-/// Updates the largest error and the largest percentage with the error of one value.
-void updateLargestErrors(ChannelComparison &result, double time, double error, double magnitude, bool isZero)
+/// Updates the largest error and the largest percentage with the error of one value. `percent`: the error in percent of
+/// the value; not finite if it has no meaning.
+void updateLargestErrors(ChannelComparison &result, double time, double error, double percent)
 {
     if (!result.maxAbs || error > *result.maxAbs) {
         result.maxAbs = error;
         result.timeOfMaxAbs = time;
     }
-    const double percent = isZero ? kNone : error / magnitude * 100.0;
     if (!std::isfinite(percent)) {
         ++result.zeroReference;
     } else if (!result.maxPercent || percent > *result.maxPercent) {
@@ -227,7 +227,9 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
         const double magnitude = std::abs(value);
         const double error = errorOf(channel, model, value);
         const double halfStep = halfStepOf(series, i, scale);
-        updateLargestErrors(result, reference.time[i], error, magnitude, magnitude <= halfStep);
+        const bool isZeroExceptForRounding = magnitude <= halfStep;
+        const double percent = isZeroExceptForRounding ? kNone : error / magnitude * 100.0;
+        updateLargestErrors(result, reference.time[i], error, percent);
         double bound = halfStep + kUlpSlack * magnitude;
         if (effect != nullptr && error > bound) {
             bound += effect->drift(channel, i, model, scale.halfRange);
@@ -274,7 +276,8 @@ std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism,
 template <class Function>
 void forEachSeries(const ReferenceData &reference, const Function &function)
 {
-    inParallel(reference.series.size(), function, reference.time.size() > kMinTimeStampsForThreads);
+    const bool areLong = reference.time.size() > kMinTimeStampsForThreads;
+    inParallel(reference.series.size(), function, areLong ? Threads::OnePerProcessor : Threads::CallingThread);
 }
 
 /// Compares again the columns that differ and, with uneven time stamps, those that are close, assuming that the time

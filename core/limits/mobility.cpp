@@ -192,10 +192,11 @@ std::vector<double> anglesAcross(const CrankRange &range, int steps)
     return angles;
 }
 
-std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double theta2, int sense)
+std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double theta2, CrankDirection direction)
 {
-    constexpr double kEndTolerance = 1e-9; // rad: an angle nearer than this to the end of a stroke is considered to be there
-    const double inside = theta2 + sense * kAtAnEnd;
+    constexpr double kEndTolerance = 1e-9; // rad: an angle this near to the end of a stroke is considered to be there
+    const double inside =
+        direction == CrankDirection::CounterClockwise ? theta2 + kEndTolerance : theta2 - kEndTolerance;
     std::vector<SliderPosition> ends = findReversals(limits);
     if (ends.empty()) {
         return std::nullopt;

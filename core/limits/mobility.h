@@ -82,10 +82,11 @@ struct SliderStroke {
     SliderPosition to;
 };
 
+enum class CrankDirection { Clockwise, CounterClockwise };
+
 /// Returns the stroke that contains the crank angle. At the end of a stroke, returns the one that a crank enters which
-/// turns in the direction `sense`: 1 counter-clockwise, -1 clockwise. Returns nullopt if the mechanism cannot be
-/// assembled at the angle.
-std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double theta2, int sense);
+/// turns in this direction. Returns nullopt if the mechanism cannot be assembled at the angle.
+std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double theta2, CrankDirection direction);
 
 /// Returns the crank angle within the stroke at which the slider is at R4x; for R4x beyond the stroke, that of the
 /// nearer end.

@@ -14,11 +14,16 @@
 namespace slidercrank
 {
 
-/// Calls work(i) once for each i < count, in any order, and returns when all calls have returned. Uses as many threads
-/// as there are processors, the calling thread included, or the calling thread alone if `worthIt` is false. Starting a
-/// thread takes about 20 µs. If work() throws, the exception is rethrown when all threads have ended.
+/// The threads of inParallel(). Starting one takes about 20 µs.
+enum class Threads {
+    CallingThread,  ///< no other thread
+    OnePerProcessor ///< as many threads as there are processors, the calling thread included
+};
+
+/// Calls work(i) once for each i < count, in any order, and returns when all calls have returned. If work() throws, the
+/// exception is rethrown when all threads have ended.
 template <class Work>
-void inParallel(std::size_t count, const Work &work, bool worthIt = true)
+void inParallel(std::size_t count, const Work &work, Threads allowed = Threads::OnePerProcessor)
 {
     std::atomic<std::size_t> next = 0;
     const auto takeTurns = [&] {
@@ -26,7 +31,8 @@ void inParallel(std::size_t count, const Work &work, bool worthIt = true)
             work(i);
         }
     };
-    const std::size_t threads = worthIt && count > 1 ? std::max(1U, std::thread::hardware_concurrency()) : 1;
+    const bool areSeveral = allowed == Threads::OnePerProcessor && count > 1;
+    const std::size_t threads = areSeveral ? std::max(1U, std::thread::hardware_concurrency()) : 1;
     std::vector<std::future<void>> others; // their destructors wait for the threads, also after an exception
     try {
         for (std::size_t i = 1; i < std::min(threads, count); ++i) {

@@ -35,9 +35,8 @@ Trajectory limitRow(const Mechanism &mechanism, double t, const OutputState &sta
     const Status status = hasDerivative ? state.state.status : Status::Solved;
     SamplingSummary &summary = trajectory.summary;
     summary = {.timeSteps = 1};
-    summary.statusCounts[static_cast<std::size_t>(status)] = 1;
-    summary.firstTimes[static_cast<std::size_t>(status)] = trajectory.time.front();
-    summary.firstAngles[static_cast<std::size_t>(status)] = state.state.q[Theta2];
+    summary.withStatus(status) = {
+        .count = 1, .firstTime = trajectory.time.front(), .firstTheta2 = state.state.q[Theta2]};
     trajectory.status.front() = status;
     return trajectory;
 }

@@ -139,7 +139,9 @@ void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std
         }
     };
     constexpr std::size_t kMinTimeStampsForThreads = 1U << 15U; // starting a thread takes as long as a few thousand
-    inParallel((times.size() + kStopInterval - 1) / kStopInterval, evaluate, times.size() > kMinTimeStampsForThreads);
+    const bool areMany = times.size() > kMinTimeStampsForThreads;
+    inParallel((times.size() + kStopInterval - 1) / kStopInterval, evaluate,
+               areMany ? Threads::OnePerProcessor : Threads::CallingThread);
     trajectory.complete = !stop.stop_requested();
 }
 
@@ -196,11 +198,11 @@ void SamplingSummary::add(const SamplingSummary &next)
 {
     timeSteps += next.timeSteps;
     for (std::size_t i = 0; i < kStatusCount; ++i) {
-        if (statusCounts[i] == 0) {
-            firstTimes[i] = next.firstTimes[i];
-            firstAngles[i] = next.firstAngles[i];
+        if (statuses[i].count == 0) {
+            statuses[i] = next.statuses[i];
+        } else {
+            statuses[i].count += next.statuses[i].count;
         }
-        statusCounts[i] += next.statusCounts[i];
     }
     iterations += next.iterations;
     maxIterationsOfStep = std::max(maxIterationsOfStep, next.maxIterationsOfStep);
@@ -233,10 +235,10 @@ Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const S
     SamplingSummary &summary = trajectory.summary;
     summary.timeSteps = trajectory.time.size();
     for (std::size_t i = summary.timeSteps; i-- > 0;) { // backwards, so that the first time remains
-        const auto status = static_cast<std::size_t>(trajectory.status[i]);
-        ++summary.statusCounts[status];
-        summary.firstTimes[status] = trajectory.time[i];
-        summary.firstAngles[status] = mechanism.theta20() + mechanism.omega2() * trajectory.time[i];
+        StatusSummary &status = summary.withStatus(trajectory.status[i]);
+        ++status.count;
+        status.firstTime = trajectory.time[i];
+        status.firstTheta2 = mechanism.theta20() + mechanism.omega2() * trajectory.time[i];
     }
     return trajectory;
 }

@@ -46,21 +46,30 @@ struct SolverSettings {
     friend bool operator==(const SolverSettings &, const SolverSettings &) = default;
 };
 
+/// The time steps that have the same status.
+struct StatusSummary {
+    std::size_t count = 0;
+
+    // The first of them; 0 if there is none.
+    double firstTime = 0.0;   ///< s
+    double firstTheta2 = 0.0; ///< rad
+
+    friend bool operator==(const StatusSummary &, const StatusSummary &) = default;
+};
+
 /// Summarizes the outcome of solving many time steps.
 struct SamplingSummary {
     std::size_t timeSteps = 0;
-    std::array<std::size_t, kStatusCount> statusCounts{}; ///< number of time steps, indexed by Status
-
-    // The first time step with each Status; 0 if there is none.
-    std::array<double, kStatusCount> firstTimes{};  ///< s
-    std::array<double, kStatusCount> firstAngles{}; ///< rad, the crank angle then
+    std::array<StatusSummary, kStatusCount> statuses{}; ///< indexed by Status
 
     // The iterations and residuals of the time steps whose position Newton-Raphson found; 0 for the closed form.
     long long iterations = 0;     ///< total number
     int maxIterationsOfStep = 0;  ///< largest number in one time step
     double largestResidual = 0.0; ///< as NewtonOptions::toleranceKind measures it
 
-    std::size_t count(Status status) const { return statusCounts[static_cast<std::size_t>(status)]; }
+    StatusSummary &withStatus(Status status) { return statuses[static_cast<std::size_t>(status)]; }
+    const StatusSummary &withStatus(Status status) const { return statuses[static_cast<std::size_t>(status)]; }
+    std::size_t count(Status status) const { return withStatus(status).count; }
 
     /// Returns the number of time steps that have a position.
     std::size_t found() const { return count(Status::Solved) + count(Status::Singular); }

@@ -25,10 +25,10 @@ SamplingSummary summarize(const Choices &choices, std::stop_token stop)
     const Mechanism mechanism(choices.parameters);
     if (mechanism.b() > shortestCouplerForFullTurn(mechanism) && poseAt(choices.parameters, start).exists() &&
         poseAt(choices.parameters, start + duration).exists()) {
-        constexpr auto kSolved = static_cast<std::size_t>(Status::Solved); // the status of every time step
-        summary.timeSteps = summary.statusCounts[kSolved] = static_cast<std::size_t>(steps) + 1;
-        summary.firstTimes[kSolved] = start;
-        summary.firstAngles[kSolved] = mechanism.theta20() + mechanism.omega2() * start;
+        summary.timeSteps = static_cast<std::size_t>(steps) + 1;
+        summary.withStatus(Status::Solved) = {.count = summary.timeSteps,
+                                              .firstTime = start,
+                                              .firstTheta2 = mechanism.theta20() + mechanism.omega2() * start};
         return summary;
     }
     const auto add = [&summary](const Trajectory &piece) {

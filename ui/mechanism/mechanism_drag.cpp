@@ -92,7 +92,8 @@ std::optional<MechanismDrag> MechanismDrag::begin(const MechanismScene &scene, D
     }
     if ((part == DrawnPart::B || part == DrawnPart::Slider) && scene.pose.exists()) {
         drag.m_grip = pointer - scene.wristPin();
-        drag.m_stroke = strokeAround(drag.m_limits, scene.pose.motion.theta2, omega2 > 0.0 ? 1 : -1);
+        drag.m_stroke = strokeAround(drag.m_limits, scene.pose.motion.theta2,
+                                     omega2 > 0.0 ? CrankDirection::CounterClockwise : CrankDirection::Clockwise);
     }
     return drag.m_stroke ? std::optional(drag) : std::nullopt;
 }
@@ -117,24 +118,24 @@ double MechanismDrag::crankAngleAt(QPointF pointer)
 
 double MechanismDrag::crankAngleOfSlider(double R4x)
 {
-    if (m_pushedAgainst != 0) {
-        const bool isAtEnd = m_pushedAgainst > 0;
+    if (m_endReached) {
+        const bool isAtEnd = *m_endReached == CrankDirection::CounterClockwise;
         const SliderPosition end = isAtEnd ? m_stroke->to : m_stroke->from;
         const SliderPosition start = isAtEnd ? m_stroke->from : m_stroke->to;
         if ((R4x - end.R4x) * (start.R4x - end.R4x) <= 0.0) {
             return end.theta2; // the pointer is still beyond the end
         }
         // Where an oscillating crank reverses there is no next stroke; the slider returns on the same one.
-        if (const std::optional<SliderStroke> next = strokeAround(m_limits, end.theta2, m_pushedAgainst)) {
+        if (const std::optional<SliderStroke> next = strokeAround(m_limits, end.theta2, *m_endReached)) {
             m_stroke = next;
         }
     }
     const double theta2 = slidercrank::crankAngleAt(m_mechanism, *m_stroke, R4x);
-    m_pushedAgainst = 0;
+    m_endReached.reset();
     if (theta2 == m_stroke->to.theta2) {
-        m_pushedAgainst = 1;
+        m_endReached = CrankDirection::CounterClockwise;
     } else if (theta2 == m_stroke->from.theta2) {
-        m_pushedAgainst = -1;
+        m_endReached = CrankDirection::Clockwise;
     }
     return theta2;
 }

@@ -49,8 +49,8 @@ private:
     // A drag of the slider. Between two dead centres its position determines the crank angle. When the slider has
     // reached a dead centre and comes back, the crank continues beyond the dead centre, as with a flywheel.
     std::optional<SliderStroke> m_stroke;
-    int m_pushedAgainst = 0; ///< end of the stroke that was reached: +1 is its `to`, -1 its `from`, 0 none
-    QPointF m_grip;          ///< from A or B to the pointer
+    std::optional<CrankDirection> m_endReached; ///< counter-clockwise is the stroke's `to`, clockwise its `from`
+    QPointF m_grip;                             ///< from A or B to the pointer
 };
 
 } // namespace slidercrank

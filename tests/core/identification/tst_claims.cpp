@@ -186,7 +186,7 @@ private slots:
                                  ClaimTable table(random);
                                  table.overTime(random.between(0.8, 3.0), random.between(60, 150));
                                  table.with(random.oneOf<Channels>({kSixColumns, {kTheta3, kSlider}}));
-                                 return isNoisy ? table.digits(8).withNoise(kAll, 0.005) : table;
+                                 return isNoisy ? table.digits(8).withNoise(kAllColumns, 0.005) : table;
                              }};
         const int files = kIsMemoryCheck ? 20 : runs(200, 1000);
         std::vector<std::vector<ParameterError>> errors(static_cast<std::size_t>(files));

@@ -325,7 +325,8 @@ private slots:
                 continue;
             }
             ++checked;
-            const auto stroke = strokeAround(motionLimits(mechanism), motion.theta2, i % 2 == 0 ? 1 : -1);
+            const CrankDirection direction = i % 2 == 0 ? CrankDirection::CounterClockwise : CrankDirection::Clockwise;
+            const auto stroke = strokeAround(motionLimits(mechanism), motion.theta2, direction);
             VERIFY_FOR(p, stroke && stroke->from.theta2 < stroke->to.theta2);
             const double found = crankAngleAt(mechanism, *stroke, motion.R4x);
             VERIFY_FOR(p, near(motionAt(found).R4x, motion.R4x, 1e-12 * characteristicLength(p)));

@@ -101,10 +101,10 @@ private slots:
                     const bool isNewton = settings.method == Method::Newton;
                     const State state = isNewton ? timeStep.state : closedForm.stateAt(times[i]);
                     QCOMPARE(all.status[i], state.status);
-                    if (expected.statusCounts[std::size_t(state.status)]++ == 0) {
-                        expected.firstTimes[std::size_t(state.status)] = times[i];
-                        expected.firstAngles[std::size_t(state.status)] =
-                            mechanism.theta20() + mechanism.omega2() * times[i];
+                    StatusSummary &status = expected.withStatus(state.status);
+                    if (status.count++ == 0) {
+                        status.firstTime = times[i];
+                        status.firstTheta2 = mechanism.theta20() + mechanism.omega2() * times[i];
                     }
                     if (isNewton && timeStep.positionStatus == Status::Solved) {
                         expected.iterations += timeStep.iterations;
