@@ -198,7 +198,8 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
                                          "\"%1\".")
                              .arg(options.text("vary"))};
     }
-    options.refuse({optionName(*parameter)}, CommandLine::tr("--vary sets the values of this parameter: remove %1."));
+    options.refuseIfGiven({optionName(*parameter)},
+                          CommandLine::tr("--vary sets the values of this parameter: remove %1."));
     const double first = parseParameter("vary", match.captured(2), *parameter);
     const double last = parseParameter("vary", match.captured(3), *parameter);
     const int count = options.integer("count", 100, 1, 100'000);
@@ -264,13 +265,13 @@ Mechanism designMechanism(const OptionReader &options, Parameters parameters)
 {
     const auto [request, findsOffset] = readDesign(options);
     if (findsOffset) {
-        options.refuse({"c", "vary"}, CommandLine::tr("--design time-ratio computes c: remove %1."));
+        options.refuseIfGiven({"c", "vary"}, CommandLine::tr("--design time-ratio computes c: remove %1."));
         if (!options.has("a") || !options.has("b")) {
             throw UsageError{
                 CommandLine::tr("--design time-ratio needs a stroke, such as stroke=80, or the lengths --a and --b.")};
         }
     } else {
-        options.refuse({"a", "b", "c", "vary"}, CommandLine::tr("--design computes a, b and c: remove %1."));
+        options.refuseIfGiven({"a", "b", "c", "vary"}, CommandLine::tr("--design computes a, b and c: remove %1."));
     }
     const std::variant<Lengths, DesignFault> designed =
         findsOffset ? designOffset(parameters.a, parameters.b, request.timeRatio) : design(request);
@@ -300,12 +301,13 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
         design = mechanismText(mechanism, kMechanismDigits) + '\n';
     }
     if (options.has("vary")) {
-        options.refuse({"tolerance"}, CommandLine::tr("--vary prints values without their tolerances: remove %1."));
+        options.refuseIfGiven({"tolerance"},
+                              CommandLine::tr("--vary prints values without their tolerances: remove %1."));
         const std::vector<Record> rows = varyLimits(options, mechanism.parameters(), units);
         return request.write(streams,
                              {.text = csvText(rows), .rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
     }
-    options.refuse({"count"}, CommandLine::tr("%1 applies to --vary only: remove it."));
+    options.refuseIfGiven({"count"}, CommandLine::tr("%1 applies to --vary only: remove it."));
     PrintedLimits list(mechanism, units);
     if (options.has("tolerance")) {
         list.ranges = limitRanges(mechanism, readTolerances(options, mechanism));

@@ -142,7 +142,7 @@ double firstTimeAtAngle(const OptionReader &options, const Mechanism &mechanism,
 std::optional<double> readTimeStamp(const OptionReader &options, const Mechanism &mechanism)
 {
     if (options.has("at")) {
-        options.refuse({"at-angle"}, CommandLine::tr("--at already sets the time: remove %1."));
+        options.refuseIfGiven({"at-angle"}, CommandLine::tr("--at already sets the time: remove %1."));
         return options.number("at", 0.0, kSecond);
     }
     if (!options.has("at-angle")) {

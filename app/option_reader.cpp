@@ -233,7 +233,7 @@ int OptionReader::integer(const char *name, int defaultValue, int smallest, int 
     return static_cast<int>(value);
 }
 
-void OptionReader::refuse(const std::vector<const char *> &names, const QString &message) const
+void OptionReader::refuseIfGiven(const std::vector<const char *> &names, const QString &message) const
 {
     for (const char *name : names) {
         if (has(name)) {

@@ -71,7 +71,7 @@ public:
     }
 
     /// Throws if any of these options was given. %1 in the message becomes the name of the option.
-    void refuse(const std::vector<const char *> &names, const QString &message) const;
+    void refuseIfGiven(const std::vector<const char *> &names, const QString &message) const;
 
 private:
     void checkRepetitions() const; ///< throws if an option or standard input is given twice, or a file has no name

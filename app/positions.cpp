@@ -172,7 +172,7 @@ std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &m
         }
         return {{.mechanism = mechanism, .timeStamps = {firstTimeAtAngle(options, mechanism, theta2)}}};
     }
-    options.refuse({"omega2"}, CommandLine::tr("--omega2-for computes the crank speed: remove %1."));
+    options.refuseIfGiven({"omega2"}, CommandLine::tr("--omega2-for computes the crank speed: remove %1."));
     const ChannelValue wanted = readChannelValue("omega2-for", options.text("omega2-for"), units);
     const QString name = columnName(wanted.channel);
     if (orderOf(wanted.channel) != Order::Velocity) {
@@ -198,21 +198,22 @@ std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &m
 void checkSelection(const OptionReader &options)
 {
     if (options.has("at") || options.has("at-angle")) {
-        options.refuse({"steps", "duration", "step-angle", "when"},
-                       CommandLine::tr("--at and --at-angle ask for one time and %1 for several: remove one of them."));
+        options.refuseIfGiven(
+            {"steps", "duration", "step-angle", "when"},
+            CommandLine::tr("--at and --at-angle ask for one time and %1 for several: remove one of them."));
     }
     if (options.has("at")) {
-        options.refuse({"start", "at-angle"}, CommandLine::tr("--at already sets the time: remove %1."));
+        options.refuseIfGiven({"start", "at-angle"}, CommandLine::tr("--at already sets the time: remove %1."));
     }
     if (options.has("step-angle")) {
-        options.refuse({"steps", "duration", "when"},
-                       CommandLine::tr("--step-angle covers one revolution: remove %1."));
+        options.refuseIfGiven({"steps", "duration", "when"},
+                              CommandLine::tr("--step-angle covers one revolution: remove %1."));
     }
     if (options.has("when")) {
-        options.refuse({"steps", "duration"}, CommandLine::tr("--when covers one revolution: remove %1."));
+        options.refuseIfGiven({"steps", "duration"}, CommandLine::tr("--when covers one revolution: remove %1."));
     }
     if (!options.has("at-angle")) {
-        options.refuse({"omega2-for"}, CommandLine::tr("%1 needs the position: add --at-angle."));
+        options.refuseIfGiven({"omega2-for"}, CommandLine::tr("%1 needs the position: add --at-angle."));
     }
 }
 
@@ -234,8 +235,9 @@ std::vector<Positions> readPositions(const OptionReader &options, const Mechanis
     if (options.has("when")) {
         return readSolutions(options, mechanism, units);
     }
-    options.refuse({"alpha2"}, CommandLine::tr("The crank has a constant speed over time, and %1 applies to single "
-                                               "positions: add --at-angle, --at, --step-angle or --when."));
+    options.refuseIfGiven({"alpha2"},
+                          CommandLine::tr("The crank has a constant speed over time, and %1 applies to single "
+                                          "positions: add --at-angle, --at, --step-angle or --when."));
     return {};
 }
 

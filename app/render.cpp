@@ -40,14 +40,14 @@ namespace slidercrank
 namespace
 {
 
-enum class Subject { Figure, Mechanism, Polygons, Report, Frames, Plot };
+enum class Subject { Figure, Mechanism, Polygons, Report, Animation, Plot };
 
 /// The words of --what. A Plot is not among them: its word is the name of the plot.
 constexpr EnumWord<Subject> kSubjects[] = {{Subject::Figure, "figure"},
                                            {Subject::Mechanism, "mechanism"},
                                            {Subject::Polygons, "polygons"},
                                            {Subject::Report, "report"},
-                                           {Subject::Frames, "frames"}};
+                                           {Subject::Animation, "frames"}};
 
 struct RenderRequest {
     Subject subject = Subject::Figure;
@@ -55,7 +55,7 @@ struct RenderRequest {
     std::optional<FigureSize> size; ///< by --size; otherwise figure.width decides
     double scale = 1.0;
     Scene scene;         ///< the settings, the time that is drawn, and the crank acceleration
-    Animation animation; ///< for Subject::Frames
+    Animation animation; ///< for Subject::Animation
     PaperSize paper = PaperSize::A4;
     Theme theme = Theme::Light;
     bool isTimeChosen = false; ///< whether the user chose the time range; otherwise plottedTime() does
@@ -174,7 +174,7 @@ void readSize(const OptionReader &options, RenderRequest &request)
     if (!options.has("size")) {
         return;
     }
-    options.refuse({"width"}, CommandLine::tr("--size and %1 both state the width: remove one of them."));
+    options.refuseIfGiven({"width"}, CommandLine::tr("--size and %1 both state the width: remove one of them."));
     const QStringList sides = options.text("size").split('x');
     const QSize size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
     const auto [shorter, longer] = std::minmax({size.width(), size.height()});
@@ -185,8 +185,8 @@ void readSize(const OptionReader &options, RenderRequest &request)
     }
     request.size = FigureSize{.size = size, .scale = request.scale};
     if (options.has("font-size")) {
-        request.size->fontPixels =
-            std::max(1, static_cast<int>(std::lround(request.figure.fontSize / kPointsPerInch * kDotsPerInch)));
+        request.size->fontPixels = std::max(
+            1, static_cast<int>(std::lround(request.figure.fontSize / kPointsPerInch * kLogicalPixelsPerInch)));
     }
 }
 
@@ -198,7 +198,7 @@ void readTarget(const OptionReader &options, RenderRequest &request)
     const QString type = QMimeDatabase().mimeTypeForFile(request.output, QMimeDatabase::MatchExtension).name();
     const bool isFolder = !request.output.isEmpty() && !format && !type.contains(QRegularExpression("^video|^image"));
     bool isSuitable = format.has_value();
-    if (request.subject == Subject::Frames) {
+    if (request.subject == Subject::Animation) {
         isSuitable = isFolder || isVideo(request.output);
     } else if (request.subject == Subject::Report) {
         isSuitable = format == FigureFormat::Pdf;
@@ -218,8 +218,8 @@ void readTime(const OptionReader &options, RenderRequest &request)
     request.animation.start = sampling.start;
     request.animation.duration = sampling.duration;
     request.animation.speed = options.number("speed", 1.0, {}, kSmallestSpeed);
-    if (request.subject == Subject::Frames) {
-        options.refuse(
+    if (request.subject == Subject::Animation) {
+        options.refuseIfGiven(
             {"at", "at-angle"},
             CommandLine::tr(
                 "Frames show the whole time range: remove %1, or choose the range with --start and --duration."));
@@ -229,7 +229,7 @@ void readTime(const OptionReader &options, RenderRequest &request)
                     .arg(Animation::kMaxFrames)};
         }
     } else {
-        options.refuse({"speed"}, CommandLine::tr("Only --what frames has a speed: remove %1."));
+        options.refuseIfGiven({"speed"}, CommandLine::tr("Only --what frames has a speed: remove %1."));
     }
     double &time = request.scene.time;
     time = options.has("scene") ? std::clamp(time, sampling.start, end) : sampling.start;
@@ -247,10 +247,10 @@ void readAcceleration(const OptionReader &options, RenderRequest &request)
     request.scene.alpha2 = readCrankAcceleration(options);
     const bool hasArrows = request.subject == Subject::Mechanism && request.scene.mechanism.acceleration;
     if (request.subject != Subject::Report && request.subject != Subject::Polygons && !hasArrows) {
-        options.refuse({"alpha2"},
-                       CommandLine::tr("Only a report, polygons and a scene with arrows of acceleration show an "
-                                       "acceleration of the crank, and everything else is for a constant crank speed: "
-                                       "remove %1."));
+        options.refuseIfGiven(
+            {"alpha2"}, CommandLine::tr("Only a report, polygons and a scene with arrows of acceleration show an "
+                                        "acceleration of the crank, and everything else is for a constant crank speed: "
+                                        "remove %1."));
     }
 }
 
@@ -261,10 +261,11 @@ void readTableStep(const OptionReader &options, RenderRequest &request)
         return;
     }
     if (request.subject != Subject::Report) {
-        options.refuse({"step-angle"}, CommandLine::tr("Only a report contains a table: remove %1."));
+        options.refuseIfGiven({"step-angle"}, CommandLine::tr("Only a report contains a table: remove %1."));
     }
     if (request.scene.reference) {
-        options.refuse({"step-angle"}, CommandLine::tr("A report of a comparison contains no table: remove %1."));
+        options.refuseIfGiven({"step-angle"},
+                              CommandLine::tr("A report of a comparison contains no table: remove %1."));
     }
     constexpr double kSmallestStep = 1.0; // degrees: with more rows a report would state every 15°
     constexpr double kLargestStep = 360.0;
@@ -278,15 +279,15 @@ void readTableStep(const OptionReader &options, RenderRequest &request)
 void readPicture(const OptionReader &options, RenderRequest &request)
 {
     const bool isReport = request.subject == Subject::Report;
-    const bool isFrames = request.subject == Subject::Frames;
+    const bool isAnimation = request.subject == Subject::Animation;
     if (isReport) {
-        options.refuse({"size", "scale", "theme", "width", "font-size", "no-cursor"},
-                       CommandLine::tr("A report has a fixed layout, black on white: remove %1."));
+        options.refuseIfGiven({"size", "scale", "theme", "width", "font-size", "no-cursor"},
+                              CommandLine::tr("A report has a fixed layout, black on white: remove %1."));
     } else {
-        options.refuse({"paper"}, CommandLine::tr("Only a report has a paper size: remove %1."));
+        options.refuseIfGiven({"paper"}, CommandLine::tr("Only a report has a paper size: remove %1."));
     }
-    if (isFrames) {
-        options.refuse({"width", "font-size", "no-cursor"}, CommandLine::tr("Frames have a --size: remove %1."));
+    if (isAnimation) {
+        options.refuseIfGiven({"width", "font-size", "no-cursor"}, CommandLine::tr("Frames have a --size: remove %1."));
     }
     request.paper = options.choice("paper", PaperSize::A4);
     readFigure(options, request.figure);
@@ -407,7 +408,7 @@ std::optional<QString> writePicture(const RenderRequest &request, const Mechanis
 /// Writes the subject of the request into its file. Returns a message on failure.
 std::optional<QString> write(const RenderRequest &request, const std::shared_ptr<const Result> &result)
 {
-    const bool showsMechanism = request.subject == Subject::Mechanism || request.subject == Subject::Frames ||
+    const bool showsMechanism = request.subject == Subject::Mechanism || request.subject == Subject::Animation ||
                                 request.subject == Subject::Report;
     Identification found;
     if (result->reference && showsMechanism) {
@@ -429,7 +430,7 @@ std::optional<QString> write(const RenderRequest &request, const std::shared_ptr
             request, result->mechanism, pictures.palette(),
             polygonFigure(result->mechanism, request.scene.time, request.scene.alpha2, pictures.palette()),
             polygonHeight);
-    case Subject::Frames: {
+    case Subject::Animation: {
         const auto drawFrame = [&](QPainter &painter, const QSize &size, double time) {
             const FigureDrawing draw = [&](QPainter &target, const QSize &part) {
                 pictures.drawFrame(target, part, time);
@@ -465,8 +466,8 @@ ExitStatus renderCommand(const OptionReader &options, const Streams &streams)
     Scene &scene = request.scene;
     const std::vector<ColumnChoice> columns = readColumns(options);
     if (!scene.reference) {
-        options.refuse({"column", "abscissa"},
-                       CommandLine::tr("%1 describes a reference file: name the file with --reference."));
+        options.refuseIfGiven({"column", "abscissa"},
+                              CommandLine::tr("%1 describes a reference file: name the file with --reference."));
     }
     if (request.isOnePosition()) {
         scene.sampling.start = scene.time;
