@@ -137,14 +137,14 @@ private:
     int m_moves = 0;
 };
 
-void sliderToNinePlots(benchmark::State &state)
+void moveSliderAndPaintNinePlots(benchmark::State &state)
 {
     MovingSlider slider(static_cast<int>(state.range(0)), static_cast<ReferenceFile>(state.range(1)));
     for (auto _ : state) {
         slider.move();
     }
 }
-BENCHMARK(sliderToNinePlots)
+BENCHMARK(moveSliderAndPaintNinePlots)
     ->ArgNames({"samples", "reference"})
     ->ArgsProduct({{201, 20'001, 1'000'001}, {0, 1}})
     ->Unit(benchmark::kMillisecond)

@@ -196,8 +196,8 @@ private slots:
                      &Place::fault);
     }
 
-    void aCommandOnAFullDisk_data() { addCommands(); }
-    void aCommandOnAFullDisk()
+    void aCommandKeepsTheOldFileOnAFullDisk_data() { addCommands(); }
+    void aCommandKeepsTheOldFileOnAFullDisk()
     {
         QFETCH(const int, index);
         const Save save = commands()[index];
@@ -207,9 +207,9 @@ private slots:
         });
     }
 
-    /// The program itself must ignore the signal that it then receives.
-    void theProgramOnAFullDisk_data() { addCommands({"solve to CSV", "render PDF"}); }
-    void theProgramOnAFullDisk()
+    /// The program itself must ignore SIGXFSZ, which exceeding the size limit raises.
+    void theProgramKeepsTheOldFileOnAFullDisk_data() { addCommands({"solve to CSV", "render PDF"}); }
+    void theProgramKeepsTheOldFileOnAFullDisk()
     {
         QFETCH(const int, index);
         const Save save = commands()[index];
@@ -218,8 +218,8 @@ private slots:
         });
     }
 
-    void theWindowOnAFullDisk_data() { addSaves(); }
-    void theWindowOnAFullDisk()
+    void theWindowKeepsTheOldFileOnAFullDisk_data() { addSaves(); }
+    void theWindowKeepsTheOldFileOnAFullDisk()
     {
         QFETCH(const int, index);
         const Save save = savesOfTheWindow()[index];
@@ -229,7 +229,7 @@ private slots:
         });
     }
 
-    void standardOutputToAFullDevice()
+    void aFullStandardOutputIsReported()
     {
         for (const char *line : {"solve", "solve --format json", "limits", "--help", "--version"}) {
             QProcess program;

@@ -25,7 +25,7 @@ namespace tst_simulation_files
 
 const QString kFolder = QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/support/simulation_files/");
 
-Parameters writtenParameters()
+Parameters parametersOfTheFiles()
 {
     Parameters parameters;
     parameters.b = 60.0;
@@ -63,7 +63,7 @@ std::variant<ReferenceData, ReadError> readSample(const QStringList &files)
 /// Returns the value of a channel in the unit of files.
 double exactValue(Channel channel, double time)
 {
-    const Parameters p = writtenParameters();
+    const Parameters p = parametersOfTheFiles();
     return static_cast<double>(textbookValue(p, channel, p.omega2 * time + p.theta20));
 }
 

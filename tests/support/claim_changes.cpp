@@ -83,7 +83,7 @@ ClaimTable &ClaimTable::ofYoke(double damping, double third)
 
 ClaimTable &ClaimTable::reprinted()
 {
-    return change(kAll, Content::Motion, [](ClaimColumn &column) { column.reprint = "%.18e"; });
+    return change(kAllColumns, Content::Motion, [](ClaimColumn &column) { column.reprint = "%.18e"; });
 }
 
 /// A multiple of a length has a different unit: the mechanism in that unit explains the file equally well.
@@ -169,13 +169,13 @@ ClaimTable &ClaimTable::withBacklash(Channel channel, double fraction)
     });
 }
 
-ClaimTable &ClaimTable::misread(Channel channel, double factor, double offset)
+ClaimTable &ClaimTable::misread(Channel channel, const Misreading &misreading)
 {
     return change({channel}, Content::Motion, [=, this](ClaimColumn &column) {
         const double rows = static_cast<double>(times.size());
         for (int count = static_cast<int>(m_random.between(1.0, 0.03 * rows)); count > 0; --count) {
             const Index row = 1 + m_random.index(times.size() - 2);
-            const double wrong = factor * column.values[row] + offset;
+            const double wrong = misreading.factor * column.values[row] + misreading.offset;
             if (std::abs(wrong - column.values[row]) > 0.05 * swing(column.shown)) {
                 column.values[row] = wrong;
                 badRows.insert(row);
@@ -236,6 +236,7 @@ ClaimTable &ClaimTable::saturated(Channel channel, double fraction)
 ClaimTable &ClaimTable::withGaps(const Channels &channels, double probability)
 {
     return change(channels, Content::Motion, [=, this](ClaimColumn &column) {
+        // The first row keeps its values: the import finds the table by its first row of numbers.
         for (Index row = 1; row < times.size(); ++row) {
             column.values[row] = m_random.isTrue(probability) ? kNone : column.values[row];
         }
@@ -251,8 +252,9 @@ ClaimTable &ClaimTable::withoutABlock(const Channels &channels)
 
 // Filters and clocks.
 
-ClaimTable &ClaimTable::smoothed(const Channels &channels, int before, int after, double decay)
+ClaimTable &ClaimTable::smoothed(const Channels &channels, const WeightedMean &mean)
 {
+    const auto &[before, after, decay] = mean;
     const Values lags = Values::LinSpaced(before + after + 1, -after, before);
     const Values weights = (-decay * lags.abs()).exp() / (-decay * lags.abs()).exp().sum();
     compute();

@@ -72,11 +72,14 @@ std::vector<ClaimKind> plainTables()
              return ClaimTable(random)
                  .with({kSlider, kTheta3})
                  .digits(7)
-                 .withNoise(kAll, random.onLogScale(0.001, 0.01));
+                 .withNoise(kAllColumns, random.onLogScale(0.001, 0.01));
          }},
         {"noise of six columns",
          [](Random &random) {
-             return ClaimTable(random).with(kSixColumns).digits(7).withNoise(kAll, random.onLogScale(0.001, 0.02));
+             return ClaimTable(random)
+                 .with(kSixColumns)
+                 .digits(7)
+                 .withNoise(kAllColumns, random.onLogScale(0.001, 0.02));
          }},
         {"noise of theta2 and R4_x",
          [](Random &random) {
@@ -92,7 +95,7 @@ std::vector<ClaimKind> plainTables()
                  .overTime(random.between(0.4, 2.0), random.onLogScale(60, 400))
                  .with({kSlider})
                  .digits(7)
-                 .withNoise(kAll, 0.003);
+                 .withNoise(kAllColumns, 0.003);
          }},
         {"noise, 0.1 to 0.6 turns",
          [](Random &random) {
@@ -100,7 +103,7 @@ std::vector<ClaimKind> plainTables()
                  .overTime(random.onLogScale(0.1, 0.6), random.onLogScale(60, 400))
                  .with(kSixColumns)
                  .digits(7)
-                 .withNoise(kAll, 0.005);
+                 .withNoise(kAllColumns, 0.005);
          }},
         {"noise, a tenth of a turn",
          [](Random &random) {
@@ -108,7 +111,7 @@ std::vector<ClaimKind> plainTables()
                  .overTime(0.1, random.onLogScale(60, 400))
                  .with(kSixColumns)
                  .digits(7)
-                 .withNoise(kAll, 0.005);
+                 .withNoise(kAllColumns, 0.005);
          }},
         {"noise, a quarter turn of theta3",
          [](Random &random) {
@@ -116,14 +119,14 @@ std::vector<ClaimKind> plainTables()
                  .overTime(0.25, random.between(60, 200))
                  .with({kTheta3})
                  .digits(7)
-                 .withNoise(kAll, 0.005);
+                 .withNoise(kAllColumns, 0.005);
          }},
         {"drifting noise",
          [](Random &random) {
              return ClaimTable(random)
                  .with({kSlider, kTheta3})
                  .digits(7)
-                 .withUnevenNoise(kAll, 0.01, 0.95, 0.0)
+                 .withUnevenNoise(kAllColumns, 0.01, 0.95, 0.0)
                  .mayBeMissed()
                  .approximate();
          }},
@@ -182,7 +185,7 @@ std::vector<ClaimKind> plainTables()
          [](Random &random) {
              return ClaimTable(random)
                  .with(random.oneOf<Channels>({kSixColumns, {kTheta3, kSlider, kSliderSpeed}}))
-                 .withGaps(kAll, 0.15);
+                 .withGaps(kAllColumns, 0.15);
          }},
         {"theta3 in every tenth row",
          [](Random &random) {
@@ -321,7 +324,7 @@ std::vector<ClaimKind> otherMotions()
                  .ofYoke(0.0, 0.08)
                  .with(kSliderColumns)
                  .digits(7)
-                 .withNoise(kAll, 0.01)
+                 .withNoise(kAllColumns, 0.01)
                  .noMechanism();
          }},
         {"yoke, 2 %, R4_x alone",
@@ -364,7 +367,7 @@ std::vector<ClaimKind> otherMotions()
              return ClaimTable(random)
                  .overTime(random.between(0.6, 3.0), random.between(5, 60))
                  .with(random.oneOf<Channels>({{kSlider}, kSixColumns}))
-                 .replacedByRandom(kAll)
+                 .replacedByRandom(kAllColumns)
                  .noMechanism();
          }},
         {"a sloping line",
@@ -377,7 +380,7 @@ std::vector<ClaimKind> otherMotions()
              return ClaimTable(random)
                  .overTime(random.between(0.6, 3.0), 60)
                  .with({kSlider, kTheta3})
-                 .amplified(kAll, 0.0)
+                 .amplified(kAllColumns, 0.0)
                  .noMechanism();
          }},
     };

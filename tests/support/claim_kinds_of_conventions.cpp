@@ -312,7 +312,7 @@ std::vector<ClaimKind> tablesWithConventions()
              return ClaimTable(random)
                  .with({kSlider})
                  .digits(7)
-                 .withNoise(kAll, 0.003)
+                 .withNoise(kAllColumns, 0.003)
                  .shifted({kSlider}, random.eitherSign(100.0, 500.0))
                  .conventions(1, 2);
          }},
@@ -445,7 +445,7 @@ std::vector<ClaimKind> tablesWithConventions()
              return ClaimTable(random)
                  .with(kSixColumns)
                  .digits(8)
-                 .withNoise(kAll, random.onLogScale(5e-4, 1e-2))
+                 .withNoise(kAllColumns, random.onLogScale(5e-4, 1e-2))
                  .multiplied(kCouplerColumns, kRadians)
                  .conventions(1);
          }},
@@ -454,7 +454,7 @@ std::vector<ClaimKind> tablesWithConventions()
              return ClaimTable(random)
                  .with(kSixColumns)
                  .digits(8)
-                 .withNoise(kAll, random.onLogScale(5e-4, 1e-2))
+                 .withNoise(kAllColumns, random.onLogScale(5e-4, 1e-2))
                  .multiplied({random.oneOf({kSliderSpeed, kSliderAcceleration, kTheta3Speed})}, -1.0)
                  .conventions(1);
          }},

@@ -11,7 +11,9 @@ namespace slidercrank
 namespace
 {
 
-/// A table of 100 … 300 rows in 1 … 3 turns.
+constexpr double kErrorCode = -9999.0; // which a logger writes in place of a reading
+
+/// Returns a table of 100 … 300 rows in 1 … 3 turns.
 ClaimTable longTable(ClaimRandom &random, std::initializer_list<Channels> choices, int digits = 7)
 {
     return ClaimTable(random)
@@ -20,7 +22,8 @@ ClaimTable longTable(ClaimRandom &random, std::initializer_list<Channels> choice
         .digits(digits);
 }
 
-ClaimTable positionsAndMore(ClaimRandom &random, int digits = 7)
+/// Returns such a table with R4_x, perhaps with θ2 or θ3, or with all six channels.
+ClaimTable tableOfPositionsAndMore(ClaimRandom &random, int digits = 7)
 {
     return longTable(random, {{kSlider}, {kSlider, kTheta3}, {kTheta2, kSlider}, kSixColumns}, digits);
 }
@@ -30,11 +33,12 @@ ClaimTable tableOfPositions(ClaimRandom &random, int digits = 7)
     return longTable(random, {{kSlider}, {kSlider, kTheta3}}, digits);
 }
 
-/// Half of the tables are noisy.
-ClaimTable positionsOrSix(ClaimRandom &random, double mostNoise)
+/// Returns a table of 100 … 300 rows with R4_x, with R4_x and θ3, or with all six channels; every second one (at
+/// random) has noise of 1e-4 … `maxNoise` of half the range.
+ClaimTable tableOfPositionsOrSixChannels(ClaimRandom &random, double maxNoise)
 {
     ClaimTable table = longTable(random, {{kSlider}, {kSlider, kTheta3}, kSixColumns});
-    return random.isTrue(0.5) ? table.withNoise(kAll, random.onLogScale(1e-4, mostNoise)) : table;
+    return random.isTrue(0.5) ? table.withNoise(kAllColumns, random.onLogScale(1e-4, maxNoise)) : table;
 }
 
 } // namespace
@@ -45,40 +49,56 @@ std::vector<ClaimKind> filteredTables()
     return {
         {"moving average",
          [](Random &random) {
-             return positionsAndMore(random).smoothed(kAll, random.oneOf({1, 2, 3, 4}), 0).approximate();
+             return tableOfPositionsAndMore(random)
+                 .smoothed(kAllColumns, {.before = random.oneOf({1, 2, 3, 4})})
+                 .approximate();
          }},
         {"centred moving average",
          [](Random &random) {
              const int rows = random.oneOf({1, 3});
-             return positionsAndMore(random).smoothed(kAll, rows, rows).approximate();
+             return tableOfPositionsAndMore(random)
+                 .smoothed(kAllColumns, {.before = rows, .after = rows})
+                 .approximate();
          }},
         {"centred moving average of position and velocity",
          [](Random &random) {
-             return longTable(random, {{kSlider, kSliderSpeed}}).smoothed(kAll, 2, 2).approximate().mayBeMissed();
+             return longTable(random, {{kSlider, kSliderSpeed}})
+                 .smoothed(kAllColumns, {.before = 2, .after = 2})
+                 .approximate()
+                 .mayBeMissed();
          }},
         {"centred moving average of the position, exact velocity",
          [](Random &random) {
-             return longTable(random, {{kSlider, kSliderSpeed}}).smoothed({kSlider}, 2, 2).approximate().mayBeMissed();
+             return longTable(random, {{kSlider, kSliderSpeed}})
+                 .smoothed({kSlider}, {.before = 2, .after = 2})
+                 .approximate()
+                 .mayBeMissed();
          }},
         {"first-order low-pass",
          [](Random &random) {
-             return positionsAndMore(random).smoothed(kAll, 40, 0, random.between(0.2, 1.0)).approximate();
+             return tableOfPositionsAndMore(random)
+                 .smoothed(kAllColumns, {.before = 40, .decay = random.between(0.2, 1.0)})
+                 .approximate();
          }},
         {"zero-phase low-pass",
          [](Random &random) {
-             return positionsAndMore(random).smoothed(kAll, 40, 40, random.between(0.2, 1.0)).approximate();
+             return tableOfPositionsAndMore(random)
+                 .smoothed(kAllColumns, {.before = 40, .after = 40, .decay = random.between(0.2, 1.0)})
+                 .approximate();
          }},
         {"linear interpolation of a coarse run",
          [](Random &random) {
-             return positionsAndMore(random).interpolated(kAll, random.between(2.2, 8.0)).approximate();
+             return tableOfPositionsAndMore(random).interpolated(kAllColumns, random.between(2.2, 8.0)).approximate();
          }},
         {"last value of a coarse run",
-         [](Random &random) { return positionsAndMore(random).held(kAll, random.between(2.2, 8.0)).approximate(); }},
+         [](Random &random) {
+             return tableOfPositionsAndMore(random).held(kAllColumns, random.between(2.2, 8.0)).approximate();
+         }},
         {"integration errors",
          [](Random &random) {
-             return positionsAndMore(random, 9)
-                 .withTone(kAll, random.onLogScale(5e-7, 5e-5), random.onLogScale(0.2, 4.0))
-                 .withTone(kAll, random.onLogScale(5e-7, 5e-5), random.onLogScale(0.2, 4.0))
+             return tableOfPositionsAndMore(random, 9)
+                 .withTone(kAllColumns, random.onLogScale(5e-7, 5e-5), random.onLogScale(0.2, 4.0))
+                 .withTone(kAllColumns, random.onLogScale(5e-7, 5e-5), random.onLogScale(0.2, 4.0))
                  .approximate();
          }},
         {"drifting zero",
@@ -102,7 +122,7 @@ std::vector<ClaimKind> filteredTables()
         {"noise that grows with the reading",
          [](Random &random) {
              return tableOfPositions(random)
-                 .withUnevenNoise(kAll, random.onLogScale(1e-3, 1e-2), 0.0, 5.0)
+                 .withUnevenNoise(kAllColumns, random.onLogScale(1e-3, 1e-2), 0.0, 5.0)
                  .approximate();
          }},
         {"speed ripple",
@@ -116,9 +136,9 @@ std::vector<ClaimKind> filteredTables()
         {"error with half the period",
          [](Random &random) {
              return longTable(random, {{kSlider}})
-                 .withNoise(kAll, random.onLogScale(1e-4, 1e-3))
-                 .withTone(kAll, random.between(2e-3, 8e-3), 2.0)
-                 .shifted(kAll, 0.0)
+                 .withNoise(kAllColumns, random.onLogScale(1e-4, 1e-3))
+                 .withTone(kAllColumns, random.between(2e-3, 8e-3), 2.0)
+                 .shifted(kAllColumns, 0.0)
                  .conventions(0, 2)
                  .approximate();
          }},
@@ -128,7 +148,7 @@ std::vector<ClaimKind> filteredTables()
                  .overCrankAngle(random.oneOf({1.0, 2.0, 5.0}), random.between(1.0, 3.0))
                  .with(random.oneOf<Channels>({{kSlider}, {kSlider, kTheta3}}))
                  .digits(7)
-                 .smoothed({kSlider, kTheta3}, 1, 1)
+                 .smoothed({kSlider, kTheta3}, {.before = 1, .after = 1})
                  .approximate();
          }},
     };
@@ -205,13 +225,13 @@ std::vector<ClaimKind> contradictoryTables()
         {"Savitzky-Golay derivatives of noisy positions",
          [](Random &random) {
              return longTable(random, {kSixColumns})
-                 .withNoise(kAll, random.onLogScale(5e-4, 5e-3))
+                 .withNoise(kAllColumns, random.onLogScale(5e-4, 5e-3))
                  .differentiated(kDerivatives, random.oneOf({3, 4, 5, 6, 7}));
          }},
         {"central differences of noisy positions",
          [](Random &random) {
              return longTable(random, {kSixColumns})
-                 .withNoise(kAll, random.onLogScale(5e-4, 5e-3))
+                 .withNoise(kAllColumns, random.onLogScale(5e-4, 5e-3))
                  .differentiated(kDerivatives, 1);
          }},
         {"Savitzky-Golay derivatives of exact positions",
@@ -222,7 +242,7 @@ std::vector<ClaimKind> contradictoryTables()
         {"gain error and two origins",
          [](Random &random) {
              return longTable(random, {{kTheta3, kSlider}})
-                 .withNoise(kAll, 2e-3)
+                 .withNoise(kAllColumns, 2e-3)
                  .amplified({kTheta3}, random.oneOf({0.98, 1.02}))
                  .shifted({kTheta3}, random.between(5.0, 20.0))
                  .shifted({kSlider}, random.between(20.0, 60.0))
@@ -268,37 +288,46 @@ std::vector<ClaimKind> sensorTables()
              return random.isTrue(0.5) ? table.inSteps({kTheta2}, step) : table.truncated({kTheta2}, step);
          }},
         {"steps of a converter",
-         [](Random &random) { return tableOfPositions(random, 10).inSteps(kAll, random.onLogScale(0.02, 0.15)); }},
+         [](Random &random) {
+             return tableOfPositions(random, 10).inSteps(kAllColumns, random.onLogScale(0.02, 0.15));
+         }},
         {"truncated decimals",
          [](Random &random) {
              return longTable(random, {{kSlider}, {kSlider, kTheta3}, {kTheta2, kSlider}})
                  .decimals(3)
-                 .truncated(kAll, 1e-3);
+                 .truncated(kAllColumns, 1e-3);
          }},
         {"spikes",
-         [](Random &random) { return positionsOrSix(random, 3e-3).misread(kSlider, 1.0, random.eitherSign(20, 300)); }},
+         [](Random &random) {
+             return tableOfPositionsOrSixChannels(random, 3e-3)
+                 .misread(kSlider, {.offset = random.eitherSign(20, 300)});
+         }},
         {"zeros for lost values",
-         [](Random &random) { return positionsOrSix(random, 3e-3).misread(kSlider, 0.0, 0.0); }},
+         [](Random &random) { return tableOfPositionsOrSixChannels(random, 3e-3).misread(kSlider, {.factor = 0.0}); }},
         {"-9999 for lost values",
-         [](Random &random) { return positionsOrSix(random, 3e-3).misread(kSlider, 0.0, -9999.0); }},
+         [](Random &random) {
+             return tableOfPositionsOrSixChannels(random, 3e-3).misread(kSlider, {.factor = 0.0, .offset = kErrorCode});
+         }},
         {"-9999 for one lost row",
          [](Random &random) {
              return ClaimTable(random)
                  .overTime(random.between(2.2, 3.0), 60)
                  .with(random.oneOf<Channels>({{kSlider}, {kSlider, kTheta3}}))
                  .digits(7)
-                 .misread(kSlider, 0.0, -9999.0);
+                 .misread(kSlider, {.factor = 0.0, .offset = kErrorCode});
          }},
         {"contact that fails",
          [](Random &random) {
              return longTable(random, {{kSlider, kTheta3}})
-                 .withNoise(kAll, 2e-3)
+                 .withNoise(kAllColumns, 2e-3)
                  .failing(kSlider, 0.2, 0.3)
                  .approximate();
          }},
-        {"frozen readings", [](Random &random) { return positionsOrSix(random, 1e-3).frozen(kSlider); }},
+        {"frozen readings", [](Random &random) { return tableOfPositionsOrSixChannels(random, 1e-3).frozen(kSlider); }},
         {"saturation",
-         [](Random &random) { return positionsOrSix(random, 1e-3).saturated(kSlider, random.onLogScale(0.03, 0.15)); }},
+         [](Random &random) {
+             return tableOfPositionsOrSixChannels(random, 1e-3).saturated(kSlider, random.onLogScale(0.03, 0.15));
+         }},
     };
 }
 
@@ -314,13 +343,13 @@ std::vector<ClaimKind> clockTables()
          }},
         {"jitter of the time",
          [](Random &random) {
-             return tableOfPositions(random, 8).jittered(kAll, random.onLogScale(3e-3, 5e-2)).approximate();
+             return tableOfPositions(random, 8).jittered(kAllColumns, random.onLogScale(3e-3, 5e-2)).approximate();
          }},
         {"mixed sampling",
-         [](Random &random) { return positionsAndMore(random, 6).slowedDown(random.between(2.0, 5.0)); }},
+         [](Random &random) { return tableOfPositionsAndMore(random, 6).slowedDown(random.between(2.0, 5.0)); }},
         {"lost blocks",
          [](Random &random) {
-             return positionsAndMore(random, 6).withoutABlock(random.oneOf<Channels>({{kSlider}, kAll}));
+             return tableOfPositionsAndMore(random, 6).withoutABlock(random.oneOf<Channels>({{kSlider}, kAllColumns}));
          }},
         {"late trigger",
          [](Random &random) {

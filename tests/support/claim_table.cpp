@@ -283,12 +283,12 @@ ClaimTable &ClaimTable::mayBeMissed()
 ClaimTable &ClaimTable::approximate()
 {
     isSystematic = true;
-    return change(kAll, ClaimColumn::Content::Systematic, [](ClaimColumn &) {});
+    return change(kAllColumns, ClaimColumn::Content::Systematic, [](ClaimColumn &) {});
 }
 
 ClaimTable &ClaimTable::contradictory()
 {
-    return change(kAll, ClaimColumn::Content::Foreign, [](ClaimColumn &) {});
+    return change(kAllColumns, ClaimColumn::Content::Foreign, [](ClaimColumn &) {});
 }
 
 ClaimTable &ClaimTable::mayExcludeRows()

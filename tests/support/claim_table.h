@@ -38,7 +38,7 @@ inline const Channels kSliderColumns{kSlider, kSliderSpeed, kSliderAcceleration}
 inline const Channels kCouplerColumns{kTheta3, kTheta3Speed, kTheta3Acceleration};
 inline const Channels kSixColumns{kPlottedChannels.begin(), kPlottedChannels.end()};
 inline const Channels kDerivatives{kTheta3Speed, kSliderSpeed, kTheta3Acceleration, kSliderAcceleration};
-inline const Channels kAll{}; ///< all columns of the table
+inline const Channels kAllColumns{}; ///< all columns of the table
 
 /// Computes a channel by the textbook's formulas. Returns NaN where the mechanism cannot be assembled.
 double valueAt(const Parameters &p, Channel channel, long double crankAngle);
@@ -103,6 +103,19 @@ struct ClaimColumn {
     std::string print(double value) const;
 };
 
+/// Wrong readings are factor · reading + offset.
+struct Misreading {
+    double factor = 1.0;
+    double offset = 0.0;
+};
+
+/// A weighted mean over a row and rows before and after it, whose weights decrease by exp(-decay) from row to row.
+struct WeightedMean {
+    int before = 0; ///< number of rows
+    int after = 0;  ///< number of rows
+    double decay = 0.0;
+};
+
 class ClaimTable
 {
 public:
@@ -152,7 +165,7 @@ public:
     ClaimTable &truncated(const Channels &channels, double step);
     ClaimTable &withTone(const Channels &channels, double fraction, double perTurn);
     ClaimTable &withBacklash(Channel channel, double fraction);
-    ClaimTable &misread(Channel channel, double factor, double offset); ///< in at most 3 % of the rows
+    ClaimTable &misread(Channel channel, const Misreading &misreading); ///< in at most 3 % of the rows
     /// One value has the opposite sign, its point is moved by one place, or it is off by up to a twentieth of the
     /// swing.
     ClaimTable &mistyped(Channel channel);
@@ -164,8 +177,7 @@ public:
     ClaimTable &withoutABlock(const Channels &channels); ///< a fifth of the rows has no values
 
     // Filters and clocks.
-    /// A weighted mean over rows before and after, whose weights decrease by exp(-decay) from row to row.
-    ClaimTable &smoothed(const Channels &channels, int before, int after, double decay = 0.0);
+    ClaimTable &smoothed(const Channels &channels, const WeightedMean &mean);
     ClaimTable &interpolated(const Channels &channels, double rows); ///< linearly, between samples `rows` rows apart
     ClaimTable &held(const Channels &channels, double rows);         ///< repeats the last of samples `rows` rows apart
     ClaimTable &jittered(const Channels &channels, double fraction); ///< random times of reading; of the time step

@@ -50,6 +50,13 @@ using namespace slidercrank;
 namespace tst_limits_panel
 {
 
+// The line widths in figures of polygons, px, as in the SVG file. The first of the three lines of a scale is its bar,
+// and the others are its ends.
+const QString kScaleWidth = "1.2";
+const QString kPartWidth = "1.6";
+const QString kSumWidth = "2.5";
+constexpr std::size_t kLinesOfAScale = 3;
+
 /// Returns the lines of that width (px) in an SVG file, in their order.
 std::vector<QLineF> linesIn(const QString &svg, const QString &width)
 {
@@ -515,19 +522,20 @@ private slots:
             QFile file(path);
             QVERIFY(file.open(QIODevice::ReadOnly));
             const QString svg = QString::fromUtf8(file.readAll());
-            std::vector<QLineF> thin = linesIn(svg, "1.6");
-            const std::vector<QLineF> sums = linesIn(svg, "2.5");
-            const std::vector<QLineF> scales = linesIn(svg, "1.2");
-            QVERIFY(thin.size() == 6 && sums.size() == 2 && scales.size() == 6);
+            const std::vector<QLineF> parts = linesIn(svg, kPartWidth);
+            const std::vector<QLineF> sums = linesIn(svg, kSumWidth);
+            const std::vector<QLineF> scales = linesIn(svg, kScaleWidth);
+            QVERIFY(parts.size() == 6 && sums.size() == 2 && scales.size() == 2 * kLinesOfAScale);
             static const QRegularExpression kScale(QStringLiteral(">\\s*([-0-9.]+) mm/s"));
             auto amounts = kScale.globalMatch(svg);
             const std::vector<QPointF> expected = expectedVectors(parameters, theta2, alpha2);
             for (const std::size_t polygon : {0U, 1U}) {
                 const std::size_t count = polygon == 0 ? 2 : 4;
-                std::vector<QLineF> vectors(thin.begin() + (polygon == 0 ? 0 : 2),
-                                            thin.begin() + (polygon == 0 ? 2 : 6));
+                std::vector<QLineF> vectors(parts.begin() + (polygon == 0 ? 0 : 2),
+                                            parts.begin() + (polygon == 0 ? 2 : 6));
                 vectors.push_back(sums[polygon]);
-                const double pixelsPerUnit = scales[3 * polygon].length() / amounts.next().captured(1).toDouble();
+                const double pixelsPerUnit =
+                    scales[kLinesOfAScale * polygon].length() / amounts.next().captured(1).toDouble();
                 for (std::size_t i = 0; i <= count; ++i) {
                     const QPointF from = i == 0 || i == count ? vectors.front().p1() : vectors[i - 1].p2();
                     QVERIFY(QLineF(vectors[i].p1(), from).length() < kWritten);
@@ -545,7 +553,7 @@ private slots:
     /// A former defect: in a figure of 85 mm the magnitudes were left out, and the scales of both polygons overlapped.
     void narrowPolygonsHaveMagnitudesAndScalesOfTheirOwn()
     {
-        constexpr double kMiddle = 160.5; // px, of 85 mm at 96 dots per inch
+        constexpr double kFigureMiddle = 160.5; // px: half of 321 px, the width of 85 mm at 96 pixels per inch
         const QTemporaryDir folder;
         const QString path = folder.filePath("polygons.svg");
         Session session;
@@ -556,10 +564,13 @@ private slots:
             QFile file(path);
             QVERIFY(file.open(QIODevice::ReadOnly));
             const QString svg = QString::fromUtf8(file.readAll());
-            const std::vector<QLineF> scales = linesIn(svg, "1.2"); // each with its two ends
-            QCOMPARE(scales.size(), std::size_t(6));
-            QVERIFY2(scales[0].p1().x() > 0.0 && scales[0].p2().x() < kMiddle, qPrintable(QString::number(round)));
-            QVERIFY2(scales[3].p1().x() > kMiddle && scales[3].p2().x() < 2.0 * kMiddle,
+            const std::vector<QLineF> scales = linesIn(svg, kScaleWidth);
+            QCOMPARE(scales.size(), 2 * kLinesOfAScale);
+            const QLineF &barOfVelocities = scales[0];
+            const QLineF &barOfAccelerations = scales[kLinesOfAScale];
+            QVERIFY2(barOfVelocities.p1().x() > 0.0 && barOfVelocities.p2().x() < kFigureMiddle,
+                     qPrintable(QString::number(round)));
+            QVERIFY2(barOfAccelerations.p1().x() > kFigureMiddle && barOfAccelerations.p2().x() < 2.0 * kFigureMiddle,
                      qPrintable(QString::number(round)));
             QCOMPARE(svg.count("mm/s"), qsizetype(4)); // of both scales, and behind both lists of magnitudes
         }
@@ -602,8 +613,7 @@ private slots:
         view.show();
         letTimePass(view);
         const QImage picture = view.grab().toImage().convertToFormat(QImage::Format_RGB32);
-        const QRgb colour =
-            seriesColours(view.palette()).couplerError.rgb(); // of the parts of the acceleration polygon
+        const QRgb colour = seriesColours(view.palette()).acceleration.rgb();
         int top = picture.height();
         int bottom = 0;
         for (int y = 0; y < picture.height(); ++y) {
