@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr int kUndoLimit = 200;
-constexpr std::chrono::seconds kSameStepWithin{1}; // longer than the delay before a held key repeats
+constexpr std::chrono::seconds kMergeInterval{1}; // longer than the delay before a held key repeats
 
 /// Bits of EditName::identity. The lower bits identify the parameters: 1 << indexOf(parameter).
 constexpr int kBranchIdentity = 1 << kParameterCount;
@@ -127,23 +127,23 @@ private:
 EditStack::EditStack(const Apply &apply, QObject *parent)
     : QUndoStack(parent)
     , m_apply(apply)
-    , m_sameStep(parent)
+    , m_mergeTimer(parent)
 {
     setUndoLimit(kUndoLimit);
-    m_sameStep.setSingleShot(true);
+    m_mergeTimer.setSingleShot(true);
 }
 
 void EditStack::edit(const Choices &before, const Choices &after, const QString &text,
                      const std::optional<TimeChange> &time)
 {
     const EditName name = text.isEmpty() ? nameEdit(before, after) : EditName{.text = text};
-    const bool isRepeated = m_sameStep.isActive() && name.identity == m_identity;
+    const bool isRepeated = m_mergeTimer.isActive() && name.identity == m_identity;
     const bool isMergeable = name.identity != 0 && m_identity != 0;
     if (!isMergeable || !(m_isDragging || isRepeated)) {
         ++m_step;
     }
     m_identity = name.identity;
-    m_sameStep.start(kSameStepWithin);
+    m_mergeTimer.start(kMergeInterval);
     push(new EditCommand(before, after, time, name.text, m_step, m_apply));
 }
 

@@ -49,9 +49,9 @@ public:
 
 private:
     Apply m_apply;
-    int m_identity = 0; ///< identifies the settings that the last edit changed; 0 if the next edit starts a new step
-    int m_step = 0;     ///< number of the current step; edits with the same number are undone together
-    QTimer m_sameStep;  ///< runs for a second after each edit
+    int m_identity = 0;  ///< identifies the settings that the last edit changed; 0 if the next edit starts a new step
+    int m_step = 0;      ///< number of the current step; edits with the same number are undone together
+    QTimer m_mergeTimer; ///< runs for kMergeInterval after each edit, while the next one can be merged with it
     bool m_isDragging = false;
 };
 

@@ -109,6 +109,10 @@ public slots:
     /// cancel() discards it.
     void track(BackgroundTask *task);
 
+    /// Emit failed() and confirmed().
+    void reportFailure(const QString &sentence) { emit failed(sentence); }
+    void confirm(const QString &sentence) { emit confirmed(sentence); }
+
     /// Confirms that a file was written, or says why not.
     void reportWritten(const QString &path, const std::optional<QString> &problem);
 

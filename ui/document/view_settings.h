@@ -21,6 +21,7 @@ inline constexpr std::size_t kPlotRows = 3;
 inline constexpr std::size_t kPlotColumns = 3;
 inline constexpr std::size_t kPlotCount = kPlotRows * kPlotColumns; ///< numbered row by row
 inline constexpr std::size_t kErrorColumn = 2; ///< the columns before it are the plots of θ3 and R4x
+inline constexpr std::size_t kChannelsPerRow = kErrorColumn;
 
 constexpr bool isErrorPlot(std::size_t plot)
 {
@@ -36,7 +37,7 @@ constexpr Order orderOfPlot(std::size_t plot)
 /// Returns the index in kPlottedChannels of the channel that a plot shows. Requires a plot that shows no errors.
 constexpr std::size_t channelOf(std::size_t plot)
 {
-    return plot / kPlotColumns * kErrorColumn + plot % kPlotColumns;
+    return plot / kPlotColumns * kChannelsPerRow + plot % kPlotColumns;
 }
 
 /// Returns whether kPlottedChannels has the order of the plots: in each row θ3, then R4x.

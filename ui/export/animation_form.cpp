@@ -19,20 +19,20 @@ namespace slidercrank
 AnimationForm::AnimationForm(const Animation &animation, QWidget *parent)
     : QDialog(parent)
     , m_animation(animation)
-    , m_rate(makeBox("rateBox", 1, 240, animation.framesPerSecond))
+    , m_frameRate(makeBox("rateBox", 1, 240, animation.framesPerSecond))
     , m_width(makeBox("widthBox", 64, 7680, animation.pixels().width()))
     , m_height(makeBox("heightBox", 64, 7680, animation.pixels().height()))
-    , m_length(named("lengthBox", new NumberBox))
-    , m_outcome(named("outcomeLabel", new QLabel))
+    , m_duration(named("lengthBox", new NumberBox))
+    , m_summary(named("outcomeLabel", new QLabel))
 {
     named("animationForm", this);
     setWindowTitle(tr("Export animation"));
     constexpr double kLongest = 1e9; // s
-    m_length->setRange(0.0, kLongest);
-    m_length->setSuffix(tr(" s of the motion"));
-    m_length->setUnit(kSecond);
-    m_length->setValue(std::abs(animation.duration));
-    connect(m_length, &NumberBox::edited, this, &AnimationForm::showOutcome);
+    m_duration->setRange(0.0, kLongest);
+    m_duration->setSuffix(tr(" s of the motion"));
+    m_duration->setUnit(kSecond);
+    m_duration->setValue(std::abs(animation.duration));
+    connect(m_duration, &NumberBox::edited, this, &AnimationForm::showSummary);
     for (QSpinBox *box : {m_width, m_height}) {
         box->setSuffix(tr(" px"));
     }
@@ -41,11 +41,11 @@ AnimationForm::AnimationForm(const Animation &animation, QWidget *parent)
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *form = new QFormLayout(this);
-    form->addRow(tr("Frames per second"), m_rate);
+    form->addRow(tr("Frames per second"), m_frameRate);
     form->addRow(tr("Width"), m_width);
     form->addRow(tr("Height"), m_height);
-    form->addRow(tr("Length"), m_length);
-    form->addRow(m_outcome);
+    form->addRow(tr("Length"), m_duration);
+    form->addRow(m_summary);
     if (!hasVideoEncoder()) {
         auto *hint = named("encoderHint", new QLabel(tr("Videos need the program ffmpeg, which is not installed. "
                                                         "Without it, the frames are written as pictures.")));
@@ -53,7 +53,7 @@ AnimationForm::AnimationForm(const Animation &animation, QWidget *parent)
         form->addRow(hint);
     }
     form->addRow(buttons);
-    showOutcome();
+    showSummary();
 }
 
 QSpinBox *AnimationForm::makeBox(const QString &objectName, int smallest, int largest, int value)
@@ -62,25 +62,25 @@ QSpinBox *AnimationForm::makeBox(const QString &objectName, int smallest, int la
     box->setObjectName(objectName);
     box->setRange(smallest, largest);
     box->setValue(value);
-    connect(box, &QSpinBox::valueChanged, this, &AnimationForm::showOutcome);
+    connect(box, &QSpinBox::valueChanged, this, &AnimationForm::showSummary);
     return box;
 }
 
 Animation AnimationForm::animation() const
 {
     Animation chosen = m_animation;
-    chosen.framesPerSecond = m_rate->value();
+    chosen.framesPerSecond = m_frameRate->value();
     chosen.size = videoSize({m_width->value(), m_height->value()});
-    chosen.duration = std::copysign(m_length->value(), m_animation.duration);
+    chosen.duration = std::copysign(m_duration->value(), m_animation.duration);
     return chosen;
 }
 
-void AnimationForm::showOutcome()
+void AnimationForm::showSummary()
 {
     constexpr int kDigits = 3;
     const Animation chosen = animation();
     const bool fits = chosen.frameCount() <= Animation::kMaxFrames;
-    m_outcome->setText(
+    m_summary->setText(
         fits
             ? tr("%n frames: %1 s at the playback speed of %2×.", nullptr, static_cast<int>(chosen.frameCount()))
                   .arg(numberText(std::abs(chosen.duration) / chosen.speed, kDigits), numberText(chosen.speed, kDigits))

@@ -29,14 +29,14 @@ public:
 
 private:
     QSpinBox *makeBox(const QString &objectName, int smallest, int largest, int value);
-    void showOutcome();
+    void showSummary();
 
     Animation m_animation;
-    QSpinBox *m_rate;
+    QSpinBox *m_frameRate;
     QSpinBox *m_width;
     QSpinBox *m_height;
-    NumberBox *m_length;
-    QLabel *m_outcome;
+    NumberBox *m_duration;
+    QLabel *m_summary;
     QPushButton *m_export;
 };
 

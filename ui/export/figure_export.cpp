@@ -38,7 +38,7 @@ static_assert(isCompleteTable(kSuffixes, FigureFormat::Pdf));
 
 using Problem = std::optional<QString>;
 
-constexpr double kPointsPerPixel = kPointsPerInch / kDotsPerInch;
+constexpr double kPointsPerPixel = kPointsPerInch / kLogicalPixelsPerInch;
 
 struct FigureExportText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::FigureExportText)
@@ -88,7 +88,7 @@ ParameterLines parameterLines(const QStringList &equations, const QSize &figure,
 /// and fonts without a fallback for computers on which they are missing.
 QByteArray polished(const QByteArray &svg, const FigureSize &size)
 {
-    const double unit = size.paperPixel * (size.isInMillimetres ? kMmPerInch / kDotsPerInch : 1.0);
+    const double unit = size.paperPixel * (size.isInMillimetres ? kMmPerInch / kLogicalPixelsPerInch : 1.0);
     const auto side = [&](int pixels) {
         return QString::number(unit * pixels, 'g', 7) + (size.isInMillimetres ? "mm" : "");
     };
@@ -110,7 +110,7 @@ QByteArray makeSvg(const FigureSize &figure, const QString &title, const FigureD
     QBuffer buffer;
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
-    generator.setResolution(kDotsPerInch);
+    generator.setResolution(kLogicalPixelsPerInch);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(), size));
     generator.setTitle(title);
@@ -149,7 +149,7 @@ QByteArray pngOf(const QImage &image)
 
 void preparePdf(QPdfWriter &writer, const QPageSize &page, const QString &title)
 {
-    writer.setResolution(kDotsPerInch);
+    writer.setResolution(kLogicalPixelsPerInch);
     writer.setPageSize(page);
     writer.setPageMargins(QMarginsF());
     writer.setTitle(title);
@@ -173,8 +173,8 @@ FigureSize figureSize(const FigureOptions &options, const FigureHeight &height)
 {
     constexpr double kPrintResolution = 300.0; // dots per inch
     const bool isInMillimetres = options.unit == FigureOptions::Unit::Millimetre;
-    const double width = isInMillimetres ? options.width / kMmPerInch * kDotsPerInch : options.width;
-    const double letters = options.fontSize / kPointsPerInch * kDotsPerInch;
+    const double width = isInMillimetres ? options.width / kMmPerInch * kLogicalPixelsPerInch : options.width;
+    const double letters = options.fontSize / kPointsPerInch * kLogicalPixelsPerInch;
     // The size of a font and the width of a drawing are whole numbers of pixels. The drawing is made for rounded
     // letters, and `paperPixel` then gives both the size that was chosen.
     FigureSize size;
@@ -183,7 +183,7 @@ FigureSize figureSize(const FigureOptions &options, const FigureHeight &height)
     size.size.setWidth(std::max(1, static_cast<int>(std::lround(width * size.fontPixels / letters))));
     size.size.setHeight(std::max(1, height(size.size.width(), figureFont(size.fontPixels))));
     size.paperPixel = width / size.size.width();
-    size.scale = size.paperPixel * (isInMillimetres ? kPrintResolution / kDotsPerInch : 1.0);
+    size.scale = size.paperPixel * (isInMillimetres ? kPrintResolution / kLogicalPixelsPerInch : 1.0);
     return size;
 }
 
@@ -228,7 +228,7 @@ QImage figureImage(const FigureSize &size, const FigureDrawing &draw)
     painter.end();
     if (size.isInMillimetres) { // after drawing, since it would scale a QPicture
         const int dotsPerMetre =
-            static_cast<int>(std::lround(size.scale / size.paperPixel * kDotsPerInch * 1000.0 / kMmPerInch));
+            static_cast<int>(std::lround(size.scale / size.paperPixel * kLogicalPixelsPerInch * 1000.0 / kMmPerInch));
         image.setDotsPerMeterX(dotsPerMetre);
         image.setDotsPerMeterY(dotsPerMetre);
     }

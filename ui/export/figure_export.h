@@ -33,7 +33,7 @@ std::optional<FigureFormat> figureFormat(const QString &path);
 /// Returns "png", "svg" or "pdf".
 QString suffixOf(FigureFormat format);
 
-inline constexpr int kDotsPerInch = 96; ///< logical pixels, as in SVG and CSS
+inline constexpr int kLogicalPixelsPerInch = 96; ///< as in SVG and CSS
 
 inline constexpr double kMmPerInch = 25.4;
 inline constexpr double kPointsPerInch = 72.0;
@@ -99,7 +99,7 @@ using FigureWriter = std::function<std::optional<QString>(const std::stop_token 
 /// Draws the figure in memory. The returned function compresses it, which takes longer, and writes it.
 FigureWriter drawFigure(const QString &path, const FigureSize &size, const QString &title, const FigureDrawing &draw);
 
-/// Prepares a PDF with pages of that size, at kDotsPerInch, without margins.
+/// Prepares a PDF with pages of that size, at kLogicalPixelsPerInch, without margins.
 void preparePdf(QPdfWriter &writer, const QPageSize &page, const QString &title);
 
 /// Copies the figure to the clipboard as an image. Returns nullopt on success, else a message that says why not.

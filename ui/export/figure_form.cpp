@@ -110,7 +110,7 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
     , m_format(named("formatBox", new QComboBox))
     , m_cursor(named("cursorBox", new QCheckBox(tr("&Values at the current time"))))
     , m_preview(named("previewLabel", new QLabel))
-    , m_outcome(named("outcomeLabel", new QLabel))
+    , m_summary(named("outcomeLabel", new QLabel))
 {
     named("figureForm", this);
     setWindowTitle(tr("Export"));
@@ -160,7 +160,7 @@ void FigureForm::prepareFields(const FigureOptions &options)
     m_preview->setFrameShape(QFrame::Box);
     m_preview->setAlignment(Qt::AlignCenter);
     m_preview->setAccessibleName(tr("Preview"));
-    m_outcome->setWordWrap(true);
+    m_summary->setWordWrap(true);
 }
 
 /// Makes the preview so small that the dialog fits the screen. `others`: the width beside it and the height below it,
@@ -185,7 +185,7 @@ QLayout *FigureForm::makeForm()
     form->addRow(tr("&Font size"), m_fontSize);
     form->addRow(tr("F&ormat"), m_format);
     form->addRow(m_cursor);
-    form->addRow(m_outcome);
+    form->addRow(m_summary);
     return form;
 }
 
@@ -240,7 +240,7 @@ void FigureForm::limitWidth()
 /// Converts the width, so that the figure keeps its size where the limits of the unit allow it.
 void FigureForm::changeUnit()
 {
-    constexpr double kPixelsPerMm = kDotsPerInch / kMmPerInch;
+    constexpr double kPixelsPerMm = kLogicalPixelsPerInch / kMmPerInch;
     const bool isInPixels = chosen<WidthUnit>(m_unit) == WidthUnit::Pixel;
     const double width = m_width->value();
     limitWidth();
@@ -256,13 +256,13 @@ void FigureForm::showPreview()
     m_export->setEnabled(hasPlots);
     if (!hasPlots) {
         m_preview->setPixmap({});
-        m_outcome->setText(tr("Choose a plot."));
+        m_summary->setText(tr("Choose a plot."));
         return;
     }
     FigureSize size = figureSize(chosen, m_subject.height(chosen));
     const QSizeF pixels = QSizeF(size.size) * size.scale;
-    const QSizeF paper = QSizeF(size.size) * size.paperPixel * (kMmPerInch / kDotsPerInch);
-    m_outcome->setText(chosen.format == FigureFormat::Png || isInPixels
+    const QSizeF paper = QSizeF(size.size) * size.paperPixel * (kMmPerInch / kLogicalPixelsPerInch);
+    m_summary->setText(chosen.format == FigureFormat::Png || isInPixels
                            ? tr("%1 × %2 px").arg(qRound(pixels.width())).arg(qRound(pixels.height()))
                            : tr("%1 × %2 mm").arg(fixedText(paper.width(), 1), fixedText(paper.height(), 1)));
     const QSizeF previewSize = QSizeF(size.size).scaled(QSizeF(m_preview->minimumSize()), Qt::KeepAspectRatio);

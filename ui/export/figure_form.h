@@ -69,7 +69,7 @@ private:
     QCheckBox *m_cursor;
     std::vector<QCheckBox *> m_plots;
     QLabel *m_preview;
-    QLabel *m_outcome;
+    QLabel *m_summary;
     QPushButton *m_export;
 };
 

@@ -59,22 +59,22 @@ TableCell tableNumber(double value)
 
 /// Gives the row of 360° the time at the end of the revolution if the row of 0° has the time at its beginning: t = 0
 /// and t = 1 s instead of t = 0 twice.
-void endRevolution(std::vector<TablePlace> &places, const Mechanism &mechanism, const Sampling &sampling)
+void endRevolution(std::vector<TablePosition> &positions, const Mechanism &mechanism, const Sampling &sampling)
 {
     constexpr double kRounding = 1e-9; // rad, or fraction of the duration
-    const bool isRevolution = places.size() > 1 && std::abs(places.back().theta2 - kTurn) < kRounding;
+    const bool isRevolution = positions.size() > 1 && std::abs(positions.back().theta2 - kTurn) < kRounding;
     if (!isRevolution || mechanism.omega2() <= 0.0) {
         return;
     }
-    const std::optional<double> first = places.front().time;
-    const std::optional<double> beforeLast = places[places.size() - 2].time;
+    const std::optional<double> first = positions.front().time;
+    const std::optional<double> beforeLast = positions[positions.size() - 2].time;
     if (!first || !beforeLast || *beforeLast < *first) {
         return; // the crank starts at a different angle
     }
     const double end = *first + kTurn / mechanism.omega2();
     const double endOfRange = sampling.start + sampling.duration;
     if (end <= endOfRange + kRounding * sampling.duration) {
-        places.back().time = std::min(end, endOfRange);
+        positions.back().time = std::min(end, endOfRange);
     }
 }
 
@@ -108,27 +108,27 @@ std::vector<OutputChannel> tableChannels()
     return channels;
 }
 
-std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,
-                                    const Sampling &sampling)
+std::vector<TablePosition> tablePositions(const MotionTableSettings &settings, const Mechanism &mechanism,
+                                          const Sampling &sampling)
 {
-    std::vector<TablePlace> places;
+    std::vector<TablePosition> positions;
     if (settings.step == TableStep::Time) {
         const int steps = static_cast<int>(
             std::min(sampling.duration / settings.timeStep * (1.0 + 1e-12), static_cast<double>(kMaxTableRows - 1)));
         for (int i = 0; i <= steps; ++i) {
             const double t = sampling.start + i * settings.timeStep;
-            places.push_back({crankAngle(mechanism.omega2(), t, mechanism.theta20()).hi, t});
+            positions.push_back({crankAngle(mechanism.omega2(), t, mechanism.theta20()).hi, t});
         }
-        return places;
+        return positions;
     }
     const int steps =
         static_cast<int>(std::min(360.0 / settings.angleStep * (1.0 + 1e-12), static_cast<double>(kMaxTableRows - 1)));
     for (int i = 0; i <= steps; ++i) {
         const double theta2 = i * settings.angleStep / kDegreesPerRadian;
-        places.push_back({theta2, timeOf({.theta2 = theta2}, mechanism, sampling)});
+        positions.push_back({theta2, timeOf({.theta2 = theta2}, mechanism, sampling)});
     }
-    endRevolution(places, mechanism, sampling);
-    return places;
+    endRevolution(positions, mechanism, sampling);
+    return positions;
 }
 
 std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
@@ -154,20 +154,20 @@ std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings)
 }
 
 TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &mechanism, double alpha2,
-                        const TablePlace &place)
+                        const TablePosition &position)
 {
-    const OutputState state = unambiguousStateAt(withCrankAt(mechanism, place.theta2), 0.0, alpha2);
+    const OutputState state = unambiguousStateAt(withCrankAt(mechanism, position.theta2), 0.0, alpha2);
     TableRow row;
-    row.explanation = velocitiesJumpAt(mechanism, place.theta2) ? jumpSentence() : QString();
-    row.time = place.time;
-    TableCell timeCell = place.time ? tableNumber(*place.time) : TableCell{.text = dash()};
-    timeCell.tone = place.time ? Tone::Link : Tone::Normal;
+    row.explanation = velocitiesJumpAt(mechanism, position.theta2) ? jumpSentence() : QString();
+    row.time = position.time;
+    TableCell timeCell = position.time ? tableNumber(*position.time) : TableCell{.text = dash()};
+    timeCell.tone = position.time ? Tone::Link : Tone::Normal;
     row.cells.push_back(timeCell);
     constexpr double kRounding = 1e-12; // relative
     const bool isInFirstTurn =
-        place.theta2 >= 0.0 && place.theta2 <= kTurn * (1.0 + kRounding); // then 360° is shown, not 0°
-    row.cells.push_back(tableNumber(isInFirstTurn ? shownValue(Measure::Angle, place.theta2, notation().units)
-                                                  : shownCrankAngle(place.theta2)));
+        position.theta2 >= 0.0 && position.theta2 <= kTurn * (1.0 + kRounding); // then 360° is shown, not 0°
+    row.cells.push_back(tableNumber(isInFirstTurn ? shownValue(Measure::Angle, position.theta2, notation().units)
+                                                  : shownCrankAngle(position.theta2)));
     for (const OutputChannel &channel : settings.columns) {
         const double value = withoutNoise(state.valueOf(channel), channel, mechanism, alpha2);
         row.cells.push_back(tableNumber(shownChannel(channel, mechanism.branch(), value)));

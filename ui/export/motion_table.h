@@ -22,16 +22,16 @@ std::vector<OutputChannel> tableChannels();
 std::vector<OutputChannel> usualTableChannels();
 
 /// A position of the crank at which a row is computed.
-struct TablePlace {
+struct TablePosition {
     double theta2 = 0.0;             ///< rad
     std::optional<double> time = {}; ///< s; nullopt if the crank is not there within the time range
 };
 
-/// Returns the places of the rows: at equal steps of θ2 from 0° to 360°, or the time steps. An angle has the first time
-/// at which the crank has it, except that the row of 360° ends the revolution that the row of 0° begins if the crank
-/// turns counter-clockwise.
-std::vector<TablePlace> tablePlaces(const MotionTableSettings &settings, const Mechanism &mechanism,
-                                    const Sampling &sampling);
+/// Returns the positions of the rows: at equal steps of θ2 from 0° to 360°, or the time steps. An angle has the first
+/// time at which the crank has it, except that the row of 360° ends the revolution that the row of 0° begins if the
+/// crank turns counter-clockwise.
+std::vector<TablePosition> tablePositions(const MotionTableSettings &settings, const Mechanism &mechanism,
+                                          const Sampling &sampling);
 
 /// The first column of motionTableColumns() that shows a channel of the settings; t and θ₂ are before it.
 inline constexpr int kFirstChannelColumn = 2;
@@ -41,10 +41,10 @@ inline constexpr int kFirstChannelColumn = 2;
 /// reached in the order of time.
 std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings);
 
-/// Returns the row of a place, at which the crank has the acceleration alpha2 (rad/s²). A value that is only a rounding
-/// error is 0.
+/// Returns the row of a position, at which the crank has the acceleration alpha2 (rad/s²). A value that is only a
+/// rounding error is 0.
 TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &mechanism, double alpha2,
-                        const TablePlace &place);
+                        const TablePosition &position);
 
 /// How numbers are written to a file.
 struct CsvStyle {

@@ -207,7 +207,7 @@ private:
         const SeriesColours colours = seriesColours(m_palette);
         constexpr double kSumWidth = 2.5;  // px
         constexpr double kPartWidth = 1.6; // px
-        const QColor &partColour = m_measure == Measure::Speed ? colours.sliderError : colours.couplerError;
+        const QColor &partColour = m_measure == Measure::Speed ? colours.velocity : colours.acceleration;
         const QColor &colour = isSum(placed.vector) ? colours.model : partColour;
         const QLineF line(toPixels(placed.from), toPixels(placed.to));
         m_painter.setPen(QPen(colour, isSum(placed.vector) ? kSumWidth : kPartWidth, Qt::SolidLine, Qt::FlatCap));
@@ -291,7 +291,7 @@ private:
 
     void drawPole()
     {
-        m_painter.setPen(QPen(m_palette.color(QPalette::Text), 1.2));
+        m_painter.setPen(QPen(m_palette.color(QPalette::Text), kScaleWidth));
         m_painter.setBrush(m_palette.base());
         m_painter.drawEllipse(m_pole, 3.0, 3.0);
     }
@@ -308,7 +308,7 @@ private:
         const QFontMetricsF metrics(m_painter.font());
         const double y = m_area.bottom() - 1.2 * metrics.height();
         const double left = m_area.center().x() - 0.5 * length;
-        m_painter.setPen(QPen(m_palette.color(QPalette::Text), 1.2));
+        m_painter.setPen(QPen(m_palette.color(QPalette::Text), kScaleWidth));
         m_painter.drawLine(QPointF(left, y), QPointF(left + length, y));
         for (const double x : {left, left + length}) {
             m_painter.drawLine(QPointF(x, y - 3.0), QPointF(x, y + 3.0));
@@ -316,6 +316,8 @@ private:
         m_painter.drawText(QRectF(m_area.left(), y + 2.0, m_area.width(), metrics.height()), Qt::AlignCenter,
                            withUnit(numberText(amount), shownUnit(m_measure)));
     }
+
+    static constexpr double kScaleWidth = 1.2; // px: of the lines of the scale and of the pole
 
     QPainter &m_painter;
     QRectF m_area; ///< of the polygon and its scale; the magnitudes are outside

@@ -393,15 +393,15 @@ private:
 
     static constexpr int kLargestLetters = 12; // px, 9 pt
     static constexpr int kSmallestLetters = 9;
-    static constexpr double kMargin = 18.0 / kMmPerInch * kDotsPerInch; // px
-    static constexpr double kLayoutFraction = 0.6;                      // of the whole time
+    static constexpr double kMargin = 18.0 / kMmPerInch * kLogicalPixelsPerInch; // px
+    static constexpr double kLayoutFraction = 0.6;                               // of the whole time
 
     // Each of these functions does a piece, and returns the next one.
 
     Piece layOut()
     {
         constexpr double kFooter = 18.0; // px, above the lower margin
-        const QSizeF page = m_paper.size(QPageSize::Point) * (kDotsPerInch / kPointsPerInch);
+        const QSizeF page = m_paper.size(QPageSize::Point) * (kLogicalPixelsPerInch / kPointsPerInch);
         const QSizeF text(page.width() - 2.0 * kMargin, page.height() - 2.0 * kMargin - kFooter);
         m_report = std::make_unique<LaidOutReport>(m_content, letterFont(m_letters), text, m_mechanism, m_figure);
         return Piece::Section;

@@ -204,7 +204,7 @@ MotionTableSettings printedTable(const ReportContent &content)
     constexpr std::size_t kMaxPrintedRows = 361; // every degree, about nine pages
     const MotionTableSettings usual{.columns = usualTableChannels()};
     MotionTableSettings settings = content.table.value_or(usual);
-    if (tablePlaces(settings, content.result->mechanism, content.result->sampling).size() > kMaxPrintedRows) {
+    if (tablePositions(settings, content.result->mechanism, content.result->sampling).size() > kMaxPrintedRows) {
         settings.step = TableStep::CrankAngle;
         settings.angleStep = usual.angleStep;
     }
@@ -216,7 +216,7 @@ std::vector<TableRow> motionRows(const ReportContent &content, const MotionTable
 {
     const Mechanism &mechanism = content.result->mechanism;
     std::vector<TableRow> rows;
-    for (const TablePlace &place : tablePlaces(settings, mechanism, content.result->sampling)) {
+    for (const TablePosition &place : tablePositions(settings, mechanism, content.result->sampling)) {
         rows.push_back(motionTableRow(settings, mechanism, content.alpha2, place));
     }
     return rows;

@@ -58,7 +58,7 @@ void MechanismView::keyPressEvent(QKeyEvent *event)
     case Qt::Key_PageDown: pointAtNext(1); break;
     case Qt::Key_PageUp: pointAtNext(-1); break;
     case Qt::Key_Return:
-    case Qt::Key_Enter: emit enlarged(); break;
+    case Qt::Key_Enter: emit fullWindowToggleRequested(); break;
     case Qt::Key_Escape:
         if (!m_pressed && m_pointed == DrawnPart::Background) {
             QWidget::keyPressEvent(event); // the window handles it
@@ -147,7 +147,7 @@ void MechanismView::mouseDoubleClickEvent(QMouseEvent *event)
     } else if (partUnder(event->position()) == DrawnPart::Background) {
         fit();
     } else {
-        emit enlarged();
+        emit fullWindowToggleRequested();
     }
 }
 

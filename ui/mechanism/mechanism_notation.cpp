@@ -89,7 +89,7 @@ void MechanismSketch::addArrow(QPointF tail, QPointF tip, const ArrowScale &arro
     }
     const QPointF direction = (tip - tail) / length;
     const double head = std::min(10.0, 0.6 * length);
-    const QColor &colour = arrows.isOfVelocity() ? m_colours.sliderError : m_colours.couplerError;
+    const QColor &colour = arrows.isOfVelocity() ? m_colours.velocity : m_colours.acceleration;
     addLine(tail, tip - 0.9 * head * direction, QPen(colour, kArrowLine, line, Qt::FlatCap));
     addArrowHead(tip, direction, head, colour);
     if (!arrows.isOfVelocity()) {
@@ -147,7 +147,7 @@ void MechanismSketch::addInstantCentre()
     addRay(LinkagePoint::A, P);
     addRay(LinkagePoint::B, P);
     if (QRectF(QPointF(), projection().size).contains(P)) {
-        const QPen pen(m_colours.sliderError, kPathLine); // as the arrows of velocities
+        const QPen pen(m_colours.velocity, kPathLine); // as the arrows of velocities
         addCircle(P, 5.0, pen);
         addLine(P - QPointF(8.0, 0.0), P + QPointF(8.0, 0.0), pen);
         addLine(P - QPointF(0.0, 8.0), P + QPointF(0.0, 8.0), pen);

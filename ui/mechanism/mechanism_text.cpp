@@ -66,7 +66,7 @@ QStringList pointLines(const MechanismScene &scene, LinkagePoint point)
 
 QStringList crankLines(const MechanismScene &scene)
 {
-    return {QStringLiteral("θ₂ = %1").arg(timelineAngle(scene)),
+    return {QStringLiteral("θ₂ = %1").arg(crankAngleWithUnit(scene.pose.motion.theta2)),
             equationText(Parameter::Omega2, scene.mechanism().omega2(), kReadoutDigits)};
 }
 
@@ -144,11 +144,6 @@ QString lengthText(const Mechanism &mechanism, Parameter length)
     return equationText(length, valueOf(mechanism.parameters(), length));
 }
 
-QString timelineAngle(const MechanismScene &scene)
-{
-    return crankAngleWithUnit(scene.pose.motion.theta2);
-}
-
 QString arrowScaleText(const ArrowScale &scale)
 {
     if (scale.amount == 0.0) {
@@ -183,7 +178,7 @@ QString missingPoseText(const MechanismScene &scene)
     }
     return MechanismText::tr("The mechanism cannot be assembled at θ₂ = %1: the coupler is too short. The crank makes "
                              "full turns if b ≥ %2.")
-        .arg(timelineAngle(scene), forFullTurn);
+        .arg(crankAngleWithUnit(scene.pose.motion.theta2), forFullTurn);
 }
 
 } // namespace slidercrank

@@ -18,9 +18,6 @@ QString partText(const MechanismScene &scene, DrawnPart part);
 /// Returns "a = 20 mm".
 QString lengthText(const Mechanism &mechanism, Parameter length);
 
-/// Returns the crank angle with its unit, as the timeline shows it: from 0 to a whole turn.
-QString timelineAngle(const MechanismScene &scene);
-
 /// Returns "Scale: 10 mm = 50 mm/s", or "at rest" if all arrows have the length 0.
 QString arrowScaleText(const ArrowScale &scale);
 

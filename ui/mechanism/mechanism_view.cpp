@@ -6,6 +6,7 @@
 
 #include "ui/document/setting_action.h"
 #include "ui/mechanism/mechanism_text.h"
+#include "ui/text/motion_facts.h"
 #include "ui/text/notation.h"
 
 #include <QApplication>
@@ -72,24 +73,21 @@ DrawnPart drawnPart(MechanismPart part)
     return DrawnPart::Background;
 }
 
-/// Returns where the vertex of the coupler's angle moves (mm), if the angle is wider than 90°, or nothing.
-std::optional<QRectF> placesOfWideAngle(const MechanismScene &scene)
+/// Returns the area (mm) in which the vertex of the coupler's angle moves if that angle is drawn and obtuse, otherwise
+/// nullopt: θ³ at A is acute on the open branch, θ₃ at B on the crossed one.
+std::optional<QRectF> areaOfObtuseAngleVertex(const MechanismScene &scene)
 {
     const Mechanism &mechanism = scene.mechanism();
-    const MotionLimits &limits = scene.result->limits;
     const bool isAtB = notation().symbols == Symbols::Textbook;
-    const bool isWide = isAtB == (mechanism.branch() == Branch::Open);
-    if (!scene.settings.angles || !isWide) {
+    const bool isObtuse = isAtB == (mechanism.branch() == Branch::Open);
+    if (!scene.settings.angles || !isObtuse) {
         return std::nullopt;
     }
     const double a = mechanism.a();
     if (!isAtB) {
         return QRectF(-a, -a, 2.0 * a, 2.0 * a);
     }
-    if (!limits.inner || !limits.outer) {
-        return std::nullopt;
-    }
-    const auto [left, right] = std::minmax(limits.inner->R4x, limits.outer->R4x);
+    const auto [left, right] = sliderTravel(mechanism, scene.result->limits);
     return QRectF(left, mechanism.c(), right - left, 0.0);
 }
 
@@ -105,7 +103,7 @@ MechanismProjection pictureProjection(const MechanismScene &scene, const Mechani
         return projection;
     }
     const double pixelsBelow = kRailHeight + 2.0 * QFontMetricsF(font).height();
-    const std::optional<QRectF> vertex = placesOfWideAngle(scene);
+    const std::optional<QRectF> vertex = areaOfObtuseAngleVertex(scene);
     const auto [left, right] = sliderTravel(scene.result->mechanism, scene.result->limits);
     const QRectF travel(left, scene.result->mechanism.c(), right - left, 0.0);
     MechanismFrame enlarged = frame;
@@ -160,7 +158,7 @@ void paintPicture(QPainter &painter, const QSize &size, const MechanismScene &sc
         painter.setFont(font);
         painter.setPen(palette.color(QPalette::Text));
         painter.drawText(QPointF(kMargin, kMargin + QFontMetricsF(font).ascent()),
-                         QStringLiteral("θ₂ = %1").arg(timelineAngle(scene)));
+                         QStringLiteral("θ₂ = %1").arg(crankAngleWithUnit(scene.pose.motion.theta2)));
     }
     painter.restore();
 }
@@ -438,7 +436,7 @@ void MechanismView::paintEvent(QPaintEvent *)
     const QColor colour = palette().color(QPalette::Highlight);
     for (const MechanismSketch *sketch : {&m_scenery, &linkage}) {
         sketch->paintHighlight(painter, m_pointed, colour);
-        sketch->paintHighlight(painter, m_highlighted, sketch->colours().couplerError);
+        sketch->paintHighlight(painter, m_highlighted, sketch->colours().highlight);
     }
     if (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)) {
         constexpr double kFocusFrame = 2.0; // px

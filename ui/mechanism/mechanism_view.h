@@ -97,7 +97,7 @@ signals:
     void settingsChanged(const slidercrank::MechanismSettings &settings);
 
     /// Emitted when the user wants the drawing to fill the window, or to have its usual size again.
-    void enlarged();
+    void fullWindowToggleRequested();
 
 protected:
     bool event(QEvent *event) override;

@@ -266,12 +266,12 @@ Page errorPage(const Result &result, const ReferenceIdentification *identificati
     }
     Page page;
     page.findings = {
-        missingFileFinding(ErrorPage::tr("There is nothing to compare with: no file is open and no motion is "
-                                         "pinned. Edit > Pin this motion keeps the present curves."))};
+        noOpenFileFinding(ErrorPage::tr("There is nothing to compare with: no file is open and no motion is "
+                                        "pinned. Edit > Pin this motion keeps the present curves."))};
     return page;
 }
 
-Finding missingFileFinding(const QString &sentence)
+Finding noOpenFileFinding(const QString &sentence)
 {
     return {.sentence = sentence, .remedy = Remedy::OpenFile, .remedyText = ErrorPage::tr("Open a CSV…")};
 }

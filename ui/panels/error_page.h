@@ -25,7 +25,7 @@ QString errorTitle(const Result &result);
 bool belongsToCurrentFile(const ReferenceIdentification *identification, const Result &result);
 
 /// Returns the finding of a page that is empty because no file is open: the sentence, and a button that opens a file.
-Finding missingFileFinding(const QString &sentence);
+Finding noOpenFileFinding(const QString &sentence);
 
 /// Adds the remedy to use the mechanism that was found, with the conventions of the file, unless it is the given one.
 void offerMechanism(Finding &finding, const Identification &found, const Parameters &given);

@@ -274,7 +274,7 @@ void MotionTablePanel::connectTables()
 {
     connect(m_currentRowTable, &NumberTable::typed, this, [this](int column, const QString &text) {
         const OutputChannel channel = m_settings.columns[static_cast<std::size_t>(column - kFirstChannelColumn)];
-        m_myValues.setText(currentPlace().theta2, channel, text.trimmed());
+        m_myValues.setText(currentPosition().theta2, channel, text.trimmed());
         QMetaObject::invokeMethod(this, &MotionTablePanel::showCurrentPosition,
                                   Qt::QueuedConnection); // after the cell is closed
     });
@@ -282,12 +282,12 @@ void MotionTablePanel::connectTables()
             &QScrollBar::setValue);
     connect(m_table, &NumberTable::timeRequested, this, &MotionTablePanel::timeRequested);
     connect(m_table, &NumberTable::rowHovered, this, [this](int row) {
-        const bool isRow = row >= 0 && row < static_cast<int>(m_places.size());
-        emit placeHovered(isRow ? std::optional(m_places[static_cast<std::size_t>(row)].theta2) : std::nullopt);
+        const bool isRow = row >= 0 && row < static_cast<int>(m_positions.size());
+        emit placeHovered(isRow ? std::optional(m_positions[static_cast<std::size_t>(row)].theta2) : std::nullopt);
     });
     for (NumberTable *table : {m_currentRowTable, m_table}) {
         connect(table, &NumberTable::copied, this,
-                [this] { emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings.")); });
+                [this] { m_session->confirm(tr("The rows are in the clipboard, as CSV with headings.")); });
     }
 }
 
@@ -304,10 +304,10 @@ void MotionTablePanel::showRows()
 {
     m_isStale = false;
     const Mechanism &mechanism = m_session->result()->mechanism;
-    m_places = tablePlaces(m_settings, mechanism, m_session->result()->sampling);
+    m_positions = tablePositions(m_settings, mechanism, m_session->result()->sampling);
     m_rows.clear();
-    for (const TablePlace &place : m_places) {
-        m_rows.push_back(motionTableRow(m_settings, mechanism, m_session->alpha2(), place));
+    for (const TablePosition &position : m_positions) {
+        m_rows.push_back(motionTableRow(m_settings, mechanism, m_session->alpha2(), position));
     }
     m_table->setRows(m_rows);
     showCurrentPosition();
@@ -324,10 +324,10 @@ void MotionTablePanel::showCurrentPosition()
 {
     if (isVisible()) {
         const Mechanism mechanism(m_session->parameters());
-        TableRow row = motionTableRow(m_settings, mechanism, m_session->alpha2(), currentPlace());
+        TableRow row = motionTableRow(m_settings, mechanism, m_session->alpha2(), currentPosition());
         row.cells.front().tone = Tone::Normal; // the time is no link here
         row.time.reset();                      // the row would link to its own time
-        const CrankPosition position{withCrankAt(mechanism, currentPlace().theta2), m_session->alpha2()};
+        const CrankPosition position{withCrankAt(mechanism, currentPosition().theta2), m_session->alpha2()};
         const MyValues::CheckedRow checked = m_myValues.check(position, m_settings.columns);
         m_currentRowTable->setRows({row, checked.row});
         m_judgement->setVisible(!checked.conclusion.isEmpty());
@@ -343,7 +343,7 @@ void MotionTablePanel::deselectOtherPosition()
 {
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();
     if (rows.size() == 1 &&
-        !isSamePosition(m_places[static_cast<std::size_t>(rows.front().row())].theta2, currentPlace().theta2)) {
+        !isSamePosition(m_positions[static_cast<std::size_t>(rows.front().row())].theta2, currentPosition().theta2)) {
         m_table->clearSelection();
     }
 }
@@ -360,7 +360,7 @@ void MotionTablePanel::alignColumns()
     m_currentRowTable->setFixedHeight(m_currentRowTable->contentSize().height() + kFrame);
 }
 
-TablePlace MotionTablePanel::currentPlace() const
+TablePosition MotionTablePanel::currentPosition() const
 {
     return {.theta2 = m_session->pose().motion.theta2, .time = m_session->time()};
 }
@@ -378,7 +378,7 @@ std::optional<QString> MotionTablePanel::exportTo(const QString &path) const
 void MotionTablePanel::copy()
 {
     QApplication::clipboard()->setText(QString::fromUtf8(csv()));
-    emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings."));
+    m_session->confirm(tr("The rows are in the clipboard, as CSV with headings."));
 }
 
 int MotionTablePanel::heightForWidth(int width) const

@@ -81,7 +81,7 @@ private:
     void showAlpha2();
     void alignColumns();
     void deselectOtherPosition();
-    TablePlace currentPlace() const;
+    TablePosition currentPosition() const;
 
     QByteArray csv() const; ///< the rows as a file
     void copy();
@@ -89,7 +89,7 @@ private:
     Session *m_session;
     MotionTableSettings m_settings;
     CsvStyle m_style;
-    std::vector<TablePlace> m_places;
+    std::vector<TablePosition> m_positions;
     std::vector<TableRow> m_rows;
     bool m_isStale = true;
     QTimer m_pause{this}; ///< runs for a short time after each update

@@ -117,9 +117,9 @@ void PolygonView::copy()
     const FigureSubject subject = polygonSubject(*m_session);
     const FigureSize size = figureSize(options, subject.height(options));
     if (const std::optional<QString> problem = copyFigureToClipboard(size, subject.draw(options))) {
-        emit m_session->failed(*problem);
+        m_session->reportFailure(*problem);
     } else {
-        emit m_session->confirmed(tr("The polygons are in the clipboard."));
+        m_session->confirm(tr("The polygons are in the clipboard."));
     }
 }
 

@@ -131,7 +131,7 @@ Page referencePage(const Result &result, const ReferenceIdentification *identifi
 {
     if (!result.reference) {
         Page page;
-        page.findings = {missingFileFinding(ReferencePage::tr("No file is open."))};
+        page.findings = {noOpenFileFinding(ReferencePage::tr("No file is open."))};
         return page;
     }
     const ReferenceData &data = result.reference->data;

@@ -44,7 +44,7 @@ QString nameWithUnit(const QString &name, const QString &unit, const QString &fi
 std::vector<Record> recordsOf(const Response &response)
 {
     const Parameter parameter = response.parameter;
-    const QString name = nameWithUnit(optionName(parameter), unitBehind(parameter).trimmed(),
+    const QString name = nameWithUnit(optionName(parameter), unitSuffix(parameter).trimmed(),
                                       parameter == Parameter::Omega2 ? "rad/s" : "mm");
     std::vector<Record> records;
     for (std::size_t i = 0; i < response.values.size(); ++i) {
@@ -231,7 +231,7 @@ void ResponseView::refresh()
             m_response = response;
             showResponse();
         },
-        [this](const QString &sentence) { emit m_session->failed(sentence); });
+        [this](const QString &sentence) { m_session->reportFailure(sentence); });
 }
 
 void ResponseView::showResponse()
@@ -255,7 +255,7 @@ ChartContent ResponseView::chartOf(std::size_t limit) const
         curve.points.emplace_back(values[i], limits[i][limit]);
     }
     ChartSeries pinned = dotsOf(m_session->result()->pinned, parameter, limit);
-    pinned.colour = &SeriesColours::pinned;
+    pinned.colour = &SeriesColours::pinnedFirst;
     pinned.isHollow = true;
     ChartSeries currentDot = dotsOf({parameters}, parameter, limit);
     currentDot.colour = &SeriesColours::cursor;
@@ -274,7 +274,7 @@ ChartContent ResponseView::chartOf(std::size_t limit) const
     const auto inShownUnit = [factor](const Interval &interval) {
         return Interval{factor * interval.lower, factor * interval.upper};
     };
-    return {.x = {.title = tr("%1 [%2]").arg(symbolText(parameter), unitBehind(parameter).trimmed()),
+    return {.x = {.title = tr("%1 [%2]").arg(symbolText(parameter), unitSuffix(parameter).trimmed()),
                   .range = inShownUnit(range.assembled)},
             .y = {.title = {}, .range = roundedOutwards(valuesShown)},
             .series = {curve, pinned, currentDot},
@@ -395,9 +395,9 @@ void ResponseView::copy()
     const FigureSubject subject = figure();
     const FigureSize size = figureSize(options, subject.height(options));
     if (const std::optional<QString> problem = copyFigureToClipboard(size, subject.draw(options))) {
-        emit m_session->failed(*problem);
+        m_session->reportFailure(*problem);
     } else {
-        emit m_session->confirmed(tr("The charts are in the clipboard."));
+        m_session->confirm(tr("The charts are in the clipboard."));
     }
 }
 

@@ -25,7 +25,7 @@ void StudyPanel::run()
     m_study.startPieces(
         std::make_shared<Study>(StudyRequest{.cases = {studyCase(m_session->parameters())}}),
         [this](const Study &study) { setResult(std::make_shared<const StudyResult>(study.result())); },
-        [this](const QString &sentence) { emit m_session->failed(sentence); });
+        [this](const QString &sentence) { m_session->reportFailure(sentence); });
 }
 
 void StudyPanel::setResult(const std::shared_ptr<const StudyResult> &result)

@@ -250,7 +250,7 @@ void TablePanel::copy()
 
 void TablePanel::confirmCopied()
 {
-    emit m_session->confirmed(tr("The rows are in the clipboard, as CSV with headings."));
+    m_session->confirm(tr("The rows are in the clipboard, as CSV with headings."));
 }
 
 std::optional<QString> TablePanel::exportTo(const QString &path) const

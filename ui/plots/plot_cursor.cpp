@@ -290,11 +290,12 @@ std::vector<std::size_t> valuesUpTo(const PlotCursor &cursor, PlotCursor::Rank r
     return values;
 }
 
-/// Places the values of as many ranks as have places that cover no curve, the most important ranks first, and leaves
-/// out the others: a single value would be taken for that of the model.
+/// Places the values of all ranks. If they do not fit, leaves out all values of the least important rank and tries
+/// again: whole ranks, because a single remaining value would be taken for that of the model. A label may cover
+/// kMaxCovered points of a curve.
 void placeMostImportant(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 {
-    constexpr std::ptrdiff_t kMaxCovered = 1; // points: the corner of a label may touch a curve
+    constexpr std::ptrdiff_t kMaxCovered = 1; // the corner of a label may touch a curve
     using Rank = PlotCursor::Rank;
     for (const Rank rank : {Rank::Pinned, Rank::File, Rank::Model}) {
         if (placeTogether(cursor, valuesUpTo(cursor, rank), axes, font, kMaxCovered)) {

@@ -38,7 +38,8 @@ ErrorChannels errorChannels(Order order)
 /// Lengths of dashes and gaps, in line widths. Each pinned motion has its own pattern.
 const QVector<double> kReferenceDashes{3.5, 3.0};
 const QVector<double> kRoundingDashes{2.0, 3.0};
-const std::array<QVector<double>, kMaxPinned> kPinnedDashes{{{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}}};
+const auto kPinnedDashes = std::to_array<QVector<double>>({{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}});
+static_assert(kPinnedDashes.size() == kMaxPinned && kPinnedColours.size() == kMaxPinned);
 
 /// Returns the colour of the errors of a channel.
 Ink errorInk(std::size_t channel)

@@ -531,20 +531,22 @@ void PlotFigure::paint(QPainter &painter)
 
 std::size_t PlotFigure::columnsThatFit(int width, const QFont &font)
 {
-    constexpr int kMinLines = 10; // width of a plot in heights of a line of text; the numbers of its axis take half
+    constexpr int kMinPlotWidth = 10; // in line heights, of which the numbers of the axis take half
     const int line = std::max(lineHeight(font), lineHeight(PlotFonts(font).tick));
-    const auto columns = static_cast<std::size_t>(std::max(1, width / (kMinLines * line)));
+    const auto columns = static_cast<std::size_t>(std::max(1, width / (kMinPlotWidth * line)));
     return std::min(columns, kPlotColumns);
 }
 
 int PlotFigure::heightFor(const std::vector<std::size_t> &plots, int width, const QFont &font)
 {
-    constexpr std::array kRowHeight{0.0, 0.55, 0.66, 0.76}; // in widths of a plot, by the number of plots in a row
-    constexpr int kMinLines = 8;                            // of text, of which the title and the numbers take half
+    // Height of a row in widths of a plot, indexed by the number of plots in a row; the first entry is not used.
+    constexpr std::array kRowHeight{0.0, 0.55, 0.66, 0.76};
+    static_assert(kRowHeight.size() == kPlotColumns + 1);
+    constexpr int kMinRowHeight = 8; // in line heights, of which the title and the numbers take half
     const std::size_t columns = columnsFor(plots, columnsThatFit(width, font));
     const std::size_t rows = (plots.size() + columns - 1) / columns;
     const double row =
-        std::max<double>(kRowHeight[columns] * width / static_cast<double>(columns), kMinLines * lineHeight(font));
+        std::max<double>(kRowHeight[columns] * width / static_cast<double>(columns), kMinRowHeight * lineHeight(font));
     const int legendAndTimeLabels = 3 * lineHeight(font);
     return static_cast<int>(std::lround(static_cast<double>(rows) * row)) + legendAndTimeLabels;
 }

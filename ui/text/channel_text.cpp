@@ -46,7 +46,7 @@ public:
         const char *velocity;
         const char *acceleration;
 
-        const char *of(Order order) const
+        const char *nameFor(Order order) const
         {
             switch (order) {
             case Order::Position: break;
@@ -75,7 +75,7 @@ public:
 
     static QString quantity(Channel channel)
     {
-        return tr(namesOf(channel.coordinate).of(channel.order)).arg(tr(bodyOf(channel.coordinate).name));
+        return tr(namesOf(channel.coordinate).nameFor(channel.order)).arg(tr(bodyOf(channel.coordinate).name));
     }
 };
 

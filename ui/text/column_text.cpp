@@ -9,6 +9,8 @@
 
 #include <QCoreApplication>
 
+#include <optional>
+
 namespace slidercrank
 {
 
@@ -82,9 +84,10 @@ QString channelMeaning(Channel channel)
     return isAtA ? ColumnText::tr("%1, measured at A").arg(symbolText(channel)) : symbolText(channel);
 }
 
-/// Says that lengths without a unit are read as mm, and the option for metres if the stroke is short, otherwise for
-/// inches. Says nothing of columns that have the name of a channel, whose unit is mm.
-QStringList hintsOfLengths(const ReferenceData &data)
+/// Returns the hint that lengths without a unit were read as mm, with the option that reads them as metres if the
+/// stroke is short, otherwise as inches. Columns that have the name of a channel are in mm, and need none. Empty if
+/// there are no lengths without a unit.
+std::optional<QString> millimetresHint(const ReferenceData &data)
 {
     constexpr double kShortestStroke = 1.0; // mm: a smaller stroke is probably in metres
     const ReferenceSeries *const x = data.find({R4x, Order::Position});
@@ -94,7 +97,7 @@ QStringList hintsOfLengths(const ReferenceData &data)
     for (const FileColumn &column : data.layout.columns) {
         const bool isLength = column.role == ColumnRole::Channel && !isAngle(column.channel.coordinate);
         if (isLength && !column.unit.empty()) {
-            return {}; // then the other columns are not in metres either
+            return std::nullopt; // then the other columns are not in metres either
         }
         const bool isKnownUnit = !areMetres && channelNamed(column.heading);
         if (isLength && !column.heading.empty() && !isKnownUnit) {
@@ -106,16 +109,17 @@ QStringList hintsOfLengths(const ReferenceData &data)
         }
     }
     if (choices.empty()) {
-        return {};
+        return std::nullopt;
     }
     const QString text =
         areMetres ? ColumnText::tr("The lengths have no unit and are read as mm. If they are metres, add %1")
                   : ColumnText::tr("The lengths have no unit and are read as mm. If they are inches, add %1");
-    return {text.arg(optionText(choices))};
+    return text.arg(optionText(choices));
 }
 
-/// Says that angles without a unit are read in radians because of their values, and the option for degrees.
-QStringList hintsOfRadians(const FileLayout &layout)
+/// Returns the hint that angles without a unit were read as radians, because of their values, with the option that
+/// reads them as degrees; empty if there are none.
+std::optional<QString> radiansHint(const FileLayout &layout)
 {
     std::vector<ColumnChoice> choices;
     for (const FileColumn &column : layout.columns) {
@@ -129,15 +133,15 @@ QStringList hintsOfRadians(const FileLayout &layout)
         }
     }
     if (choices.empty()) {
-        return {};
+        return std::nullopt;
     }
-    return {ColumnText::tr("The angles have no unit and are read in radians, as their values suggest. If they are in "
-                           "degrees, add %1")
-                .arg(optionText(choices))};
+    return ColumnText::tr("The angles have no unit and are read in radians, as their values suggest. If they are in "
+                          "degrees, add %1")
+        .arg(optionText(choices));
 }
 
-/// Names the options for speeds in 1/s or Hz that may be in rad/s or in turns per second.
-QStringList hintsOfRates(const FileLayout &layout)
+/// Returns a hint for each speed in 1/s or Hz, which may be in rad/s or in turns per second, with both options.
+QStringList crankSpeedHints(const FileLayout &layout)
 {
     QStringList hints;
     for (const FileColumn &column : layout.columns) {
@@ -226,7 +230,13 @@ QStringList doubtTexts(const ReferenceData &data)
 
 QStringList optionHints(const ReferenceData &data)
 {
-    return hintsOfLengths(data) + hintsOfRadians(data.layout) + hintsOfRates(data.layout);
+    QStringList hints;
+    for (const std::optional<QString> &hint : {millimetresHint(data), radiansHint(data.layout)}) {
+        if (hint) {
+            hints << *hint;
+        }
+    }
+    return hints + crankSpeedHints(data.layout);
 }
 
 QString meaningText(const FileColumn &column)

@@ -311,7 +311,7 @@ QString measuredText(Parameter parameter, const Identification &found, const Not
         return dash();
     }
     const double factor = shownFactor(parameter, shown);
-    const QString unit = unitBehind(parameter, shown);
+    const QString unit = unitSuffix(parameter, shown);
     const double value = factor * valueOf(found.parameters, parameter);
     const double standardError = found.standardErrors[indexOf(parameter)];
     if (found.hasSystematicResiduals || (found.drive && std::isnan(standardError))) {

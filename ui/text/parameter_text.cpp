@@ -71,7 +71,7 @@ double shownFactor(Parameter parameter, const Notation &shown)
     return shownValue(Measure::Angle, 1.0, shown.units);
 }
 
-QString unitBehind(Parameter parameter, const Notation &shown)
+QString unitSuffix(Parameter parameter, const Notation &shown)
 {
     switch (parameter) {
     case Parameter::A:
@@ -86,7 +86,7 @@ QString unitBehind(Parameter parameter, const Notation &shown)
 
 QString parameterText(Parameter parameter, double value, int digits, const Notation &shown)
 {
-    return numberText(shownFactor(parameter, shown) * value, digits) + unitBehind(parameter, shown);
+    return numberText(shownFactor(parameter, shown) * value, digits) + unitSuffix(parameter, shown);
 }
 
 QString equationText(Parameter parameter, double value, int digits, const Notation &shown)

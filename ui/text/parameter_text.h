@@ -30,7 +30,7 @@ QString assemblyPhrase(Branch branch);
 double shownFactor(Parameter parameter, const Notation &shown = notation());
 
 /// Returns the displayed unit, preceded by a space where one is needed.
-QString unitBehind(Parameter parameter, const Notation &shown = notation());
+QString unitSuffix(Parameter parameter, const Notation &shown = notation());
 
 /// Returns an equation such as "a = 20 mm".
 QString equationText(Parameter parameter, double value, int digits = kUsualDigits, const Notation &shown = notation());

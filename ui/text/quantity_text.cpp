@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/quantity_text.h"
 
+#include "core/mechanism/channel.h"
+
 #include <QCoreApplication>
 #include <QRegularExpression>
 
@@ -41,11 +43,11 @@ QStringList unitsFor(const Unit &wanted)
     case Dimension::Angle: units = {"deg", "rad", "rev"}; break;
     case Dimension::Time: return {"s", "ms", "min"};
     }
-    constexpr std::array kPerTime{"", "/s", "/s^2"};
+    constexpr std::array kPerTime{"", "/s", "/s^2"}; // indexed by Unit::order
     for (QString &unit : units) {
         unit += QLatin1String(kPerTime[static_cast<std::size_t>(wanted.order)]);
     }
-    if (wanted.dimension == Dimension::Angle && wanted.order == 1) {
+    if (wanted.dimension == Dimension::Angle && wanted.order == static_cast<int>(Order::Velocity)) {
         units += {"rpm", "Hz"};
     }
     return units;

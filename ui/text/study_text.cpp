@@ -12,6 +12,7 @@
 #include <boost/config.hpp>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace slidercrank
@@ -100,8 +101,10 @@ Record recordOf(const MethodResult &row, const Record &counts)
     return record;
 }
 
-QJsonObject jsonWork(const MethodResult &row)
+/// Returns a row of CaseResult::workPrecision. Times are those of all states, in µs.
+QJsonObject jsonWorkPrecisionRow(const MethodResult &row)
 {
+    assert(row.states > 0);
     const auto states = static_cast<double>(row.states);
     return {{"method", QString::fromStdString(nameOf(row.method))},
             {"tolerance", jsonNumber(row.tolerance)},
@@ -147,7 +150,7 @@ QJsonObject studyJson(const StudyResult &result)
         QJsonObject object{{"name", QString::fromStdString(each.name)},
                            {"methods", jsonList(each.methods, jsonMethod)}};
         if (!each.workPrecision.empty()) {
-            object.insert("workPrecision", jsonList(each.workPrecision, jsonWork));
+            object.insert("workPrecision", jsonList(each.workPrecision, jsonWorkPrecisionRow));
         }
         return object;
     };

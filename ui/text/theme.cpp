@@ -47,14 +47,20 @@ SeriesColours seriesColours(const QPalette &palette)
 {
     const bool dark = palette.color(QPalette::Base).lightness() < 128;
     const auto pick = [dark](QRgb light, QRgb onDark) { return QColor(dark ? onDark : light); };
+    const QColor purple = pick(0x751a63, 0xc26995);
+    const QColor green = pick(0x007d5c, 0x57d998);
     return {.model = pick(0x0072b2, 0x56b4e9),
             .reference = pick(0xd55e00, 0xe69f00),
-            .pinned = pick(0x585858, 0xb8b8b8),
-            .pinnedOther = pick(0x8a5a00, 0xd9b26a),
+            .pinnedFirst = pick(0x585858, 0xb8b8b8),
+            .pinnedSecond = pick(0x8a5a00, 0xd9b26a),
             .pinnedThird = pick(0xa01830, 0xff9db0),
             .pinnedFourth = pick(0x3d3d9c, 0xb3b3ff),
-            .couplerError = pick(0x751a63, 0xc26995),
-            .sliderError = pick(0x007d5c, 0x57d998),
+            .couplerError = purple,
+            .sliderError = green,
+            .velocity = green,
+            .acceleration = purple,
+            .highlight = purple,
+            .good = green,
             .cursor = pick(0x404040, 0xf0f0f0),
             .warning = pick(0xc0392b, 0xff8a65),
             .grid = pick(0xe2e2e2, 0x3c3f44),

@@ -22,14 +22,18 @@ QPalette paletteFor(Theme theme);
 
 /// The colours of the drawing and the plots, chosen for contrast with the palette's base colour.
 struct SeriesColours {
-    QColor model;     ///< solid curves, the mechanism's links
-    QColor reference; ///< dashed curves
-    QColor pinned;    ///< thin curves of pinned motions, the first of kPinnedColours
-    QColor pinnedOther;
+    QColor model;       ///< solid curves, the mechanism's links
+    QColor reference;   ///< dashed curves
+    QColor pinnedFirst; ///< thin curves of pinned motions (kPinnedColours)
+    QColor pinnedSecond;
     QColor pinnedThird;
     QColor pinnedFourth;
-    QColor couplerError; ///< errors of the coupler; accelerations in the drawing and in a polygon
-    QColor sliderError;  ///< errors of the slider, in the same axes; velocities
+    QColor couplerError; ///< errors of the coupler
+    QColor sliderError;  ///< errors of the slider, in the same axes
+    QColor velocity;     ///< vectors in the drawing and in a polygon, and the path of a point
+    QColor acceleration; ///< vectors in the drawing and in a polygon
+    QColor highlight;    ///< the part of the mechanism that another view names
+    QColor good;         ///< Tone::Good
     QColor cursor;       ///< the current time
     QColor warning;      ///< crank angles at which the mechanism cannot be assembled, and warnings
     QColor grid;
@@ -39,7 +43,7 @@ struct SeriesColours {
 SeriesColours seriesColours(const QPalette &palette);
 
 /// The colours of the pinned motions, the oldest first.
-inline constexpr std::array kPinnedColours{&SeriesColours::pinned, &SeriesColours::pinnedOther,
+inline constexpr std::array kPinnedColours{&SeriesColours::pinnedFirst, &SeriesColours::pinnedSecond,
                                            &SeriesColours::pinnedThird, &SeriesColours::pinnedFourth};
 
 /// Returns an opaque mixture that contains that share of the colour.

@@ -85,7 +85,7 @@ double TypedValue::fromCore(double value) const
     return toFileUnit(measureOf(channel), value) / unit.toDefault(1.0);
 }
 
-QString TypedValue::unitBehind() const
+QString TypedValue::unitSuffix() const
 {
     return unitName == u"°" ? unitName : u' ' + unitName;
 }
@@ -152,7 +152,7 @@ QString faultText(const TypedValue &typed)
     if (!computed.fault) {
         return TypedValueText::tr("“%1” does not show to which digit it is rounded: write it as a decimal number, such "
                                   "as %2.")
-            .arg(typed.text, numberText(computed.value, kDigits) + typed.unitBehind());
+            .arg(typed.text, numberText(computed.value, kDigits) + typed.unitSuffix());
     }
     return quantityFaultText(typed.text, *typed.parsed.fault, typed.unit);
 }
@@ -163,12 +163,12 @@ QString exactText(const TypedValue &typed, const CheckedValue &checked)
     constexpr int kMaxDigits = 17; // a double has no more
     const double exact = typed.parsed.value - typed.fromCore(checked.deviation);
     const int digits = std::clamp(typed.parsed.digits + 1, kMinDigits, kMaxDigits); // one more than the typed value
-    return TypedValueText::tr("exact: %1").arg(shortNumber(exact, digits) + typed.unitBehind());
+    return TypedValueText::tr("exact: %1").arg(shortNumber(exact, digits) + typed.unitSuffix());
 }
 
 QString verdictText(const TypedValue &typed, const CheckedValue &checked)
 {
-    return checkedValueText(checked, typed.parsed.digits, typed.fromCore(checked.deviation), typed.unitBehind());
+    return checkedValueText(checked, typed.parsed.digits, typed.fromCore(checked.deviation), typed.unitSuffix());
 }
 
 } // namespace slidercrank

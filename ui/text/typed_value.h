@@ -30,7 +30,7 @@ struct TypedValue {
     double fromCore(double value) const;
 
     /// Returns the unit as it follows a number: " mm", "°".
-    QString unitBehind() const;
+    QString unitSuffix() const;
 };
 
 /// Reads a value. `units`: those of a number without a unit. The decimal sign is a point.

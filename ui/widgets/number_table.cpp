@@ -99,7 +99,7 @@ QColor toneColour(Tone tone, const QPalette &palette)
     case Tone::Muted: return palette.color(QPalette::PlaceholderText);
     case Tone::Link: return palette.color(QPalette::Link);
     case Tone::Model: return colours.model;
-    case Tone::Good: return colours.sliderError;
+    case Tone::Good: return colours.good;
     case Tone::Fair: return colours.reference;
     case Tone::Bad: return colours.warning;
     }

@@ -114,7 +114,7 @@ void Exports::choose(const FigureSubject &subject)
 bool Exports::mayWrite()
 {
     if (isWriting()) {
-        emit m_session->failed(tr("Another file is still being written: wait for it, or cancel it below."));
+        m_session->reportFailure(tr("Another file is still being written: wait for it, or cancel it below."));
     }
     return !isWriting();
 }
@@ -127,7 +127,7 @@ void Exports::write(const FigureSubject &subject, const FigureOptions &options, 
     const auto write = [writer = drawFigure(path, subject, options)](
                            const std::stop_token &stop, const BackgroundTask::Progress &) { return writer(stop); };
     const auto done = [this, path](const Problem &problem) { m_session->reportWritten(path, problem); };
-    m_task->start(write, done, [this](const QString &problem) { emit m_session->failed(problem); });
+    m_task->start(write, done, [this](const QString &problem) { m_session->reportFailure(problem); });
 }
 
 void Exports::copy(const FigureSubject &subject)
@@ -136,9 +136,9 @@ void Exports::copy(const FigureSubject &subject)
     options.plots.clear(); // the whole figure
     const FigureSize size = figureSize(options, subject.height(options));
     if (const Problem problem = copyFigureToClipboard(size, subject.draw(options))) {
-        emit m_session->failed(*problem);
+        m_session->reportFailure(*problem);
     } else {
-        emit m_session->confirmed(tr("The picture is in the clipboard."));
+        m_session->confirm(tr("The picture is in the clipboard."));
     }
 }
 
@@ -162,7 +162,7 @@ void Exports::writeData(const QString &path, const ChannelSet &channels)
         return exportMotion(path, *result, options, stop, progress);
     };
     const auto done = [this, path](const Problem &problem) { m_session->reportWritten(path, problem); };
-    m_task->start(write, done, [this](const QString &problem) { emit m_session->failed(problem); });
+    m_task->start(write, done, [this](const QString &problem) { m_session->reportFailure(problem); });
 }
 
 void Exports::chooseReport()
@@ -192,8 +192,8 @@ void Exports::writeReport(const QString &path, PaperSize paper)
         const auto &identification = m_session->identification();
         if (!identification || identification->reference != reference ||
             identification->parameters != content.result->mechanism.parameters()) {
-            emit m_session->failed(tr("No report was written: the mechanism of the file is still being identified. "
-                                      "Export it again in a moment."));
+            m_session->reportFailure(tr("No report was written: the mechanism of the file is still being identified. "
+                                        "Export it again in a moment."));
             return;
         }
         content.found = identification->found;
@@ -209,7 +209,7 @@ void Exports::writeReport(const QString &path, PaperSize paper)
     m_task->startPiecesInGuiThread(
         beginReport(path, content, mechanismDrawing(), drawPlots),
         [this, path](const ReportExport &report) { m_session->reportWritten(path, report.problem()); },
-        [this](const QString &problem) { emit m_session->failed(problem); });
+        [this](const QString &problem) { m_session->reportFailure(problem); });
 }
 
 Animation Exports::animationShown() const

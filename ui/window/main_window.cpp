@@ -224,7 +224,7 @@ void MainWindow::connectMechanism()
     });
     connect(view, &MechanismView::dragBegan, m_session, &Session::beginDrag);
     connect(view, &MechanismView::dragEnded, m_session, &Session::endDrag);
-    connect(view, &MechanismView::enlarged, m_presentation,
+    connect(view, &MechanismView::fullWindowToggleRequested, m_presentation,
             [this] { m_presentation->setMechanismAlone(m_views.plots->isVisible()); });
 }
 
@@ -345,8 +345,8 @@ void MainWindow::openFiles(const QStringList &paths)
     } else if (paths.size() == 1) {
         m_scene->open(*scene);
     } else {
-        emit m_session->failed(tr("%1 is a scene: open it alone, and the files of one motion together.")
-                                   .arg(QFileInfo(*scene).fileName()));
+        m_session->reportFailure(tr("%1 is a scene: open it alone, and the files of one motion together.")
+                                     .arg(QFileInfo(*scene).fileName()));
     }
 }
 
@@ -460,8 +460,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
     m_scene->enterTypedNumber();
     if (m_exports->isWriting()) {
         event->ignore();
-        emit m_session->failed(tr("A file is still being written. Close the window when it is done, or cancel it "
-                                  "below."));
+        m_session->reportFailure(tr("A file is still being written. Close the window when it is done, or cancel it "
+                                    "below."));
         return;
     }
     if (m_session->isModified()) {

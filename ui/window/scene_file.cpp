@@ -106,7 +106,7 @@ void SceneFile::open(const QString &path)
     const QString absolute = isLink ? path : QFileInfo(path).absoluteFilePath();
     const std::variant<Scene, QString> outcome = readScene(absolute);
     if (const QString *sentence = std::get_if<QString>(&outcome)) {
-        emit m_session->failed(*sentence);
+        m_session->reportFailure(*sentence);
         return;
     }
     Scene scene = std::get<Scene>(outcome);
@@ -189,7 +189,7 @@ void SceneFile::copyLink()
 {
     enterTypedNumber();
     QApplication::clipboard()->setText(sceneLink(scene()));
-    emit m_session->confirmed(
+    m_session->confirm(
         m_session->reference()
             ? tr("The link is in the clipboard. It carries the mechanism, α₂, the time steps and the method, but no "
                  "file.")
@@ -200,7 +200,7 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
 {
     const QString absolute = QFileInfo(path).absoluteFilePath();
     if (const std::optional<QString> sentence = writeScene(scene(), absolute)) {
-        emit m_session->failed(*sentence);
+        m_session->reportFailure(*sentence);
         return false;
     }
     m_path = absolute;
@@ -209,7 +209,7 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
     rememberFiles({m_path});
     emit changed();
     emit m_session->fileWritten(m_path);
-    emit m_session->confirmed(tr("Saved: %1").arg(displayName(m_path)));
+    m_session->confirm(tr("Saved: %1").arg(displayName(m_path)));
     if (proceed) {
         proceed();
     }

@@ -434,9 +434,9 @@ private slots:
                            (QPointF(shape.path.elementAt(0)) - tip).manhattanLength() < 0.05;
                 });
             };
-            QVERIFY(hasArrow((at(0.37 + kStep) - at(0.37 - kStep)) / (2.0 * kStep), velocity, colours.sliderError));
+            QVERIFY(hasArrow((at(0.37 + kStep) - at(0.37 - kStep)) / (2.0 * kStep), velocity, colours.velocity));
             QVERIFY(hasArrow((at(0.37 + kStep) - 2.0 * at(0.37) + at(0.37 - kStep)) / (kStep * kStep),
-                             drawn.scene.arrows(&PointMotion::acceleration), colours.couplerError));
+                             drawn.scene.arrows(&PointMotion::acceleration), colours.acceleration));
         }
         QVERIFY(!drawn.label(arrowScaleText(velocity)).isNull());
         const QString scale = arrowScaleText(drawn.scene.arrows(&PointMotion::acceleration));

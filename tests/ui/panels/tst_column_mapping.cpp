@@ -62,7 +62,7 @@ struct Dialog {
     bool canBeUsed() const { return child<QPushButton>(mapping, "useButton")->isEnabled(); }
     void press(const QString &button) { child<QPushButton>(mapping, button)->click(); }
 
-    /// Chooses an entry of the box `what` in a row of the dialog: the entry `text`, or else the one that ends with it
+    /// Chooses an entry of the box `what` in a row of the dialog: the entry `text`, or else the one that contains it
     /// in parentheses, as in "θ₂ (crank angle)".
     void choose(const QString &what, int row, const QString &text)
     {

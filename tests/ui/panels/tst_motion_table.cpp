@@ -102,17 +102,17 @@ private slots:
     {
         MotionTableSettings settings;
         settings.columns = usualTableChannels();
-        const std::vector<TablePlace> places = tablePlaces(settings, Mechanism(), {});
+        const std::vector<TablePosition> places = tablePositions(settings, Mechanism(), {});
         QCOMPARE(places.size(), std::size_t(25));
         QVERIFY(std::abs(places[4].theta2 - std::numbers::pi / 3.0) < 1e-15);
         QVERIFY(std::abs(*places[4].time - 1.0 / 6.0) < 1e-15);
-        QVERIFY(!tablePlaces(settings, Mechanism(), {0.0, 0.25, 10}).back().time.has_value() ||
-                *tablePlaces(settings, Mechanism(), {0.0, 0.25, 10}).back().time == 0.0);
+        QVERIFY(!tablePositions(settings, Mechanism(), {0.0, 0.25, 10}).back().time.has_value() ||
+                *tablePositions(settings, Mechanism(), {0.0, 0.25, 10}).back().time == 0.0);
         settings.step = TableStep::Time;
         settings.timeStep = 0.1;
-        QCOMPARE(tablePlaces(settings, Mechanism(), {}).size(), std::size_t(11));
+        QCOMPARE(tablePositions(settings, Mechanism(), {}).size(), std::size_t(11));
         settings.timeStep = 1e-9;
-        QCOMPARE(tablePlaces(settings, Mechanism(), {}).size(), std::size_t(kMaxTableRows));
+        QCOMPARE(tablePositions(settings, Mechanism(), {}).size(), std::size_t(kMaxTableRows));
     }
 
     /// A former defect: the last row of a revolution, 360°, had t = 0 as the first one.
@@ -120,7 +120,7 @@ private slots:
     {
         MotionTableSettings settings;
         const auto lastTime = [&settings](const Parameters &parameters, const Sampling &sampling) {
-            return tablePlaces(settings, Mechanism(parameters), sampling).back().time.value_or(-1.0);
+            return tablePositions(settings, Mechanism(parameters), sampling).back().time.value_or(-1.0);
         };
         constexpr double kTurn = 2.0 * std::numbers::pi;
         QVERIFY(std::abs(lastTime({}, {}) - 1.0) < 1e-12);
@@ -231,7 +231,7 @@ private slots:
                 MotionTableSettings settings;
                 settings.columns = {Channel{R4x, Order::Velocity}, Channel{Theta3, Order::Position}};
                 std::vector<TableRow> rows;
-                for (const TablePlace &place : tablePlaces(settings, mechanism, {0.0, 1.0, 100})) {
+                for (const TablePosition &place : tablePositions(settings, mechanism, {0.0, 1.0, 100})) {
                     rows.push_back(motionTableRow(settings, mechanism, 0.0, place));
                 }
                 const QByteArray text = csvText(motionTableColumns(settings), rows, {.hasEveryDigit = true});
@@ -560,7 +560,7 @@ private slots:
     }
 
     /// A former defect: in the textbook's notation, -170° was no position, although 190° was one.
-    void findsADirectionByEveryNumberOfIt()
+    void findsAnAngleThatIsOffByWholeTurns()
     {
         const NotationForTest textbook({.symbols = Symbols::Textbook});
         ShownTable shown;

@@ -478,13 +478,13 @@ private slots:
     {
         auto *mechanism = view<MechanismView>();
         const int width = mechanism->width();
-        emit mechanism->enlarged();
+        emit mechanism->fullWindowToggleRequested();
         QVERIFY(!part("plot_R4_x")->isVisible());
         AWAIT(mechanism->width() > width + 100);
         mechanism->setFocus();
         press(Qt::Key_Escape);
         QVERIFY(part("plot_R4_x")->isVisible());
-        emit mechanism->enlarged();
+        emit mechanism->fullWindowToggleRequested();
         settle(*m_window);
         press(Qt::Key_F11);
         press(Qt::Key_F11);
