@@ -79,7 +79,7 @@ std::vector<ClaimKind> tablesByAngle()
                  .with(positions(random))
                  .digits(7)
                  .multiplied({kTheta2}, -1.0)
-                 .conventions(0, 1);
+                 .conventionsBetween(0, 1);
          }},
         {"by angle in radians",
          [](Random &random) {
@@ -88,7 +88,7 @@ std::vector<ClaimKind> tablesByAngle()
                  .with(positions(random))
                  .digits(7)
                  .multiplied({kTheta2}, kRadians)
-                 .conventions(0, 1);
+                 .conventionsBetween(0, 1);
          }},
         {"by angle, two to four decimals",
          [](Random &random) {
@@ -117,7 +117,10 @@ std::vector<ClaimKind> tablesByAngle()
         {"R4_x in whole mm from another origin with derivatives of four digits",
          [](Random &random) {
              ClaimTable table = ClaimTable(random).overTime(random.between(0.9, 2.0), random.between(24, 60));
-             table.with({kSlider}).decimals(0).shifted({kSlider}, random.eitherSign(20.0, 200.0)).conventions(1, 2);
+             table.with({kSlider})
+                 .decimals(0)
+                 .shifted({kSlider}, random.eitherSign(20.0, 200.0))
+                 .conventionsBetween(1, 2);
              table.with(
                  random.oneOf<Channels>({{kSliderSpeed}, {kSliderAcceleration}, {kSliderSpeed, kSliderAcceleration}}));
              return table.digits(4);
@@ -142,7 +145,7 @@ std::vector<ClaimKind> tablesByAngle()
              return tableByAngle(random, random.mechanism())
                  .with({kSlider, kSliderSpeed})
                  .multiplied({kSliderSpeed}, -1.0)
-                 .conventions(0, 1);
+                 .conventionsBetween(0, 1);
          }},
         {"by angle, finite differences",
          [](Random &random) {
@@ -158,7 +161,7 @@ std::vector<ClaimKind> tablesByAngle()
              const double sign = random.oneOf({-1.0, 1.0});
              table.multiplied({kSlider}, sign);
              const double least = table.find("R4_x")->values.minCoeff();
-             return table.shifted({kSlider}, -least).conventions(1, sign < 0.0 ? 2 : 1);
+             return table.shifted({kSlider}, -least).conventionsBetween(1, sign < 0.0 ? 2 : 1);
          }},
         {"by angle, distance from the outer dead centre",
          [](Random &random) {
@@ -215,7 +218,7 @@ std::vector<ClaimKind> tablesByAngle()
                  .with(kSixColumns)
                  .digits(8)
                  .multiplied({kTheta3Speed, kTheta3Acceleration}, kRadians)
-                 .conventions(1, 2);
+                 .conventionsBetween(1, 2);
          }},
         {"by angle, half a turn",
          [](Random &random) {
@@ -246,7 +249,7 @@ std::vector<ClaimKind> tablesWithConventions()
              return ClaimTable(random, withSpeed(random.mechanism(), -random.between(20.0, 60.0)))
                  .with({kSlider})
                  .shifted({kSlider}, random.onLogScale(5.0, 500.0))
-                 .conventions(1, 2);
+                 .conventionsBetween(1, 2);
          }},
         {"origin of R4_x far away",
          [](Random &random) {
@@ -254,7 +257,7 @@ std::vector<ClaimKind> tablesWithConventions()
                  .with({kSlider})
                  .decimals(3)
                  .shifted({kSlider}, random.eitherSign(500.0, 3000.0))
-                 .conventions(1, 2);
+                 .conventionsBetween(1, 2);
          }},
         {"origin of theta2",
          [](Random &random) {
@@ -301,7 +304,7 @@ std::vector<ClaimKind> tablesWithConventions()
         {"theta3 from the start",
          [](Random &random) {
              ClaimTable table = ClaimTable(random).with(kSixColumns).shifted({kTheta3}, 0.0);
-             return table.shifted({kTheta3}, -table.find("theta3")->values[0]).conventions(0, 1);
+             return table.shifted({kTheta3}, -table.find("theta3")->values[0]).conventionsBetween(0, 1);
          }},
         {"theta3 family turned by 40 degrees",
          [](Random &random) {
@@ -314,7 +317,7 @@ std::vector<ClaimKind> tablesWithConventions()
                  .digits(7)
                  .withNoise(kAllColumns, 0.003)
                  .shifted({kSlider}, random.eitherSign(100.0, 500.0))
-                 .conventions(1, 2);
+                 .conventionsBetween(1, 2);
          }},
         {"angles in radians",
          [](Random &random) {
@@ -348,7 +351,7 @@ std::vector<ClaimKind> tablesWithConventions()
                  .with(kSixColumns)
                  .with({kR4y})
                  .multiplied(random.oneOf({kSliderColumns, kCouplerColumns}), -1.0)
-                 .conventions(1, 2);
+                 .conventionsBetween(1, 2);
          }},
         {"half a turn",
          [](Random &random) {
@@ -413,7 +416,7 @@ std::vector<ClaimKind> tablesWithConventions()
                  .decimals(3)
                  .shifted({kSlider}, random.eitherSign(20.0, 200.0))
                  .differentiated({kSliderSpeed, kSliderAcceleration}, 1)
-                 .conventions(1, 2); // of a crossed assembly, the open one with the opposite direction is found
+                 .conventionsBetween(1, 2); // of a crossed assembly, the open one with the opposite direction is found
          }},
         {"two faults at once",
          [](Random &random) {
@@ -427,7 +430,7 @@ std::vector<ClaimKind> tablesWithConventions()
         // Either the time or the four derivatives have the wrong unit.
         {"clock in ms, derivatives per s",
          [](Random &random) {
-             return ClaimTable(random).with(kSixColumns).timeMultiplied(1000.0).conventions(0, 1).mayBeMissed();
+             return ClaimTable(random).with(kSixColumns).timeMultiplied(1000.0).conventionsBetween(0, 1).mayBeMissed();
          }},
         {"the slider along y",
          [](Random &random) {
@@ -479,17 +482,21 @@ std::vector<ClaimKind> tablesBesideAGivenMechanism()
                  .with(kSixColumns)
                  .given(p)
                  .multiplied(kSliderColumns, factor)
-                 .conventions(0, 1);
+                 .conventionsBetween(0, 1);
          }},
         {"given: clock in ms",
          [](Random &random) {
              const Parameters p = random.mechanism();
-             return ClaimTable(random, p).with({kTheta3, kSlider}).given(p).timeMultiplied(1000.0).conventions(0, 1);
+             return ClaimTable(random, p)
+                 .with({kTheta3, kSlider})
+                 .given(p)
+                 .timeMultiplied(1000.0)
+                 .conventionsBetween(0, 1);
          }},
         {"given: the other assembly",
          [](Random &random) {
              Parameters p = random.mechanism();
-             ClaimTable table = ClaimTable(random, p).with(kSixColumns).conventions(0, 1);
+             ClaimTable table = ClaimTable(random, p).with(kSixColumns).conventionsBetween(0, 1);
              p.branch = oppositeBranch(p.branch);
              return table.given(p);
          }},
@@ -500,7 +507,7 @@ std::vector<ClaimKind> tablesBesideAGivenMechanism()
                  .with(kSixColumns)
                  .given(p)
                  .orMechanism(p)
-                 .conventions(0, 1);
+                 .conventionsBetween(0, 1);
          }},
         {"given: one parameter off",
          [](Random &random) {
@@ -508,7 +515,7 @@ std::vector<ClaimKind> tablesBesideAGivenMechanism()
              const auto wrong = random.oneOf({Parameter::A, Parameter::B, Parameter::C, Parameter::Omega2});
              Parameters given = p;
              valueOf(given, wrong) *= random.between(1.02, 1.05);
-             ClaimTable table = ClaimTable(random, p).with(kSixColumns).given(given).conventions(0, 1);
+             ClaimTable table = ClaimTable(random, p).with(kSixColumns).given(given).conventionsBetween(0, 1);
              table.wrongGiven = wrong;
              return table;
          }},

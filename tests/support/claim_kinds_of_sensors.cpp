@@ -139,7 +139,7 @@ std::vector<ClaimKind> filteredTables()
                  .withNoise(kAllColumns, random.onLogScale(1e-4, 1e-3))
                  .withTone(kAllColumns, random.between(2e-3, 8e-3), 2.0)
                  .shifted(kAllColumns, 0.0)
-                 .conventions(0, 2)
+                 .conventionsBetween(0, 2)
                  .approximate();
          }},
         {"averages over bins of the crank angle",
@@ -246,7 +246,7 @@ std::vector<ClaimKind> contradictoryTables()
                  .amplified({kTheta3}, random.oneOf({0.98, 1.02}))
                  .shifted({kTheta3}, random.between(5.0, 20.0))
                  .shifted({kSlider}, random.between(20.0, 60.0))
-                 .conventions(0, 3)
+                 .conventionsBetween(0, 3)
                  .approximate()
                  .mayBeMissed();
          }},

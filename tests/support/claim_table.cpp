@@ -255,7 +255,7 @@ ClaimTable &ClaimTable::orMechanism(const Parameters &parameters)
     return *this;
 }
 
-ClaimTable &ClaimTable::conventions(std::size_t fewest, std::size_t most)
+ClaimTable &ClaimTable::conventionsBetween(std::size_t fewest, std::size_t most)
 {
     minConventions = fewest;
     maxConventions = most;

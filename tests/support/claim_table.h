@@ -194,8 +194,8 @@ public:
     // What the program is given, and what it may claim.
     ClaimTable &given(const Parameters &parameters);
     ClaimTable &orMechanism(const Parameters &parameters); ///< this mechanism explains the file equally well
-    ClaimTable &conventions(std::size_t count) { return conventions(count, count); }
-    ClaimTable &conventions(std::size_t fewest, std::size_t most);
+    ClaimTable &conventions(std::size_t count) { return conventionsBetween(count, count); }
+    ClaimTable &conventionsBetween(std::size_t fewest, std::size_t most);
     ClaimTable &accurateTo(double relativeTolerance);
     ClaimTable &tooFewValues();   ///< to identify a mechanism reliably
     ClaimTable &mayBeMissed();    ///< although the linearized fit determines the mechanism
