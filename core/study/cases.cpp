@@ -62,9 +62,9 @@ const std::vector<Row> kHard{
     {"rocker, two arcs", 10.0, 5.0},
     {"rocker, two arcs, crossed", 10.0, 5.0, Crossed},
     {"rocker, two arcs, c = 0", 10.0, 0.0},
-    {"almost full turns, gap -1e-8", couplerNearToggle(-1e-8)},
+    {"barely a rocker, gap -1e-8", couplerNearToggle(-1e-8)},
     {"locked, b = |c| - a", 5.0},
-    {"cannot be assembled", 4.0},
+    {"never assemblable", 4.0},
     {"b/a = 1e3", 2e4},
     {"b/a = 1e9", 2e10},
     {"c/a = 5e4", 1.1e6, 1e6},
@@ -99,7 +99,7 @@ Parameters scaled(double factor)
 /// Returns a case with few time steps per revolution. `gap`: the relative gap to a toggle, such as "1e-4".
 Case fewSteps(int steps, const std::string &gap)
 {
-    return {.name = std::to_string(steps) + " steps per revolution, gap " + gap,
+    return {.name = std::to_string(steps) + " steps a turn, gap " + gap,
             .parameters = {.a = kCrank, .b = couplerNearToggle(std::stod(gap)), .c = kOffset},
             .sampling = {.steps = steps}};
 }

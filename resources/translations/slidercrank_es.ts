@@ -5128,7 +5128,7 @@ perpendicular a la línea de la corredera.</translation>
         <translation>dos arcos</translation>
     </message>
     <message>
-        <source>almost full turns</source>
+        <source>barely a rocker</source>
         <translation>casi vueltas completas</translation>
     </message>
     <message>
@@ -5140,7 +5140,7 @@ perpendicular a la línea de la corredera.</translation>
         <translation>bloqueado</translation>
     </message>
     <message>
-        <source>cannot be assembled</source>
+        <source>never assemblable</source>
         <translation>no se puede ensamblar</translation>
     </message>
     <message>
@@ -5152,7 +5152,7 @@ perpendicular a la línea de la corredera.</translation>
         <translation>t cerca de %1</translation>
     </message>
     <message>
-        <source>%1 steps per revolution</source>
+        <source>%1 steps a turn</source>
         <translation>%1 pasos por revolución</translation>
     </message>
     <message>

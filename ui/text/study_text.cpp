@@ -4,7 +4,6 @@
 #include "ui/text/written_number.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 #include <QStringList>
 #include <QSysInfo>
 #include <QThread>
@@ -25,34 +24,43 @@ struct StudyText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::StudyText)
 
 public:
-    /// Tells lupdate the properties of cases that are translated, with %1 instead of a number.
-    [[maybe_unused]] static constexpr const char *kPatterns[] = {QT_TR_NOOP("initial mechanism"),
-                                                                 QT_TR_NOOP("this mechanism"),
-                                                                 QT_TR_NOOP("sample file"),
-                                                                 QT_TR_NOOP("crossed"),
-                                                                 QT_TR_NOOP("toggle gap %1"),
-                                                                 QT_TR_NOOP("exact toggle"),
-                                                                 QT_TR_NOOP("change point"),
-                                                                 QT_TR_NOOP("a = b and c = 0"),
-                                                                 QT_TR_NOOP("rocker"),
-                                                                 QT_TR_NOOP("one arc"),
-                                                                 QT_TR_NOOP("two arcs"),
-                                                                 QT_TR_NOOP("almost full turns"),
-                                                                 QT_TR_NOOP("gap %1"),
-                                                                 QT_TR_NOOP("locked"),
-                                                                 QT_TR_NOOP("cannot be assembled"),
-                                                                 QT_TR_NOOP("lengths x %1"),
-                                                                 QT_TR_NOOP("t near %1"),
-                                                                 QT_TR_NOOP("%1 steps per revolution")};
+    /// The properties of the cases in core/study/cases.cpp, with %1 instead of a number. Formulas are not among them.
+    static constexpr const char *kProperties[] = {QT_TR_NOOP("initial mechanism"),
+                                                  QT_TR_NOOP("this mechanism"),
+                                                  QT_TR_NOOP("sample file"),
+                                                  QT_TR_NOOP("crossed"),
+                                                  QT_TR_NOOP("toggle gap %1"),
+                                                  QT_TR_NOOP("exact toggle"),
+                                                  QT_TR_NOOP("change point"),
+                                                  QT_TR_NOOP("a = b and c = 0"),
+                                                  QT_TR_NOOP("rocker"),
+                                                  QT_TR_NOOP("one arc"),
+                                                  QT_TR_NOOP("two arcs"),
+                                                  QT_TR_NOOP("barely a rocker"),
+                                                  QT_TR_NOOP("gap %1"),
+                                                  QT_TR_NOOP("locked"),
+                                                  QT_TR_NOOP("never assemblable"),
+                                                  QT_TR_NOOP("lengths x %1"),
+                                                  QT_TR_NOOP("t near %1"),
+                                                  QT_TR_NOOP("%1 steps a turn")};
 };
 
 /// Translates a property such as "toggle gap 1e-4". Formulas are not translated.
 QString propertyText(const QString &property)
 {
-    static const QRegularExpression number("^[0-9]+|-?[0-9]+e[-0-9]+( s)?");
-    const QString value = number.match(property).captured();
-    const QString text = StudyText::tr(QString(property).replace(number, "%1").toUtf8());
-    return value.isEmpty() ? text : text.arg(value);
+    for (const char *pattern : StudyText::kProperties) {
+        const QStringList fixedParts = QString(pattern).split("%1");
+        if (fixedParts.size() == 1 && property == fixedParts.front()) {
+            return StudyText::tr(pattern);
+        }
+        const QString before = fixedParts.front();
+        const QString after = fixedParts.back();
+        if (fixedParts.size() == 2 && property.startsWith(before) && property.endsWith(after)) {
+            const QString number = property.sliced(before.size()).chopped(after.size());
+            return StudyText::tr(pattern).arg(number);
+        }
+    }
+    return property;
 }
 
 const MethodResult *findRow(const CaseResult &result, MethodName::Kind kind, std::optional<double> tolerance)
