@@ -201,7 +201,7 @@ double QuantityMotion::at(Order order) const
     return kNone;
 }
 
-const QuantityMotion &DerivedState::of(DerivedQuantity quantity) const
+const QuantityMotion &DerivedState::motionOf(DerivedQuantity quantity) const
 {
     switch (quantity) {
     case DerivedQuantity::TransmissionAngle: return transmissionAngle;
@@ -226,7 +226,7 @@ double OutputState::valueOf(const OutputChannel &channel) const
         return state.valueOf(*coordinate);
     }
     const auto &[quantity, order] = std::get<DerivedChannel>(channel);
-    return derived.of(quantity).at(order);
+    return derived.motionOf(quantity).at(order);
 }
 
 double withoutNoise(double value, const OutputChannel &channel, const Mechanism &mechanism, double alpha2)

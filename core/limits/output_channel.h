@@ -80,7 +80,7 @@ struct DerivedState {
     QuantityMotion pinX;
     QuantityMotion pinY;
 
-    const QuantityMotion &of(DerivedQuantity quantity) const;
+    const QuantityMotion &motionOf(DerivedQuantity quantity) const;
 };
 
 /// Computes the derived quantities. `adjacent`: b cos θ3 (mm), which near a toggle is more accurate than the cosine of

@@ -53,7 +53,7 @@ private:
 
     double m_omega2;
     double m_theta20;
-    std::vector<Term> m_terms; ///< by n from 0
+    std::vector<Term> m_terms; ///< indexed by the number of the harmonic, from 0
 };
 
 } // namespace slidercrank

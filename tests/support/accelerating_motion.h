@@ -13,7 +13,7 @@
 namespace slidercrank
 {
 
-using ExactOutputs = std::map<std::string_view, ManyDigits>; ///< by name, positions only
+using ExactOutputs = std::map<std::string_view, ManyDigits>; ///< the key is the name; positions only
 
 /// Returns all positions at a crank angle, with the derived quantities from their definitions.
 inline ExactOutputs exactPositions(const Parameters &p, const ManyDigits &theta2)

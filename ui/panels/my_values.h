@@ -43,7 +43,7 @@ private:
     /// corrected.
     struct TypedTexts {
         double theta2;                       ///< rad, within [-π, π)
-        std::map<QString, QString> byColumn; ///< by the name of the column; none of them is empty
+        std::map<QString, QString> byColumn; ///< the key is the name of the column; no text is empty
     };
 
     const TypedTexts *textsAt(double theta2) const; ///< null if no values were typed at this position

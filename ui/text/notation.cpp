@@ -31,7 +31,7 @@ struct NamesByOrder {
     QString velocity;
     QString acceleration;
 
-    const QString &of(Order order) const
+    const QString &nameFor(Order order) const
     {
         switch (order) {
         case Order::Position: break;
@@ -80,7 +80,7 @@ QString centreSymbol(Channel channel)
 {
     const NamesByOrder symbols =
         channel.coordinate == R3x ? NamesByOrder{"G_x", "v_Gx", "a_Gx"} : NamesByOrder{"G_y", "v_Gy", "a_Gy"};
-    return symbols.of(channel.order);
+    return symbols.nameFor(channel.order);
 }
 
 } // namespace
@@ -154,7 +154,7 @@ QString symbolOf(const OutputChannel &channel)
                                                                    : symbolText(*coordinate);
     }
     const auto &[quantity, order] = std::get<DerivedChannel>(channel);
-    return symbolsOf(quantity).of(order);
+    return symbolsOf(quantity).nameFor(order);
 }
 
 QString nameText(const OutputChannel &channel)
@@ -163,7 +163,7 @@ QString nameText(const OutputChannel &channel)
         return quantityName(*coordinate);
     }
     const auto &[quantity, order] = std::get<DerivedChannel>(channel);
-    return namesOf(quantity).of(order);
+    return namesOf(quantity).nameFor(order);
 }
 
 } // namespace slidercrank
