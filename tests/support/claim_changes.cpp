@@ -122,22 +122,24 @@ ClaimTable &ClaimTable::withinATurn(Channel channel)
 
 // Errors of sensors.
 
-ClaimTable &ClaimTable::withUnevenNoise(const Channels &channels, double fraction, double correlation, double growth)
+ClaimTable &ClaimTable::withUnevenNoise(const Channels &channels, const UnevenNoise &uneven)
 {
-    const bool isWhite = correlation == 0.0 && growth == 0.0;
+    const bool isWhite = uneven.correlation == 0.0 && uneven.growth == 0.0;
     return change(channels, isWhite ? Content::Motion : Content::Systematic, [=, this](ClaimColumn &column) {
+        const double correlation = uneven.correlation;
         Values noise = m_random.normal(times.size());
         for (Index row = 1; row < noise.size(); ++row) {
             noise[row] = correlation * noise[row - 1] + std::sqrt(1.0 - correlation * correlation) * noise[row];
         }
-        column.noise = fraction * swing(column.shown) * std::abs(column.factor);
-        column.values += column.noise * noise * (1.0 + growth * column.values.abs() / column.values.abs().maxCoeff());
+        column.noise = uneven.fraction * swing(column.shown) * std::abs(column.factor);
+        const Values readings = column.values.abs();
+        column.values += column.noise * noise * (1.0 + uneven.growth * readings / readings.maxCoeff());
     });
 }
 
 ClaimTable &ClaimTable::withNoise(const Channels &channels, double fraction)
 {
-    return withUnevenNoise(channels, fraction, 0.0, 0.0);
+    return withUnevenNoise(channels, {.fraction = fraction});
 }
 
 ClaimTable &ClaimTable::truncated(const Channels &channels, double step)
@@ -154,11 +156,11 @@ ClaimTable &ClaimTable::inSteps(const Channels &channels, double step)
         .truncated(channels, step);
 }
 
-ClaimTable &ClaimTable::withTone(const Channels &channels, double fraction, double perTurn)
+ClaimTable &ClaimTable::withTone(const Channels &channels, const Tone &tone)
 {
     return change(channels, Content::Systematic, [=, this](ClaimColumn &column) {
-        const Values angles = perTurn * truth->omega2 * times + m_random.between(0.0, kTurn);
-        column.values += fraction * swing(column.shown) * angles.sin();
+        const Values angles = tone.perTurn * truth->omega2 * times + m_random.between(0.0, kTurn);
+        column.values += tone.fraction * swing(column.shown) * angles.sin();
     });
 }
 
@@ -254,7 +256,7 @@ ClaimTable &ClaimTable::withoutABlock(const Channels &channels)
 
 ClaimTable &ClaimTable::smoothed(const Channels &channels, const WeightedMean &mean)
 {
-    const auto &[before, after, decay] = mean;
+    const auto [before, after, decay] = mean;
     const Values lags = Values::LinSpaced(before + after + 1, -after, before);
     const Values weights = (-decay * lags.abs()).exp() / (-decay * lags.abs()).exp().sum();
     compute();

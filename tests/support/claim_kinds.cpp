@@ -126,7 +126,7 @@ std::vector<ClaimKind> plainTables()
              return ClaimTable(random)
                  .with({kSlider, kTheta3})
                  .digits(7)
-                 .withUnevenNoise(kAllColumns, 0.01, 0.95, 0.0)
+                 .withUnevenNoise(kAllColumns, {.fraction = 0.01, .correlation = 0.95})
                  .mayBeMissed()
                  .approximate();
          }},

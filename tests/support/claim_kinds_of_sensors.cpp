@@ -97,20 +97,23 @@ std::vector<ClaimKind> filteredTables()
         {"integration errors",
          [](Random &random) {
              return tableOfPositionsAndMore(random, 9)
-                 .withTone(kAllColumns, random.onLogScale(5e-7, 5e-5), random.onLogScale(0.2, 4.0))
-                 .withTone(kAllColumns, random.onLogScale(5e-7, 5e-5), random.onLogScale(0.2, 4.0))
+                 .withTone(kAllColumns,
+                           {.perTurn = random.onLogScale(0.2, 4.0), .fraction = random.onLogScale(5e-7, 5e-5)})
+                 .withTone(kAllColumns,
+                           {.perTurn = random.onLogScale(0.2, 4.0), .fraction = random.onLogScale(5e-7, 5e-5)})
                  .approximate();
          }},
         {"drifting zero",
          [](Random &random) {
              return longTable(random, {{kSlider}, {kSlider, kTheta3}, kSixColumns})
-                 .withTone({kSlider}, random.onLogScale(1e-3, 2e-2), random.onLogScale(0.02, 0.2))
+                 .withTone({kSlider},
+                           {.perTurn = random.onLogScale(0.02, 0.2), .fraction = random.onLogScale(1e-3, 2e-2)})
                  .approximate();
          }},
         {"hum",
          [](Random &random) {
              return tableOfPositions(random)
-                 .withTone({kSlider}, random.between(1e-3, 5e-3), random.between(6.3, 20.0))
+                 .withTone({kSlider}, {.perTurn = random.between(6.3, 20.0), .fraction = random.between(1e-3, 5e-3)})
                  .approximate();
          }},
         {"backlash",
@@ -122,7 +125,7 @@ std::vector<ClaimKind> filteredTables()
         {"noise that grows with the reading",
          [](Random &random) {
              return tableOfPositions(random)
-                 .withUnevenNoise(kAllColumns, random.onLogScale(1e-3, 1e-2), 0.0, 5.0)
+                 .withUnevenNoise(kAllColumns, {.fraction = random.onLogScale(1e-3, 1e-2), .growth = 5.0})
                  .approximate();
          }},
         {"speed ripple",
@@ -137,7 +140,7 @@ std::vector<ClaimKind> filteredTables()
          [](Random &random) {
              return longTable(random, {{kSlider}})
                  .withNoise(kAllColumns, random.onLogScale(1e-4, 1e-3))
-                 .withTone(kAllColumns, random.between(2e-3, 8e-3), 2.0)
+                 .withTone(kAllColumns, {.perTurn = 2.0, .fraction = random.between(2e-3, 8e-3)})
                  .shifted(kAllColumns, 0.0)
                  .conventionsBetween(0, 2)
                  .approximate();

@@ -103,6 +103,19 @@ struct ClaimColumn {
     std::string print(double value) const;
 };
 
+/// Noise whose neighbouring values are correlated, and which grows with the reading.
+struct UnevenNoise {
+    double fraction = 0.0;    ///< rms for a small reading, as a fraction of half the range of the motion
+    double correlation = 0.0; ///< of neighbouring values
+    double growth = 0.0;      ///< the largest reading has 1 + growth times as much noise as a small one
+};
+
+/// A sine that is added to the motion.
+struct Tone {
+    double perTurn = 0.0;  ///< number of its periods in a turn of the crank
+    double fraction = 0.0; ///< its amplitude as a fraction of half the range of the motion
+};
+
 /// Wrong readings are factor · reading + offset.
 struct Misreading {
     double factor = 1.0;
@@ -159,11 +172,10 @@ public:
 
     // Errors of sensors. A fraction is that of half the range of the motion.
     ClaimTable &withNoise(const Channels &channels, double fraction);
-    /// Neighbouring values are correlated, and the noise grows with the reading.
-    ClaimTable &withUnevenNoise(const Channels &channels, double fraction, double correlation, double growth);
+    ClaimTable &withUnevenNoise(const Channels &channels, const UnevenNoise &uneven);
     ClaimTable &inSteps(const Channels &channels, double step);
     ClaimTable &truncated(const Channels &channels, double step);
-    ClaimTable &withTone(const Channels &channels, double fraction, double perTurn);
+    ClaimTable &withTone(const Channels &channels, const Tone &tone);
     ClaimTable &withBacklash(Channel channel, double fraction);
     ClaimTable &misread(Channel channel, const Misreading &misreading); ///< in at most 3 % of the rows
     /// One value has the opposite sign, its point is moved by one place, or it is off by up to a twentieth of the
