@@ -142,7 +142,7 @@ ExitStatus checkCommand(const OptionReader &options, const Streams &streams)
         .text = valueTable(values, result) + (conclusion.isEmpty() ? conclusion : conclusion + '\n'),
         .json = {{"mechanism", toJson(request.mechanism.parameters())},
                  {"values", valuesJson},
-                 {"slip", result.explanation == CheckOutcome::Named ? candidates.first() : QJsonValue()},
+                 {"slip", result.explanation == CheckOutcome::SingleSlip ? candidates.first() : QJsonValue()},
                  {"candidates", candidates},
                  {"conclusion", jsonText(conclusion)}}};
     output.status = reportPosition(streams, result.status, position.mechanism, position.mechanism.theta20());

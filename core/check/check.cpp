@@ -97,8 +97,9 @@ ChannelsByVerdict channelsByVerdict(std::span<const CheckedValue> values)
     return channels;
 }
 
-/// Returns whether a slip is considered for these channels. A slip that differs from a simpler one in some channels
-/// only is considered only if it is given a channel in which the two differ.
+/// Returns whether a slip is considered for these channels. Some slips give the same values as a simpler one in some
+/// channels. They are considered only if the given values tell them from it: by a channel that is wrong or, for
+/// CouplerAngleEnd, by a θ3 that is right.
 bool isConsidered(Slip slip, const ChannelsByVerdict &channels)
 {
     const auto &[wrong, right] = channels;
@@ -118,7 +119,8 @@ bool isConsidered(Slip slip, const ChannelsByVerdict &channels)
         return isVelocityWrong; // TwoHarmonics gives the same positions and accelerations
     }
     if (slip == Slip::CouplerAngleEnd) {
-        return std::ranges::count(right, kTheta3) > 0; // otherwise it may be OtherAssembly
+        // OtherAssembly can give the same values, but not a right θ3.
+        return std::ranges::count(right, kTheta3) > 0;
     }
     return true;
 }
@@ -227,7 +229,7 @@ void explainBySlips(CheckResult &result, std::vector<Comparison> comparisons, do
         result.explanation = CheckOutcome::TooFewDigits;
     } else {
         result.slips = slips;
-        result.explanation = slips.size() == 1 ? CheckOutcome::Named : CheckOutcome::Ambiguous;
+        result.explanation = slips.size() == 1 ? CheckOutcome::SingleSlip : CheckOutcome::Ambiguous;
     }
 }
 

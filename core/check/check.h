@@ -56,7 +56,7 @@ struct CheckedValue {
 /// What is known about the wrong values.
 enum class CheckOutcome {
     NotNeeded,      ///< all values are right
-    Named,          ///< exactly one slip gives the wrong values
+    SingleSlip,     ///< exactly one slip gives the wrong values
     Ambiguous,      ///< several slips give them
     TooFewDigits,   ///< a slip gives them, but they have too few digits to exclude a coincidence
     RoundedEarlier, ///< no slip is named, but the deviations are within the error of intermediate results that are
@@ -68,7 +68,7 @@ struct CheckResult {
     Status status = Status::Solved;        ///< if it is not Solved, values may not exist
     std::vector<CheckedValue> values = {}; ///< one for each given value
     CheckOutcome explanation = CheckOutcome::NotNeeded;
-    std::vector<Slip> slips = {}; ///< one if Named, several if Ambiguous, otherwise none
+    std::vector<Slip> slips = {}; ///< one if SingleSlip, several if Ambiguous, otherwise none
 };
 
 /// Checks the values at this position. Values that do not exist there are wrong, and are not explained.

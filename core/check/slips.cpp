@@ -93,7 +93,8 @@ void setSlider(Calculation &calculation, const QuantityMotion &motion)
 }
 
 /// Sets position, velocity and acceleration of the slider from x, dx/dθ2 and d²x/dθ2². Also sets the displacement from
-/// the outer dead centre, which is at x = a + b: the formulas that lead here neglect the offset c.
+/// the outer dead centre, which is at x = ±(a + b) (the sign is that of x): the formulas that lead here neglect the
+/// offset c.
 void setSlider(Calculation &calculation, double x, double firstDerivative, double secondDerivative)
 {
     const double omega2 = calculation.parameters.omega2;
@@ -439,14 +440,15 @@ bool solveMechanism(Calculation &calculation)
     return calculation.values.state.status == Status::Solved;
 }
 
-/// Appends what a slip leads to if it is made in this way: nothing if the mechanism is impossible then.
+/// Appends the outcomes of making a slip in this way: none if its mechanism cannot be solved; two for a slip in a
+/// formula, which is made in the formulas of the slider only, or in those of the coupler as well; otherwise one.
 void addOutcomes(std::vector<SlipOutcome> &outcomes, Slip slip, const Way &way, Calculation calculation)
 {
     way.make(calculation);
     if (way.stage == Stage::Input && !solveMechanism(calculation)) {
         return;
     }
-    if (way.stage == Stage::Formula) { // in the formulas of the slider only, or in those of the coupler, too
+    if (way.stage == Stage::Formula) {
         solveSlider(calculation);
         outcomes.push_back({.slip = slip, .values = calculation.values, .affectsPositions = false});
         solveCoupler(calculation);
@@ -481,7 +483,8 @@ OutputState roundingErrors(const CrankPosition &position, const OutputState &exa
     Calculation theta3Rounded(position, exact);
     Calculation omega3Rounded(position, exact);
     Calculation alpha3Rounded(position, exact);
-    // θ3 is rounded in degrees. Its acute angle with the slider's line is the same at A and at B.
+    // θ3 is rounded in degrees. Its acute angle with the slider's line determines the third digit, because that angle
+    // is the same at A and at B.
     const double elevation = std::asin(theta3Rounded.coupler.sin) * kDegreesPerRadian;
     const double theta3Error = halfUnitOfThirdDigit(elevation) / kDegreesPerRadian;
     theta3Rounded.coupler = sinCos({exact.state.q[Theta3] + theta3Error});

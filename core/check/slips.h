@@ -77,7 +77,8 @@ struct SlipOutcome {
 /// position, which must be solved.
 std::vector<SlipOutcome> slipOutcomes(const CrankPosition &position, const OutputState &exact);
 
-/// Returns the largest error of each value if θ3, ω3 and α3 are rounded to three digits before they are used.
+/// Estimates the largest error of each value if θ3, ω3 and α3 are rounded to three digits before they are used: the sum
+/// of the changes that half a unit of the third digit of each of them causes.
 OutputState roundingErrors(const CrankPosition &position, const OutputState &exact);
 
 } // namespace slidercrank

@@ -101,7 +101,7 @@ QString explanationText(const CheckResult &result, const QStringList &wrongNames
     }
     switch (result.explanation) {
     case CheckOutcome::NotNeeded: return CheckText::tr("All values are right to their last digit.");
-    case CheckOutcome::Named: return slipText(result.slips.front(), wrongNames);
+    case CheckOutcome::SingleSlip: return slipText(result.slips.front(), wrongNames);
     case CheckOutcome::Ambiguous: {
         QStringList sentences(CheckText::tr("More than one slip is possible; more quantities or digits may decide:"));
         for (const Slip slip : result.slips) {

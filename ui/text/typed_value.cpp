@@ -131,10 +131,10 @@ std::vector<TypedValue> inLikelyUnits(std::vector<TypedValue> values, const Cran
             inOtherUnit[i] = other;
         }
     }
-    if (checkAll(values, position).explanation == CheckOutcome::Named) {
+    if (checkAll(values, position).explanation == CheckOutcome::SingleSlip) {
         return values;
     }
-    if (checkAll(inOtherUnit, position).explanation == CheckOutcome::Named) {
+    if (checkAll(inOtherUnit, position).explanation == CheckOutcome::SingleSlip) {
         return inOtherUnit;
     }
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -72,7 +72,7 @@ Tally tally(const SlipCase &slipCase, int digits)
         const CheckResult checked = check(problem.position(), given);
         const bool isAmong = std::ranges::count(checked.slips, slipCase.slip) == 1;
         result.wrong += checked.explanation != CheckOutcome::NotNeeded && given.size() == kQuantities.size();
-        result.named += checked.explanation == CheckOutcome::Named && isAmong;
+        result.named += checked.explanation == CheckOutcome::SingleSlip && isAmong;
         result.ambiguous += checked.explanation == CheckOutcome::Ambiguous && isAmong;
         result.misnamed += !checked.slips.empty() && !isAmong;
     }
@@ -157,7 +157,7 @@ private slots:
                         const CheckResult checked = check(problem.position(), given);
                         const bool isAmong = std::ranges::count(checked.slips, row.slip) == 1;
                         wrong += checked.explanation == CheckOutcome::NotNeeded ? 0 : 1;
-                        named += checked.explanation == CheckOutcome::Named && isAmong ? 1 : 0;
+                        named += checked.explanation == CheckOutcome::SingleSlip && isAmong ? 1 : 0;
                         uncertain += checked.explanation == CheckOutcome::TooFewDigits ? 1 : 0;
                         QVERIFY(checked.slips.empty() || isAmong);
                     }
@@ -365,8 +365,8 @@ private slots:
         };
         const GivenValue alpha3 = written("alpha3", hand.alpha3, 2);
         QVERIFY(explanation({written("a", wrong, 2)}) == CheckOutcome::TooFewDigits);
-        QVERIFY(explanation({written("a", wrong, 5)}) == CheckOutcome::Named);
-        QVERIFY(explanation({written("a", wrong, 2), alpha3}) == CheckOutcome::Named);
+        QVERIFY(explanation({written("a", wrong, 5)}) == CheckOutcome::SingleSlip);
+        QVERIFY(explanation({written("a", wrong, 2), alpha3}) == CheckOutcome::SingleSlip);
     }
 
     void forgivesRoundedIntermediateResults()
