@@ -67,7 +67,7 @@ std::vector<Deviation> deviationsFrom(Parameters p, const Claim &claim)
     if (isUneven) {
         p.omega2 = 1.0; // positions over θ2 do not depend on the speed
     }
-    Parameters withLongerCoupler = p; // where a mechanism folds, the last digit of b changes its derivatives
+    Parameters withLongerCoupler = p; // shows how much the rounding of b changes the motion: much near a toggle
     withLongerCoupler.b *= 1.0 + 1e-15;
     const Values times = timesOf(p, claim);
     std::vector<Deviation> deviations;

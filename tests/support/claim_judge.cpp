@@ -48,7 +48,8 @@ Parameters delayed(Parameters p, double delay)
     return p;
 }
 
-/// Returns whether a mechanism is one that makes the table, or a mirror image of such a one.
+/// Returns whether the parameters are, within the tolerance, those of a mechanism that produced the table or of one of
+/// its mirror images.
 bool isTrue(const Claim &claim, const Parameters &parameters)
 {
     const Tolerance tolerance = toleranceOf(claim);
@@ -113,28 +114,27 @@ std::string falseConvention(const Claim &claim)
     return isCountRight ? "" : std::to_string(count) + " conventions";
 }
 
-/// Checks that no column that contains the motion was left out because it contains finite differences or a different
-/// motion.
+/// Checks that no column that contains the motion was left out as finite differences, as a different motion or,
+/// although the crank speed is constant, because of an uneven speed.
 std::string falseLeftOut(const Claim &claim)
 {
     for (const LeftOutColumn &leftOut : claim.found.leftOut) {
         const ClaimColumn *column = claim.table.find(std::string(nameOf(leftOut.channel)));
         const bool isMotion = column && claim.table.truth && column->content == ClaimColumn::Content::Motion;
-        const bool isRefuted = leftOut.reason == Reason::FiniteDifferences || leftOut.reason == Reason::OtherMotion ||
-                               (leftOut.reason == Reason::UnevenSpeed && !claim.table.isCrankUneven);
-        if (isMotion && isRefuted) {
+        const bool isWrongReason = leftOut.reason == Reason::FiniteDifferences ||
+                                   leftOut.reason == Reason::OtherMotion ||
+                                   (leftOut.reason == Reason::UnevenSpeed && !claim.table.isCrankUneven);
+        if (isMotion && isWrongReason) {
             return column->heading + " is the motion";
         }
     }
     return "";
 }
 
-/// Checks the crank speeds with a tolerance of 5 %, and the length that is said to explain the difference from the
-/// given mechanism.
-std::string falseDriveOrChange(const Claim &claim)
+/// Checks the least and the greatest speed of an uneven crank with a tolerance of 5 %.
+std::string falseDrive(const Claim &claim)
 {
     constexpr double kSpeedTolerance = 0.05;
-    constexpr double kChangeTolerance = 0.01;
     const ClaimTable &table = claim.table;
     if (const auto &drive = claim.found.drive) {
         const Values speeds = (table.exact(kTheta2Diff, table.times) / kDegreesPerRadian).abs();
@@ -145,12 +145,21 @@ std::string falseDriveOrChange(const Claim &claim)
             return "the crank does not turn like that";
         }
     }
+    return "";
+}
+
+/// Checks the length that is said to explain the difference from the given mechanism, with a tolerance of 1 %.
+std::string falseChange(const Claim &claim)
+{
+    constexpr double kTolerance = 0.01;
+    const ClaimTable &table = claim.table;
     const auto &change = claim.found.change;
-    return change && table.wrongGiven &&
-                   (change->parameter != *table.wrongGiven ||
-                    std::abs(change->value / valueOf(*table.truth, *table.wrongGiven) - 1.0) > kChangeTolerance)
-               ? "a different length has changed"
-               : "";
+    if (!change || !table.wrongGiven) {
+        return "";
+    }
+    const double error = change->value / valueOf(*table.truth, *table.wrongGiven) - 1.0;
+    const bool isRight = change->parameter == *table.wrongGiven && std::abs(error) <= kTolerance;
+    return isRight ? "" : "a different length has changed";
 }
 
 } // namespace
@@ -197,7 +206,7 @@ Judgement judge(const Claim &claim)
     Judgement judgement{claim.found.outcome};
     std::string &why = judgement.falseClaim;
     if (hasMechanism) {
-        for (const auto &check : {falseMechanism, falseConvention, falseLeftOut, falseDriveOrChange}) {
+        for (const auto &check : {falseMechanism, falseConvention, falseLeftOut, falseDrive, falseChange}) {
             why = why.empty() ? check(claim) : why;
         }
     }

@@ -29,7 +29,8 @@ inline int runs(int usual, int many)
     return areTestsLong() ? many : usual;
 }
 
-/// Returns the number of cases of a numerical test. Sanitizer builds check memory, not numbers, so they run an eighth.
+/// Returns the number of cases of a numerical test. Sanitizer builds check memory, not numbers, so they run an eighth
+/// of the usual number.
 inline int numericRuns(int usual, int many)
 {
     return runs(kIsSanitized ? std::max(usual / 8, 1) : usual, many);

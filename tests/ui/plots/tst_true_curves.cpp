@@ -266,7 +266,7 @@ private slots:
         }
     }
 
-    /// 200 steps are four per turn at 3000 rpm and two at 6000 rpm.
+    /// The 200 steps of one second are four per turn at 3000 rpm and two at 6000 rpm.
     void axesReachThePeaks()
     {
         for (const double turnsPerSecond : {1.0, 50.0, 100.0, 1000.0}) {

@@ -99,7 +99,7 @@ private slots:
     }
 
     /// A former defect: a scene had neither units nor notation.
-    void aSceneHasItsNotation()
+    void aSceneStoresUnitsAndNotation()
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
         const Notation inches{Symbols::Textbook, {LengthUnit::Inch, AngleUnit::Radian}, CrankSpeedUnit::TurnPerMinute};
