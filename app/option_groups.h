@@ -30,7 +30,8 @@ double readStart(const OptionReader &options); ///< --start, in s
 /// Throws with the message if two successive time stamps cannot be distinguished.
 void checkTimeSteps(const Sampling &sampling, const QString &message);
 
-/// Returns the first time (s) from --start on at which the crank has the angle theta2 (rad).
+/// Returns the first time (s) from --start on at which the crank has the angle theta2 (rad). Throws if it does not
+/// reach the angle, or only after a time that cannot be used.
 double firstTimeAtAngle(const OptionReader &options, const Mechanism &mechanism, double theta2);
 
 /// Returns the time (s) that --at or --at-angle asks for, or nullopt if neither option is given. An angle stands for

@@ -54,7 +54,7 @@ struct OptionDescription {
     const char *group = nullptr; ///< heading in the help, untranslated
 };
 
-/// Returns the options that the command takes, in the order of the help.
+/// Returns the options that the command takes, in the order of the help, each with its group.
 std::vector<OptionDescription> optionsOf(const CommandDescription &command);
 
 } // namespace slidercrank

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes all 36 channels of the exact motion from the six of closed_form.h.
+// Computes all 36 channels of the exact motion from the six that closed_form.h computes.
 
 #include "core/closed_form/closed_form.h"
 #include "core/mechanism/state.h"

@@ -301,7 +301,8 @@ std::optional<ChannelRange> rangeOf(const Mechanism &mechanism, const OutputChan
     const std::optional<ScaledFunction> scaled = scaledFunction(mechanism, channel);
     const Order order = orderOf(channel);
     const double omega2 = mechanism.omega2();
-    const bool isAtRest = omega2 == 0.0 && order == Order::Acceleration; // f'' ω2² + f' α2 is f' α2
+    // If ω2 = 0, the acceleration f'' ω2² + f' α2 is α2 times f', so that the critical points are those of a velocity.
+    const bool isAtRest = omega2 == 0.0 && order == Order::Acceleration;
     const double unit = isAtRest ? alpha2 : std::pow(omega2, static_cast<int>(order));
     if (!scaled || unit == 0.0) {
         return std::nullopt;

@@ -144,7 +144,7 @@ public:
         const double start =
             place.isToggle() ? kBesideToggle : std::max(kBesideLimit, std::sqrt(4.0 * kBesideToggle / place.nearest()));
         for (const double side : {-1.0, 1.0}) {
-            addLimits(place, side * start);
+            addOneSidedLimits(place, side * start);
             addExtrema(place, std::min(side * start, side * end), std::max(side * start, side * end));
         }
     }
@@ -197,7 +197,7 @@ private:
     }
 
     /// Adds the limits of all curves on one side of an angle that the mechanism does not pass.
-    void addLimits(const SteepPlace &place, double u)
+    void addOneSidedLimits(const SteepPlace &place, double u)
     {
         const double theta2 = place.theta2(place.isToggle() ? u : std::copysign(0.0, u));
         for (std::size_t k = 0; k < m_curves.size(); ++k) {

@@ -17,6 +17,8 @@ using KindValues = std::array<double, kLimitKindCount>; ///< indexed by LimitKin
 enum Length : std::size_t { A, B, C };
 using Point = std::array<double, 3>; ///< indexed by Length, mm
 
+/// Returns the limits of a mechanism with these lengths (of peaks, the magnitudes); NaN for those that do not exist,
+/// and for all if the lengths are impossible.
 KindValues valuesAt(const Parameters &parameters, const Point &lengths)
 {
     Parameters varied = parameters;
@@ -112,16 +114,16 @@ private:
         double low = grid[index > 0 ? index - 1 : 0];
         double high = grid[std::min(index + 1, grid.size() - 1)];
 
-        constexpr double kProbe = 0.01; // fraction of the interval: tests whether the value rises towards its inside,
-        constexpr double kRounding = 1e-13; // by more than rounding
+        constexpr double kProbe = 0.01;     // fraction of the interval, at which the value may be greater than here
+        constexpr double kRounding = 1e-13; // relative: a smaller rise is a rounding error
         const double largest = valueAt(here) + kRounding * std::abs(valueAt(here));
         const bool risesDown = valueAt(here - kProbe * (here - low)) > largest;
         const bool risesUp = valueAt(here + kProbe * (high - here)) > largest;
         if (!risesDown && !risesUp) {
-            return point; // a corner, as almost always
+            return point; // the extreme value is at a point of the grid, almost always at a corner of the box
         }
         constexpr double kGolden = 0.6180339887498949;
-        constexpr double kResolution = 1e-6; // fraction of the range; the error at an extremum is of its square
+        constexpr double kResolution = 1e-6; // fraction of the range; the error of the value grows with its square
         while (high - low > kResolution * (grid.back() - grid.front())) {
             const double left = high - kGolden * (high - low);
             const double right = low + kGolden * (high - low);

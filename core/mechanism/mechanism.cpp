@@ -24,10 +24,10 @@ constexpr double Parameters::*memberFor(Parameter parameter)
     return &Parameters::theta20;
 }
 
-// These functions leave the branch unchanged. Mirroring in the y axis, or in both axes, also exchanges the branches:
-// mirrorImages() lists every image on both.
+// A reflection in the y axis, or in both axes, also exchanges the branches. These functions do not set the branch:
+// mirrorImages() calls them for both.
 
-/// Returns the mechanism whose points have the opposite x if it is on the opposite branch.
+/// Returns the mechanism whose points have the opposite x, apart from its branch, which is the opposite one.
 Parameters mirroredInY(Parameters parameters)
 {
     parameters.omega2 = -parameters.omega2;
@@ -44,8 +44,8 @@ Parameters mirroredInX(Parameters parameters)
     return parameters;
 }
 
-/// Returns the mechanism that is turned by half a revolution about the crank pivot if it is on the
-/// opposite branch.
+/// Returns the mechanism that is turned by half a revolution about the crank pivot, apart from its branch, which is the
+/// opposite one.
 Parameters mirroredInBoth(Parameters parameters)
 {
     parameters.c = -parameters.c;

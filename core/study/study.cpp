@@ -40,7 +40,7 @@ double clockStep()
 }
 
 /// Measures every method at the time stamps of the case.
-Measurement measurementOfMethods(const Case &studied)
+Measurement methodMeasurement(const Case &studied)
 {
     Measurement measurement(studied.parameters, timeStampsOf(studied));
     for (const StudyMethod &method : studyMethods()) {
@@ -49,8 +49,8 @@ Measurement measurementOfMethods(const Case &studied)
     return measurement;
 }
 
-/// Measures every method, with every step size if its cost or error depends on it.
-Measurement measurementOfWorkPrecision(Case studied)
+/// Returns a measurement, not yet begun, of every method: with every step size if its cost or error depends on it.
+Measurement workPrecisionMeasurement(Case studied)
 {
     studied.sampling.steps = kWorkPrecisionOutputs;
     Measurement measurement(studied.parameters, studied.sampling.timeStamps());
@@ -145,8 +145,7 @@ struct Study::State {
     void begin()
     {
         const auto &[studied, kind] = plans[completed];
-        measurement =
-            kind == Plan::Kind::AllMethods ? measurementOfMethods(*studied) : measurementOfWorkPrecision(*studied);
+        measurement = kind == Plan::Kind::AllMethods ? methodMeasurement(*studied) : workPrecisionMeasurement(*studied);
     }
 
     void end()
@@ -170,7 +169,7 @@ Study::Study(const StudyRequest &request)
     State &state = *m_state;
     state.request.secondsPerRound = std::max(request.secondsPerRound, kMinClockSteps * clockStep());
     for (const Case &studied : state.request.cases) {
-        const bool isFirst = state.plans.empty();
+        const bool isFirst = state.plans.empty(); // whose work and precision are also studied (StudyRequest::cases)
         state.plans.push_back({&studied, State::Plan::Kind::AllMethods});
         if (isFirst) {
             state.plans.push_back({&studied, State::Plan::Kind::WorkPrecision});

@@ -28,7 +28,7 @@ namespace slidercrank
 {
 
 struct StudyRequest {
-    std::vector<Case> cases;
+    std::vector<Case> cases; ///< of the first one, the error is also measured for several step sizes
 
     /// Each round times every method once, so that a load on the machine affects all methods.
     int rounds = 15;

@@ -116,7 +116,7 @@ void MechanismSketch::addCrankCircle()
 QRectF MechanismSketch::rail() const
 {
     constexpr double kOverhang = 23.0;   // px that the rail is longer than the stroke, at either end
-    constexpr double kBeyondEdge = 20.0; // px: a longer rail ends so far outside the drawing
+    constexpr double kBeyondEdge = 20.0; // px: a longer rail is cut off at this distance outside the drawing
     const auto [left, right] = sliderTravel(mechanism(), limits());
     const QPointF from(std::max(toPixels({left, 0.0}).x() - kOverhang, -kBeyondEdge),
                        toPixels({0.0, mechanism().c()}).y() + kBelowLine);

@@ -153,7 +153,7 @@ void paintPicture(QPainter &painter, const QSize &size, const MechanismScene &sc
     painter.setClipRect(QRectF(QPointF(), drawing), Qt::IntersectClip);
     scenery.paint(painter);
     linkage.paint(painter);
-    if (!scene.settings.angles) {       // the drawing does not state its position
+    if (!scene.settings.angles) {       // the angle of the crank is not written beside it
         constexpr double kMargin = 6.0; // px
         painter.setFont(font);
         painter.setPen(palette.color(QPalette::Text));

@@ -122,7 +122,8 @@ TableCell jacobianCell(double value)
     return cell;
 }
 
-/// Returns a page without tables. Its sentence explains why numbers are missing; it is empty if none are.
+/// Returns a page without tables, with a warning that explains why numbers are missing. There is no warning if the
+/// status is Solved.
 Page emptyPage(Status status, const Result &result)
 {
     const QString sentence = statusSentence(status, result.solver.newton);

@@ -41,7 +41,7 @@ QString nameWithUnit(const QString &name, const QString &unit, const QString &fi
 }
 
 /// Returns the curves in the units that are shown.
-std::vector<Record> recordsOf(const Response &response)
+std::vector<Record> curveRecords(const Response &response)
 {
     const Parameter parameter = response.parameter;
     const QString name = nameWithUnit(optionName(parameter), unitSuffix(parameter).trimmed(),
@@ -281,17 +281,17 @@ ChartContent ResponseView::chartOf(std::size_t limit) const
             .unshaded = inShownUnit(range.fullTurn)};
 }
 
-/// Changes the parameter to the value at a position (px) of a chart, rounded to a small fraction of the range and
+/// Changes the parameter to the value at a position (px) of a chart, rounded to a round step of about a pixel and
 /// limited to the range.
-void ResponseView::requestAt(Chart &chart, double pixel)
+void ResponseView::setParameterAt(Chart &chart, double pixel)
 {
     const auto &[lower, upper] = m_response.range.assembled;
     const double left = chart.positionOf({Curve, 0}).x();
     const double right = chart.positionOf({Curve, m_response.values.size() - 1}).x();
     const double value = std::lerp(lower, upper, (pixel - left) / (right - left));
-    constexpr double kSteps = 400.0; // about as many as a chart has pixels
-    constexpr int kDigits = 12;      // so that 0.1 + 0.2 becomes 0.3
-    const double step = nextRoundNumber((upper - lower) / kSteps);
+    constexpr double kStepsInRange = 400.0; // about as many as a chart has pixels
+    constexpr int kDigits = 12;             // so that 0.1 + 0.2 becomes 0.3
+    const double step = nextRoundNumber((upper - lower) / kStepsInRange);
     const double rounded = QString::number(std::round(value / step) * step, 'g', kDigits).toDouble();
     m_session->setParameter(m_response.parameter, std::clamp(rounded, lower, upper));
 }
@@ -308,7 +308,7 @@ bool ResponseView::eventFilter(QObject *watched, QEvent *event)
         m_session->beginDrag();
     }
     if (mouse.buttons() & Qt::LeftButton) {
-        requestAt(*static_cast<Chart *>(watched), mouse.position().x());
+        setParameterAt(*static_cast<Chart *>(watched), mouse.position().x());
         return true;
     }
     m_session->endDrag();
@@ -386,7 +386,7 @@ void ResponseView::fillExportMenu(QMenu *menu)
 
 std::optional<QString> ResponseView::exportTo(const QString &path) const
 {
-    return writeWhole(path, csvText(recordsOf(m_response), csvSeparators()));
+    return writeWhole(path, csvText(curveRecords(m_response), csvSeparators()));
 }
 
 void ResponseView::copy()

@@ -50,7 +50,7 @@ private:
     void refresh();
     void showResponse();
     ChartContent chartOf(std::size_t limit) const;
-    void requestAt(Chart &chart, double pixel);
+    void setParameterAt(Chart &chart, double pixel);
     void fillExportMenu(QMenu *menu);
     void draw(QPainter &painter, const QSize &size) const;
     QString pinnedNote() const;

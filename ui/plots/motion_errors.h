@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes the errors of the model for each of the plotted channels: relative to the file, at the file's time stamps,
-// or without a file relative to the motion that was pinned last. Values are in the units of files (mm, °, s), absolute
-// errors in the units that are shown.
+// Computes the errors of the model in each of the plotted channels. The reference values are those of the file, at its
+// time stamps, or without a file those of the motion that was pinned last. Values are in the units of files (mm, °, s),
+// absolute errors in the units that are shown.
 
 #include "ui/document/result.h"
 #include "ui/document/view_settings.h"

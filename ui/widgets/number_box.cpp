@@ -141,7 +141,7 @@ QSize NumberBox::sizeHint() const
     QStyleOptionSpinBox option;
     initStyleOption(&option);
     constexpr int kCursor = 4;              // px
-    int width = 0;                          // of the wider one: an ordinary number, or one with a power of ten
+    int width = 0;                          // of the wider text: an ordinary number, or one with a power of ten
     constexpr double kWideNumber = -8.8e-8; // has a power of ten, and the widest digits
     for (const QString &number : {m_widestNumber, numberText(kWideNumber, kMinimumDigits)}) {
         width = std::max(width, fontMetrics().horizontalAdvance(number + suffix()));

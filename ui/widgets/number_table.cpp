@@ -132,7 +132,7 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     connect(this, &QTableView::clicked, this, &NumberTable::goToRow);
     connect(this, &QTableView::activated, this, &NumberTable::goToRow); // Enter
     connect(this, &QTableView::clicked, this, [this](const QModelIndex &index) {
-        if (isTypedInto(index) && state() != EditingState) { // it was the current cell before
+        if (isTypedInto(index) && state() != EditingState) { // Qt does not begin to edit the current cell
             QTableView::edit(index);
         }
     });
@@ -183,7 +183,7 @@ void NumberTable::setRows(std::vector<TableRow> rows)
     m_rows = std::move(rows);
     m_model->setRowCount(static_cast<int>(m_rows.size()));
     fillCells();
-    if (hasOtherSize) { // otherwise no column becomes narrower
+    if (hasOtherSize) { // otherwise columns only become wider: fillCells() sees to that
         fitColumns();
     }
 }

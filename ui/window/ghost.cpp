@@ -37,9 +37,9 @@ Ghost::Ghost(Session *session, MechanismView *view)
     update();
 }
 
-void Ghost::setWanted(bool wanted)
+void Ghost::setShown(bool shown)
 {
-    m_isWanted = wanted;
+    m_isShown = shown;
     update();
 }
 
@@ -47,7 +47,7 @@ void Ghost::update()
 {
     const auto &identification = m_session->identification();
     const GhostMotion ghost =
-        m_isWanted ? findGhost(*m_session->result(), identification ? &identification->found : nullptr) : GhostMotion();
+        m_isShown ? findGhost(*m_session->result(), identification ? &identification->found : nullptr) : GhostMotion();
     m_motion = ghost.pose;
     m_view->setGhostBounds(ghost.bounds);
     showPose();

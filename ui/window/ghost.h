@@ -30,6 +30,7 @@ struct GhostMotion {
 /// mechanism. The window and the command line draw the same linkage.
 GhostMotion findGhost(const Result &result, const Identification *found);
 
+/// Draws the linkage that findGhost() returns behind the mechanism.
 class Ghost : public QObject
 {
     Q_OBJECT
@@ -42,7 +43,7 @@ public:
     const std::function<ReferencePose(double)> &motion() const { return m_motion; }
 
 public slots:
-    void setWanted(bool wanted);
+    void setShown(bool shown);
 
 private:
     void update();
@@ -51,7 +52,7 @@ private:
     Session *m_session;
     MechanismView *m_view;
     std::function<ReferencePose(double)> m_motion;
-    bool m_isWanted = true;
+    bool m_isShown = true;
 };
 
 } // namespace slidercrank

@@ -191,7 +191,7 @@ void Menus::addViewMenu()
     connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
     QAction *ghost = addSwitch(menu, tr("Show the mo&tion of the file or the pinned one"));
     ghost->setChecked(true);
-    connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setWanted);
+    connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setShown);
     enableWhile(ghost, m_window.session(), &Result::isCompared);
     menu->addSeparator();
     addChoices<Theme>(

@@ -28,7 +28,7 @@ namespace
 
 const QString kQuestion = "unsavedQuestion";
 
-std::pair<qint64, QDateTime> versionOf(const QString &path)
+std::pair<qint64, QDateTime> fileStampOf(const QString &path)
 {
     const QFileInfo file(path);
     return {file.size(), file.lastModified()};
@@ -133,7 +133,7 @@ void SceneFile::restore(const Scene &scene, const std::function<void()> &proceed
 void SceneFile::takeOver(const SceneFile &other)
 {
     show(other.scene(), other.m_path, other.m_session->reference());
-    m_version = other.m_version;
+    m_fileStamp = other.m_fileStamp;
     m_session->takeOverSteps(*other.m_session);
     emit changed();
 }
@@ -144,7 +144,7 @@ void SceneFile::show(const Scene &scene, const QString &path, const std::shared_
     m_session->open({scene.parameters, scene.sampling, scene.solver, loaded, scene.pinned, scene.alpha2}, scene.time,
                     missing);
     m_path = path;
-    m_version = versionOf(path);
+    m_fileStamp = fileStampOf(path);
     m_missing = missing;
     m_views.plots->setSettings(scene.plots);
     m_views.plots->setZoom(scene.zoom);
@@ -166,7 +166,7 @@ void SceneFile::save(const std::function<void()> &proceed)
         saveAs(proceed);
         return;
     }
-    if (!QFileInfo::exists(m_path) || versionOf(m_path) == m_version) {
+    if (!QFileInfo::exists(m_path) || fileStampOf(m_path) == m_fileStamp) {
         saveTo(m_path, proceed);
         return;
     }
@@ -204,7 +204,7 @@ bool SceneFile::saveTo(const QString &path, const std::function<void()> &proceed
         return false;
     }
     m_path = absolute;
-    m_version = versionOf(absolute);
+    m_fileStamp = fileStampOf(absolute);
     m_session->undoStack().setClean();
     rememberFiles({m_path});
     emit changed();

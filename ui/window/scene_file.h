@@ -78,7 +78,7 @@ private:
     const Views &m_views;
     QWidget *m_window;
     QString m_path;
-    std::pair<qint64, QDateTime> m_version;   ///< size and time of the file when it was last opened or saved
+    std::pair<qint64, QDateTime> m_fileStamp; ///< size and time of the file when it was last opened or saved
     std::optional<ReferenceSource> m_missing; ///< the reference of the scene that has not been opened
 };
 
