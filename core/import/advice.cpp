@@ -109,15 +109,15 @@ std::string likelyUnit(const RawColumn &column, ColumnRole role, Channel channel
 }
 
 /// Returns the unit to suggest for the time: s if its stated unit is unknown. If it states none, its numbers are too
-/// large for seconds: ns for long steps between the rows, otherwise µs.
+/// large for seconds: ns if the rows would be far apart in µs, otherwise µs.
 std::string likelyTimeUnit(const RawColumn &column)
 {
-    constexpr double kLongestStep = 1e5; // µs between two rows
+    constexpr double kLongestInterval = 1e5; // µs between two rows
     const ValueRange range = rangeOf(column.values);
     if (!column.use.unit.empty()) {
         return "s";
     }
-    return range.width() > kLongestStep * static_cast<double>(range.count) ? "ns" : "us";
+    return range.width() > kLongestInterval * static_cast<double>(range.count) ? "ns" : "us";
 }
 
 bool isChannel(const RawColumn &column)

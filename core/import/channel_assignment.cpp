@@ -68,8 +68,8 @@ bool isCoarserCopy(const RawColumn &column, const RawColumn &other)
            areEqual(column.values, other.values, step);
 }
 
-/// Returns whether the abscissa is a crank angle and the column is another one: its channel is θ2, or it has the
-/// heading of the abscissa and its values, without the jumps after one turn, never reverse.
+/// Returns whether the abscissa is a crank angle and the column is another one: its channel is θ2; or it has the same
+/// heading as the abscissa, and its own values, after jumps by whole turns are removed, never reverse.
 bool isSecondCrankAngle(RawTable &table, const RawColumn &column)
 {
     const RawColumn *const abscissa = table.abscissa();

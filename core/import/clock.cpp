@@ -53,11 +53,11 @@ std::vector<double> numbersWithGaps(std::span<const double> time)
 
 Clock clockOf(std::span<const double> time, const Rounding &rounding)
 {
-    constexpr double kRelativeTolerance = 1e-3; // to the rounding step: rounding makes time stamps far more uneven
+    // As a fraction of the rounding step; time stamps that were rounded deviate far more from an even spacing.
+    constexpr double kRelativeTolerance = 1e-3;
     constexpr double kMaxUlps = 4.0; // rounding errors of two differences: four time stamps, plus the unit conversion
-    constexpr double kMaxMissingFraction =
-        0.2; // of the time stamps: if more seem to be missing evenly, they never existed
-    constexpr std::size_t kMinTimeStamps = 10; // fewer may be evenly spaced by chance
+    constexpr double kMaxMissingFraction = 0.2; // of the time stamps: a grid that lacks more is not the true one
+    constexpr std::size_t kMinTimeStamps = 10;  // fewer may be evenly spaced by chance
     Clock clock;
     if (time.empty()) {
         return clock;
@@ -72,7 +72,8 @@ Clock clockOf(std::span<const double> time, const Rounding &rounding)
     for (std::size_t i = 1; mayBeGrid && i < time.size(); ++i) {
         spacing.include((time[i] - time[i - 1]) / (numbers[i] - numbers[i - 1]));
     }
-    // 0, 0.01, 0.03, 0.04, 0.06: rather 0, 0.014, 0.028, 0.042, 0.056 than a grid of 0.01 that lacks every third one.
+    // If a grid lacks many time stamps, but they are evenly spaced within their rounding, they were rounded:
+    // 0, 0.01, 0.03, 0.04, 0.06 is 0, 0.014, 0.028, 0.042, 0.056, and not a grid of 0.01 that lacks every third one.
     const double missing = numbers.empty() ? 0.0 : numbers.back() + 1.0 - static_cast<double>(time.size());
     const bool isRatherRounded = missing > kMaxMissingFraction * static_cast<double>(time.size()) &&
                                  time.size() >= kMinTimeStamps &&

@@ -73,21 +73,23 @@ void joinHeadings(HeadingCandidate &names, const NumberRow &row)
     }
 }
 
-/// Returns whether a remark follows the names of the columns, which include a time and a quantity, so that there are
-/// more cells than the `numbers` of a row: it begins with a comment mark, or at least as many names as numbers are
-/// known.
-bool isRemarkBehind(const HeadingCandidate &names, std::size_t numbers)
+/// Returns whether a remark follows the headings. The cells must name a time and a quantity. Either the cells before
+/// the first one with a comment mark are as many as the `numbers` of a row; or there are more cells than numbers, and
+/// at least as many known names as numbers.
+bool endsWithRemark(const HeadingCandidate &names, std::size_t numbers)
 {
-    const bool isMarked = headingsBeforeRemark(names.cells).size() == numbers;
-    return names.isComplete() && (isMarked || (names.cells.size() > numbers && names.known() >= numbers));
+    const bool isRemarkMarked = headingsBeforeRemark(names.cells).size() == numbers;
+    return names.isComplete() && (isRemarkMarked || (names.cells.size() > numbers && names.known() >= numbers));
 }
 
 /// Returns whether names may be the headings of the row:
 ///
-/// 1. without a row: if no blanks separate them,
-/// 2. with as many cells as in the row: always; but at most one may be unknown if blanks separate only the headings,
-/// 3. else, if blanks separate headings or numbers: if all are known, and only the first column lacks a heading,
-/// 4. else: unless they are marked and no remark is behind them.
+/// 1. There is no row: true unless blanks separate the names.
+/// 2. There are as many cells as in the row: true. But if blanks separate only the names, these must include a time and
+///    a quantity, and at most one may be unknown.
+/// 3. Otherwise, if blanks separate the names or the numbers: true only if blanks separate the names, there is one name
+///    fewer than numbers, and all names are known and include a time and a quantity.
+/// 4. Otherwise: true unless they are marked and no remark follows them.
 ///
 /// `isMarked`: a comment mark was before the names.
 bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isMarked)
@@ -104,7 +106,7 @@ bool mayBeHeadings(const HeadingCandidate &names, const NumberRow &row, bool isM
         return areSpaced && names.cells.size() + 1 == numbers && names.isComplete() &&
                names.known() == names.cells.size();
     }
-    return !isMarked || isRemarkBehind(names, numbers);
+    return !isMarked || endsWithRemark(names, numbers);
 }
 
 /// How well the cells of a line suit the row of numbers. The greater rank is better; the members are compared in order.
@@ -186,7 +188,7 @@ HeadingCandidate readNames(std::string_view line, const NumberRow &row)
     return isSpaced ? countNames(splitCells(unmarked, ' '), ' ') : HeadingCandidate();
 }
 
-std::optional<HeadingCandidate> findMostNames(const std::vector<HeadingCandidate> &lines, const NumberRow &row)
+std::optional<HeadingCandidate> findLineWithMostNames(const std::vector<HeadingCandidate> &lines, const NumberRow &row)
 {
     const HeadingCandidate *best = nullptr;
     for (const HeadingCandidate &names : lines) {

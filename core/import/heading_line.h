@@ -50,10 +50,10 @@ std::vector<HeadingCandidate> waysToSplit(std::string_view line);
 /// of data or cannot be the headings, returns its words if blanks separate the numbers, and otherwise no cells.
 HeadingCandidate readNames(std::string_view line, const NumberRow &row);
 
-/// Returns the line with most names of times and quantities; nullopt if no line has any. Of several, it is the last
-/// one, apart from lines of units, that has as many cells as the row, or else the first one. Lines between blanks of
-/// which fewer than half of the words are names do not count: they are remarks.
-std::optional<HeadingCandidate> findMostNames(const std::vector<HeadingCandidate> &lines, const NumberRow &row);
+/// Returns the line with the most names of times and quantities; nullopt if no line has any. Among lines with equally
+/// many, it is the last one that has as many cells as the row and is no line of units, or else the first one. Lines
+/// that are split at blanks are ignored as remarks if fewer than half of their words are names.
+std::optional<HeadingCandidate> findLineWithMostNames(const std::vector<HeadingCandidate> &lines, const NumberRow &row);
 
 /// Returns the last line that is no line of units; nullopt if it contains numbers or does not have as many cells as the
 /// row.

@@ -63,8 +63,8 @@ bool isRule(std::string_view line)
            (has("--") || has("==") || has("__") || line.starts_with('|'));
 }
 
-/// Returns whether the lines with bars near the beginning of a text begin and end with one, as in Markdown. If some do
-/// not, the lines that do have empty cells at their ends.
+/// Returns whether every line with a bar near the beginning of a text, apart from rules, begins and ends with one, as
+/// in Markdown. Otherwise, a bar at the end of a line delimits an empty cell.
 bool isBordered(std::string_view text)
 {
     const std::string_view beginning = text.substr(0, kFileBeginning);
@@ -130,7 +130,8 @@ std::string_view withoutQuotes(std::string_view line)
 }
 
 /// Returns a row of a list or matrix in the source of a program without its brackets: "{0.1, 85}," and "('t', 'x'),",
-/// or "A = [0.1, 85;", "0.1 85;" and "0.1, 85];" of MATLAB. A line of brackets alone becomes empty.
+/// or "A = [0.1, 85;", "0.1 85;" and "0.1, 85];" of MATLAB. Brackets enclose data or quoted names; in MATLAB, a
+/// semicolon or bracket ends a row of data. A line of brackets alone becomes empty, any other line remains as it is.
 std::string_view withoutBrackets(std::string_view line)
 {
     constexpr std::string_view kAssignment = "= [";
@@ -178,11 +179,11 @@ bool endsInQuotation(std::string_view line)
 /// the line.
 std::size_t findLineEnd(std::string_view text)
 {
-    constexpr std::size_t kMaxRestSize = 200; // bytes of a heading behind a line end
+    constexpr std::size_t kMaxContinuationSize = 200; // bytes of a quoted heading behind a line end inside it
     const std::size_t first = std::min(text.find('\n'), text.size());
     std::size_t end = first;
     while (endsInQuotation(text.substr(0, end))) {
-        const std::size_t closing = text.substr(0, end + kMaxRestSize).find('"', end);
+        const std::size_t closing = text.substr(0, end + kMaxContinuationSize).find('"', end);
         if (closing == text.npos) {
             return first;
         }

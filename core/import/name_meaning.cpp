@@ -68,8 +68,9 @@ std::optional<int> derivativesOf(const NameReading &name, const std::optional<Un
     return isPositionOrDerivative ? std::optional(name.derivatives) : std::nullopt;
 }
 
-/// Returns the coordinate of the body that the name states. Without a body, an angle is assigned to the coupler and a
-/// length to the slider, until unnamed_bodies.h regards the values.
+/// Returns the coordinate that the name denotes: θ1 for the frame, θ2 for the crank, and θ3 for any other angle; x or y
+/// of the named body, x if no axis is named. A length without a body is assigned to the slider. unnamed_bodies.h
+/// corrects these assignments by the values.
 Coordinate coordinateOf(const NameReading &name, bool isAngle)
 {
     if (isAngle) {
@@ -296,7 +297,7 @@ std::optional<NameMeaning> meaningOfTimeOrNumber(const Words &words, std::string
 {
     constexpr std::string_view kCountedUnits = "steps step frames frame samples sample rows points pasos muestras";
     if (!isTime(words)) {
-        const bool isNumber = lastPart == "#" || (isRowNumber(words) && !parseUnit(unit));
+        const bool isNumber = lastPart == "#" || (namesRowNumber(words) && !parseUnit(unit));
         return isNumber ? std::optional(NameMeaning{.reason = ColumnReason::RowNumber}) : std::nullopt;
     }
     if (isAmong(unit, kCountedUnits)) {

@@ -40,9 +40,13 @@ enum class Entries {
     All
 };
 
-/// Includes a number behind a symbol, which is that of a link. A length is that of the slider, link 4, or of an unknown
-/// point. Returns false if the link has no such quantity. Behind a word, a number only counts columns ("Linear
-/// Velocity1") and is skipped.
+/// Includes a number of a name. Returns false if it cannot belong to the quantity:
+///
+/// 1. Behind a word instead of a symbol, it only counts columns ("Linear Velocity1") and is skipped.
+/// 2. Behind q, a generalized coordinate, it is the letter of an unknown body unless q is an angle.
+/// 3. Behind another angle, it is the number of a link: 1 to 3, or any if the name also has a body.
+/// 4. Behind a length, 4 is the slider, unless the name has another body.
+/// 5. Behind a length, another number is that of an unknown point: 1 to 3.
 bool includeNumber(NameReading &reading, std::string_view digits, Entries entries)
 {
     if (!reading.hasSymbol || entries == Entries::WithoutSymbols) {
@@ -323,8 +327,9 @@ bool countsColumns(const Words &words, std::size_t at)
            (findWord(words[at - 1], WordUse::Word) || findWord(words[at - 1], WordUse::Filler));
 }
 
-/// Returns whether the word at `at` is "by" between other words, as in "distance moved by the slider" and "x by ruler".
-/// At the end of a name, as in "v_By", it is the y of point B; and at its beginning, the Spanish "par" is a torque.
+/// Returns whether the word at `at` is "by" between other words, as in "distance moved by the slider" and "x by ruler",
+/// or the French "par". At the end of a name, as in "v_By", it is the y of point B; at the beginning, "par" is the
+/// Spanish word for torque.
 bool isBy(const Words &words, std::size_t at)
 {
     return at > 0 && at + 1 < words.size() && isAmong(words[at], "by par");

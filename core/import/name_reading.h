@@ -38,7 +38,7 @@ struct NameReading {
     bool isBodyNamed = false;   ///< by a word or number, and not only by an index such as B
     bool expectsJoint = false;  ///< the last word was "joint" or the like, so that a letter names a joint
     bool isCentre = false;      ///< it names the centre of mass
-    bool isFrame = false;       ///< it has the number 1, that of the frame if the links are numbered from it
+    bool isFrame = false;       ///< it has the number 1, which denotes the frame if the slider is link 4
     bool isUnknownBody = false; ///< it has an index that denotes none of the three bodies
     bool isAtB = false;         ///< the angle of the coupler is measured at B: "θ3 at B"
     NameMeaning::Doubt doubt = NameMeaning::Doubt::None;

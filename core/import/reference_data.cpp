@@ -72,7 +72,7 @@ void refuseAnotherTable(const RawTable &table)
             return std::ranges::any_of(columns,
                                        [row](const RawColumn &column) { return std::isfinite(column.values[row]); });
         };
-        std::size_t end = file.rows.size(); // of the rows of numbers
+        std::size_t end = file.rows.size(); // index after the last row that contains a number
         while (end > 0 && !hasNumber(end - 1)) {
             --end;
         }
@@ -225,7 +225,7 @@ ReferenceData collect(RawTable &table)
 /// the first turn, so that a second motion begins. Otherwise returns nullopt.
 std::optional<std::size_t> findAnotherMotion(const ReferenceData &data)
 {
-    constexpr double kMaxMeanDifference = 0.02; // of two turns of one motion, relative to the range of the column
+    constexpr double kMaxMeanDifference = 0.02; // of two turns of one motion, as a fraction of the column's range
     const std::vector<double> &angles = data.time;
     std::size_t row = 1;
     while (row < angles.size() && angles[row] != angles[0]) {
@@ -261,9 +261,9 @@ void replaceAnglesByTimes(ReferenceData &data, RawTable &table)
     data = *std::move(timed);
 }
 
-/// Sets the rounding of a series to the multiples of a step, if its first rows show the step of an instrument: 5 or
-/// 0.5, as of a scale, or that of an encoder or converter.
-void findStep(ReferenceSeries &series, std::span<const double> time)
+/// Sets the rounding of a series to the multiples of a step, if its first rows show the step of an instrument: that of
+/// an encoder or converter, printed exactly or rounded, or else 5 or 0.5, as of a scale.
+void detectInstrumentStep(ReferenceSeries &series, std::span<const double> time)
 {
     constexpr std::size_t kExaminedRows = 4096;
     const std::size_t rows = std::min(series.values.size(), kExaminedRows);
@@ -292,15 +292,16 @@ void findStep(ReferenceSeries &series, std::span<const double> time)
     }
 }
 
-/// Returns whether the file in which a fault was found is no table at all.
-bool isNoTable(const FileBytes &file, Fault fault)
+/// Returns whether the file is prose, if its fault is one that prose can cause.
+bool isProseInsteadOfTable(const FileBytes &file, Fault fault)
 {
     using enum ReadFault::Kind;
-    constexpr std::array kFaultsOfOtherTexts{UnitsContradict,  NamesMissing, MoreHeadings, FewerHeadings,
-                                             AnotherTable,     TimeTwice,    NoTime,       NoChannel,
-                                             NoCertainChannel, NoNumbers,    NoRow};
+    constexpr std::array kFaultsThatProseCauses{UnitsContradict,  NamesMissing, MoreHeadings, FewerHeadings,
+                                                AnotherTable,     TimeTwice,    NoTime,       NoChannel,
+                                                NoCertainChannel, NoNumbers,    NoRow};
     std::string converted;
-    return std::ranges::count(kFaultsOfOtherTexts, fault) > 0 && isProse(splitLines(decodeText(file.bytes, converted)));
+    return std::ranges::count(kFaultsThatProseCauses, fault) > 0 &&
+           isProse(splitLines(decodeText(file.bytes, converted)));
 }
 
 /// Returns the data of a table whose columns have their roles. Throws ReadError.
@@ -311,7 +312,7 @@ ReferenceData toData(RawTable &table)
         replaceAnglesByTimes(data, table);
     }
     for (ReferenceSeries &series : data.series) {
-        findStep(series, data.time);
+        detectInstrumentStep(series, data.time);
     }
     for (RawColumn &column : table.columns) {
         column.use.difference =
@@ -335,7 +336,7 @@ ReadError withLayoutAndAdvice(ReadError error, RawTable &table, std::span<const 
 {
     const bool areRead = reading == files.size();
     const std::size_t faulty = error.file.value_or(areRead && !files.empty() ? files.size() - 1 : reading);
-    if (!files.empty() && isNoTable(files[faulty], error.fault.kind)) {
+    if (!files.empty() && isProseInsteadOfTable(files[faulty], error.fault.kind)) {
         error = ReadError{.fault = {Fault::NotATable}, .file = faulty};
     }
     if (!areRead) {

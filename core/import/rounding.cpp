@@ -96,8 +96,9 @@ PrintedPlaces withShortestPlaces(PrintedPlaces places, double value)
     return {.zero = found.zero, .first = found.first, .last = found.last, .printed = places.printed};
 }
 
-/// Refines the step between sorted values, which are multiples of it apart: a distance of many steps, divided by their
-/// number, is more precise than one step. The distances increase, so that the number of steps in each is certain.
+/// Returns a more precise step for sorted values whose distances are multiples of `step`: a distance of n steps,
+/// divided by n, has 1/n of its error. Distances are used in increasing order, so that the step, refined so far, leaves
+/// no doubt about n.
 double refinedStep(double step, const std::vector<double> &values)
 {
     double mostSteps = 1.0; // number of steps in the longest distance used so far
@@ -225,8 +226,8 @@ std::vector<RoundedDecade> RoundingObserver::roundedDecades(Content content) con
     // Without padding, a program prints all values with the same digits; but many of a formula end early by chance,
     // such as those at 30°, 60° and 90°.
     const bool haveEqualDigits = content == Content::TimeStamps || !isPadded();
-    // The decade ends at the place at which this number of its values has ended: nine of ten or, with padding, clearly
-    // more than a quarter.
+    // A value ends at its last digit other than 0. A decade is rounded at the first place by which this number of its
+    // values has ended: nine of ten or, with padding, clearly more than a quarter.
     constexpr double kEndedFraction = 0.9;
     constexpr double kEndedFractionOfPadded = 0.25;
     constexpr double kSpareValuesOfPadded = 2.0;
@@ -251,7 +252,7 @@ std::vector<RoundedDecade> RoundingObserver::roundedDecades(Content content) con
 
 int RoundingObserver::coarsestPlaceOf(const Rounding &rounding, const RoundedDecade &largest, Content content) const
 {
-    constexpr double kMinRoundedValues = 6.0; // values of a decade that do not all end early by chance
+    constexpr double kMinRoundedValues = 6.0; // of a decade: fewer may all end before the last printed digit by chance
     constexpr int kMinDigitsByHand = 3;       // fewer may be chosen numbers: 5, 10, 20
     const bool isRelative = rounding.rule == Rounding::Rule::SignificantDigits;
     int coarsest = m_coarsestPlace;

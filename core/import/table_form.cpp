@@ -51,7 +51,7 @@ std::optional<HeadingCandidate> findHeader(Lines lines, const NumberRow &row)
     if (otherwiseSplit) {
         return otherwiseSplit;
     }
-    if (std::optional<HeadingCandidate> named = findMostNames(above, row)) {
+    if (std::optional<HeadingCandidate> named = findLineWithMostNames(above, row)) {
         return named;
     }
     return row.isFound() ? findUnknownHeadings(above, row) : above.front();

@@ -200,7 +200,7 @@ bool isOfPoint(const RawColumn *column)
     return isOfUnnamedBody(column) && !column->meaning.owner.empty() && !isAngle(column->use.channel.coordinate);
 }
 
-/// Returns whether the values rise and fall by more than their noise.
+/// Returns whether the values rise and also fall by clearly more than their noise may.
 bool moveBackAndForth(const Values &values)
 {
     constexpr double kMinFraction = 0.2; // of the range, for both the largest rise and the largest fall
@@ -265,15 +265,15 @@ enum class Path { Unknown, Straight, Curved };
 /// Returns the path of a point whose x and y are in two columns of the same order.
 Path pathOf(const RawColumn *x, const RawColumn *y)
 {
-    constexpr double kStraightness = 0.02; // of the travel, for points that were followed in a video
-    constexpr double kCurvedness = 0.3;    // of the travel: a camera may be inclined
+    constexpr double kMaxStraightRatio = 0.02; // height / width; points that were followed in a video are off by less
+    constexpr double kMinCurvedRatio = 0.3;    // smaller / larger extent; an inclined camera may show a line with less
     if (!x || !y || isConstant(*x)) {
         return Path::Unknown;
     }
     const double width = rangeOf(x->values).width();
     const double height = rangeOf(y->values).width();
-    const bool isCurved = height > kCurvedness * width && width > kCurvedness * height;
-    if (height <= kStraightness * width) {
+    const bool isCurved = height > kMinCurvedRatio * width && width > kMinCurvedRatio * height;
+    if (height <= kMaxStraightRatio * width) {
         return Path::Straight;
     }
     return isCurved ? Path::Curved : Path::Unknown;

@@ -73,7 +73,7 @@ bool removeJumps(std::vector<double> &angles, double turn, double largestChange)
 
 std::vector<double> unwrapped(std::vector<double> angles, double turn)
 {
-    constexpr double kAnyChange = 0.5; // turns: what the nearest whole number of turns leaves at most
+    constexpr double kAnyChange = 0.5; // turns: no change is larger after the nearest whole number of turns is removed
     if (findReversal(angles)) {
         removeJumps(angles, turn, kAnyChange);
     }

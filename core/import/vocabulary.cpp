@@ -93,7 +93,7 @@ constexpr ShortNames kTimes{
     "czas tid cas timp zaman sure epoch millis micros время 时间 時間 時刻 ido aika",
     "elapsed row sim simulation simulacion transcurrido de la since start date relative run "
     "latest data set ch mechanism kin current reference ref cycle"};
-constexpr ShortNames kTimesOfDay{"uhrzeit clock hora heure ora godzina"};
+constexpr ShortNames kClockWords{"uhrzeit clock hora heure ora godzina"};
 constexpr ShortNames kMethods{"num anal exp sim calc theo teo ber gem mess med fem mbs abs"};
 constexpr ShortNames kDifferences{"diff dif fd differences differenzen diferencias differenze",
                                   "finite central forward backward num numeric numerical numerisch finitas centradas "
@@ -349,7 +349,7 @@ bool isTime(const Words &words)
 
 bool isTimeOfDay(const Words &words)
 {
-    return areAmong(words, kTimesOfDay);
+    return areAmong(words, kClockWords);
 }
 
 std::string_view unitOfRotation(const Words &words)
@@ -380,7 +380,7 @@ bool namesStatistic(const Words &words)
     return areAmong(words, kStatistics);
 }
 
-bool isRowNumber(const Words &words)
+bool namesRowNumber(const Words &words)
 {
     const bool isUnnamed = words.size() == 2 && words[0] == "unnamed"; // "Unnamed: 0" of pandas
     return isUnnamed || (!words.empty() && areAmong(words, kRowNumbers) && !isDigits(words.back()));
@@ -392,7 +392,8 @@ bool namesOtherQuantity(std::string_view word)
     constexpr std::size_t kShortestStem = 5; // bytes: "blad" is an error in Polish, but not the stem of "blade"
     constexpr std::size_t kLongestEnding = 2;
     bool isOther = findWord(word, WordUse::OtherQuantity);
-    for (std::size_t omitted = 1; omitted + kShortestPart <= word.size(); ++omitted) { // bytes at one of both ends
+    // The last or the first bytes of the word are omitted.
+    for (std::size_t omitted = 1; omitted + kShortestPart <= word.size(); ++omitted) {
         const std::size_t size = word.size() - omitted;
         const bool isPart = omitted > kLongestEnding || size >= kShortestStem;
         isOther = isOther || (isPart && (findWord(word.substr(omitted), WordUse::OtherQuantity) ||

@@ -76,7 +76,7 @@ bool namesDifferences(const std::vector<std::string> &words);
 bool namesStatistic(const std::vector<std::string> &words);
 
 /// Returns whether the words name the number of a row.
-bool isRowNumber(const std::vector<std::string> &words);
+bool namesRowNumber(const std::vector<std::string> &words);
 
 /// Returns whether a word says that the name is of a quantity that is no channel: "error", "force", "Messabweichung".
 bool namesOtherQuantity(std::string_view word);
