@@ -106,7 +106,9 @@ Observations withMovedAngles(Observations observations, double stretch, double s
     return observations;
 }
 
-/// The fit over evenly spaced angles that are fitted, too; nullopt unless the file needs them (see withBestAbscissa()).
+/// The fit over evenly spaced angles that are fitted, too. nullopt unless they explain positions over the angle in the
+/// file exactly, which the angles of observe() do not, and are within the rounding of the printed ones (apart from the
+/// error with which the fit determines the first one, at most as much again).
 std::optional<ObservedFit> withFittedAngles(const ObservedFit &observed)
 {
     const Fit &fit = observed.fit;

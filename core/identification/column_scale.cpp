@@ -70,7 +70,7 @@ double usualFactor(const Observations &observations, const Fit &fit, Index k)
     }
     const bool isSpeedOfCrank = coordinate == Theta2; // constant, but not zero
     if (column.isConstant() && !isSpeedOfCrank) {
-        return signOfCoordinate(observations, fit, coordinate); // zeros have neither sign nor scale
+        return signOfCoordinate(observations, fit, coordinate); // such a column shows neither sign nor scale
     }
     const double factor = bestFactor(observations, fit.model, k);
     const auto mismatch = [&](double unit) { return std::abs(std::log(std::abs(factor) / unit)); };

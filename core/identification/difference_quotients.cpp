@@ -20,13 +20,14 @@ struct Stencil {
     int order; ///< order of the derivative that the quotient approximates
 };
 constexpr Stencil kSecondDifference{{0.0, 1.0, -2.0, 1.0, 0.0}, 2};
-constexpr std::array<Stencil, 7> kStencils{{{{0.0, -0.5, 0.0, 0.5, 0.0}, 1}, // central
-                                            {{0.0, 0.0, -1.0, 1.0, 0.0}, 1}, // forward
-                                            {{0.0, -1.0, 1.0, 0.0, 0.0}, 1}, // backward
-                                            kSecondDifference,
-                                            {{0.25, 0.0, -0.5, 0.0, 0.25}, 2}, // central, of central ones
-                                            {{0.0, 0.0, 1.0, -2.0, 1.0}, 2},   // forward, of forward ones
-                                            {{1.0, -2.0, 1.0, 0.0, 0.0}, 2}}}; // backward, of backward ones
+constexpr std::array<Stencil, 7> kStencils{
+    {{{0.0, -0.5, 0.0, 0.5, 0.0}, 1}, // central
+     {{0.0, 0.0, -1.0, 1.0, 0.0}, 1}, // forward
+     {{0.0, -1.0, 1.0, 0.0, 0.0}, 1}, // backward
+     kSecondDifference,
+     {{0.25, 0.0, -0.5, 0.0, 0.25}, 2}, // central quotient of central quotients
+     {{0.0, 0.0, 1.0, -2.0, 1.0}, 2},   // forward quotient of forward quotients
+     {{1.0, -2.0, 1.0, 0.0, 0.0}, 2}}}; // backward quotient of backward quotients
 
 /// Quotients in all rows but the first and the last kReach ones. Their divisor is half the distance between both
 /// neighbours of the row, to the power of the order. (For forward and backward quotients, this requires evenly spaced

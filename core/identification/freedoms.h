@@ -25,18 +25,18 @@ struct ConstrainedFit {
 /// θ20 is wrapped to [-π, π).
 Fit withUsualReadings(const Observations &observations, Fit fit);
 
-/// Sets each origin to its nearest usual value, one after the other, and fits the other unknowns again: the angle of
-/// the crank and θ3 to a multiple of half a turn, lengths to 0. An origin is not needed, and stays at its usual value,
-/// if one of these is true of the fit without it:
+/// Sets each origin to its nearest usual value, one after the other, and fits the other unknowns again: θ20 (if the
+/// model follows the angle in the file) and the origin of θ3 to a multiple of half a turn, origins of lengths to 0. An
+/// origin is not needed, and stays at its usual value, if one of these is true of the fit without it:
 ///   1. it explains the columns as well (explainsAsWell());
-///   2. a filter or an interpolation may have bent the curve as the origin does: the residuals of each column are below
-///      1 % of its range, and the origin is small (2 % of the range of its column, 1° of the crank) or the
-///      residuals of the fit with the free origin are systematic.
-/// The parameters move when an origin is taken back. If it may exist nevertheless, because it is no larger than the
-/// rounding steps (an encoder truncates) or the misfit grows as for two standard errors, these changes are possible
-/// errors. `earlier`: the result from which `fit` was made; {} if there is none. If columns were added to it, its
-/// possible origins are free again at first, so that the possible errors become those that all columns leave; if not,
-/// its possible origins and errors are kept. A fit that is not finite remains as it is.
+///   2. a filter or an interpolation may have bent the curve as the origin does: the residuals of each column are
+///      rounding, or below 1 % of its range, and the origin is small (2 % of the range of its column, 1° of the crank)
+///      or the residuals of the fit with the free origin are systematic.
+/// The parameters move when an origin is taken back. It may exist nevertheless if it changes each column by at most a
+/// rounding step (an encoder truncates), or if it is more than two standard errors from its usual value. Then these
+/// changes are possible errors. `earlier`: the result from which `fit` was made; {} if there is none. If columns were
+/// added to it, its possible origins are free again at first, so that the possible errors become those that all columns
+/// leave; if not, its possible origins and errors are kept. A fit that is not finite remains as it is.
 ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ConstrainedFit &earlier = {});
 
 } // namespace slidercrank

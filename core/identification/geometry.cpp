@@ -289,7 +289,7 @@ Unknowns geometryUnknowns(const Observations &observations, const Indices &colum
         unknowns.push_back(Parameter::A);
     }
     const auto showsSpeed = [&](Index k) { return !isPosition(k) && !isLength(k); };
-    // Velocities of lengths over the angle show only a ω2, accelerations a ω2².
+    // Over the angle, derivatives of lengths determine only the products a · ω2 and a · ω2², and not ω2.
     if (!observations.hasAngle() || std::ranges::any_of(columns, showsSpeed)) {
         unknowns.push_back(Parameter::Omega2);
     }
@@ -374,7 +374,7 @@ constexpr std::size_t kLowestOrder = 0;
 constexpr std::size_t kSecondLowestOrder = 1;
 
 /// The column at one place of changingColumns() for each of some coordinates, as far as it exists.
-Indices columnsOfOrder(const Observations &observations, std::span<const Coordinate> coordinates, std::size_t place)
+Indices columnsAtPlace(const Observations &observations, std::span<const Coordinate> coordinates, std::size_t place)
 {
     Indices columns;
     for (const Coordinate coordinate : coordinates) {
@@ -402,9 +402,9 @@ Model withUsualFactors(const Observations &observations, const Fit &geometry, co
 
 Indices shapeColumns(const Observations &observations)
 {
-    Indices columns = columnsOfOrder(observations, std::array{Theta3, R4x}, kLowestOrder);
+    Indices columns = columnsAtPlace(observations, std::array{Theta3, R4x}, kLowestOrder);
     if (columns.empty()) {
-        columns = columnsOfOrder(observations, std::array{R3x, R3y, R2x, R2y}, kLowestOrder);
+        columns = columnsAtPlace(observations, std::array{R3x, R3y, R2x, R2y}, kLowestOrder);
     }
     const auto isDerivative = [&](Index k) { return observations.columns[k].isDerivative(); };
     if (observations.hasAngle() && !std::ranges::all_of(columns, isDerivative)) {
@@ -415,7 +415,7 @@ Indices shapeColumns(const Observations &observations)
 
 Indices higherShapeColumns(const Observations &observations)
 {
-    return columnsOfOrder(observations, std::array{Theta3, R4x}, kSecondLowestOrder);
+    return columnsAtPlace(observations, std::array{Theta3, R4x}, kSecondLowestOrder);
 }
 
 bool determineLengths(const Observations &observations, const Indices &columns)

@@ -66,7 +66,7 @@ ExtendedImage extendBestImage(const ObservedFit &geometry, const Parameters &giv
 }
 
 /// Adds θ2 to the columns that are left out if the file contains it but the observations do not, because it has gaps or
-/// the crank may make any number of turns between two rows.
+/// the crank may make any number of turns between two rows: the reason OpenSpeed also stands for these.
 void leaveOutUnusedAngle(std::vector<LeftOutColumn> &leftOut, const ReferenceData &data,
                          const Observations &observations)
 {

@@ -43,7 +43,7 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
         return Eigen::ArrayX<bool>::Constant(residuals.size(), false);
     }
     const Values predictions = predictValues(fit.model, observations, {fit.columns[place]}).col(0);
-    const Values harmless = (kMaxBoundsBesideFit * roundingBounds(observations, fit, place))
+    const Values harmless = (kMaxResidualInBounds * roundingBounds(observations, fit, place))
                                 .max(kMaxLateness * largestChangeToNeighbours(predictions));
     return errors > limit && errors > harmless;
 }

@@ -123,8 +123,8 @@ struct Grid {
     double durationMargin = 0.0;
 };
 
-/// Number of bits of a grid's start and spacing that are computed: half of those of a double, because the minimum of a
-/// function shows no more of its argument.
+/// Number of bits of a grid's start and spacing that are computed. A minimum determines its argument only to half the
+/// bits of a double, and the margins around it need no more.
 constexpr int kBits = 26;
 
 /// The argument between `minimum`, at which a convex function is least, and `end` that is farthest from `minimum` and

@@ -84,8 +84,8 @@ bool hasOneCoordinate(const LastFit &lastFit)
         used, [&](Index k) { return columns[k].channel.coordinate == columns[used.front()].channel.coordinate; });
 }
 
-/// Whether the columns of the fit are positions over the time alone, at least one of which needs an origin.
-bool arePositionsFromOrigin(const LastFit &lastFit)
+/// Whether the columns of the fit are positions over the time alone, at least one of which has a free origin.
+bool arePositionsWithFreeOrigin(const LastFit &lastFit)
 {
     const Observations &observations = lastFit.observations;
     return !observations.hasAngle() && !observations.containDerivatives(lastFit.fit.columns) &&
@@ -99,7 +99,7 @@ bool arePositionsFromOrigin(const LastFit &lastFit)
 bool canBeAmbiguous(const LastFit &lastFit)
 {
     return hasOneCoordinate(lastFit) &&
-           (isShortArc(lastFit.observations, lastFit.fit.model) || arePositionsFromOrigin(lastFit));
+           (isShortArc(lastFit.observations, lastFit.fit.model) || arePositionsWithFreeOrigin(lastFit));
 }
 
 /// Which of the parameters that are unknowns of the fit the file leaves open. `errors`: the result of

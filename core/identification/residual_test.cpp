@@ -39,8 +39,9 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index pl
 {
     const ObservedColumn &column = observations.columns[fit.columns[place]];
     Values bound = roundingBounds(observations, fit, place);
-    // Each bound grows by the error of the fitted mechanism, but at most by the largest bound of the column with its
-    // largest rounding step: a fit of many values is no less exact than the least exact of them.
+    // Each bound grows by the error of the fitted mechanism, but at most by the bound of the least exact value (the
+    // largest motion during half a step of the abscissa, and the largest half step): a fit of many values is no less
+    // exact.
     const double largestBound = (bound - column.halfSteps).maxCoeff() + column.halfSteps.maxCoeff();
     bound += std::min(largestBound, fit.fittedMechanism().errorOf(fit.rms[place]));
     const Values errors = gapsAsZeros(fit.residuals.col(place)).abs();
@@ -53,7 +54,7 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index pl
 bool isNearRounding(const Observations &observations, const Fit &fit, Index place)
 {
     return isWithinRounding(observations, fit, place) ||
-           fit.rms[place] < kMaxBoundsBesideFit * std::sqrt(roundingBounds(observations, fit, place).square().mean());
+           fit.rms[place] < kMaxResidualInBounds * std::sqrt(roundingBounds(observations, fit, place).square().mean());
 }
 
 bool isExplained(const Observations &observations, const Fit &fit, Index place)

@@ -19,9 +19,9 @@ inline constexpr double kLargestSystematicResidual = 0.007;
 /// likelihoods is less than exp(10) then: even among a thousand fits, chance seldom prefers one by more.
 inline constexpr double kMaxMisfitIncrease = 20.0;
 
-/// How many bounds of rounding a residual may reach because of rounding: one for the value itself, and one for the
-/// error of the fit, which is seldom larger.
-inline constexpr double kMaxBoundsBesideFit = 2.0;
+/// The largest residual that rounding causes, in bounds of rounding: one for the value itself, and one for the error of
+/// the fit, which is seldom larger.
+inline constexpr double kMaxResidualInBounds = 2.0;
 
 /// How far the values of fit.columns[place] may be from the motion because of rounding: half a rounding step of the
 /// value, plus the motion during half a rounding step of the abscissa.
@@ -37,7 +37,7 @@ double columnSize(const Observations &observations, const Fit &fit, Index place)
 bool isWithinRounding(const Observations &observations, const Fit &fit, Index place);
 
 /// Whether the residuals of fit.columns[place] are as small as rounding, although the fit has errors, too: their rms is
-/// at most kMaxBoundsBesideFit times that of the bounds. Difference quotients of rounded values have far larger
+/// at most kMaxResidualInBounds times that of the bounds. Difference quotients of rounded values have far larger
 /// residuals.
 bool isNearRounding(const Observations &observations, const Fit &fit, Index place);
 

@@ -155,8 +155,8 @@ RoundNumber roundUnknown(const Estimate &estimate, Index k)
                              estimate.lengthUnit);
 }
 
-/// Fixes all unknowns at chosen numbers (RoundNumber::isChosen) for which there are such. Each unknown that is fixed
-/// makes the others more certain, so that numbers may be found for these afterwards.
+/// Fixes each unknown for which there is a number that a person may have chosen (RoundNumber::isChosen) at that number.
+/// Repeats this as long as it fixes any, because each fixed unknown makes the others more certain.
 void fixChosenNumbers(Estimate &estimate)
 {
     for (bool isAnyFixed = true; isAnyFixed;) {

@@ -89,7 +89,7 @@ double computeCoverage(const Observations &observations)
 
 /// By how many turns the number that follows from the crossings may be wrong, because the first and the last turn are
 /// incomplete.
-constexpr double kMaxIncompleteTurns = 1.0;
+constexpr double kTurnCountUncertainty = 1.0;
 
 /// Whether the crank may have made a number of turns in a file with a number of pairs of crossings: a periodic motion
 /// crosses the middle of its range equally often in every turn, and as often upwards as downwards.
@@ -98,7 +98,7 @@ bool agreesWithCrossings(double turns, double crossingPairs)
     constexpr double kMaxMiscounted = 0.005; // fraction of the pairs that noise may add or hide
     const double pairsPerTurn = std::max(1.0, std::rint(crossingPairs / turns));
     const double expectedTurns = crossingPairs / pairsPerTurn;
-    return std::abs(expectedTurns - turns) <= kMaxIncompleteTurns + kMaxMiscounted * crossingPairs;
+    return std::abs(expectedTurns - turns) <= kTurnCountUncertainty + kMaxMiscounted * crossingPairs;
 }
 
 /// How often a column crosses the middle of its range, in pairs: once upwards and once downwards.
@@ -130,9 +130,9 @@ std::vector<double> possibleTurns(const CrossingCount &crossings)
     constexpr double kMinTurns = 0.7; // with fewer turns, two harmonics fit any speed; findSpeedCandidates() adds arcs
     constexpr double kMaxTurnsPerRow = 0.5;
     constexpr double kMaxPairsPerTurn = 5.0; // accelerations have several pairs of crossings per turn
-    const double minTurns = std::max(crossings.pairs / kMaxPairsPerTurn - kMaxIncompleteTurns, kMinTurns);
+    const double minTurns = std::max(crossings.pairs / kMaxPairsPerTurn - kTurnCountUncertainty, kMinTurns);
     const double maxTurns = crossings.mayMissCrossings() ? kMaxTurnsPerRow * crossings.rows
-                                                         : crossings.pairs / crossings.coverage + kMaxIncompleteTurns;
+                                                         : crossings.pairs / crossings.coverage + kTurnCountUncertainty;
     std::vector<double> possible;
     for (double turns = minTurns; turns <= maxTurns; turns += kSpacing) {
         if (!crossings.isReliable() || agreesWithCrossings(turns, crossings.pairs)) {

@@ -24,7 +24,7 @@ struct Vote {
     double speed = 0.0; ///< rad/s; with a sign only if isVelocity
     bool isVelocity = false;
     bool isNearRounding = false;  ///< at this speed, the residuals of the column are as small as rounding
-    bool contradictsUnit = false; ///< see contradictsUnit()
+    bool contradictsUnit = false; ///< at this speed, the unit is not the expected one (see isUnexpectedUnit())
 };
 
 /// Whether two speeds or factors are equal apart from their signs and from the effect of rounding.
@@ -51,7 +51,7 @@ bool haveRatioOfTen(double speed, double other)
 /// Whether `unit`, one of unitFactors(), differs from the unit that a derivative is expected to have: the stated one
 /// (1), or else the usual one for lengths (1), and radians for rates of angles if θ2 is in radians. If θ2 is in
 /// degrees, rates of angles without a stated unit may have any.
-bool contradictsUnit(const ObservedColumn &column, const Model &model, double unit)
+bool isUnexpectedUnit(const ObservedColumn &column, const Model &model, double unit)
 {
     if (column.statesUnit || !column.containsAngles()) {
         return unit != 1.0;
@@ -107,7 +107,7 @@ std::vector<Vote> votesOfColumn(const ObservedColumn &column, Index k, const Mod
                          .speed = speed,
                          .isVelocity = isVelocity,
                          .isNearRounding = scale.isNearRounding,
-                         .contradictsUnit = contradictsUnit(column, model, unit)});
+                         .contradictsUnit = isUnexpectedUnit(column, model, unit)});
     }
     std::ranges::stable_sort(votes, {}, &Vote::contradictsUnit);
     return votes;

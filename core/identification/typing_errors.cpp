@@ -93,7 +93,7 @@ std::size_t maxTypingErrors(const ReferenceData &data)
 {
     constexpr std::size_t kMinRows = 9;      // fewer do not have the five fourth differences that an error changes
     constexpr std::size_t kMaxRows = 400;    // nobody types more
-    constexpr std::size_t kRowsPerError = 6; // the rows that remain still determine more than the three lengths
+    constexpr std::size_t kRowsPerError = 6; // at most one row in six is left out: the others still check the mechanism
     constexpr std::size_t kMaxErrors = 3;    // each costs another identification
     const std::size_t rows = data.time.size();
     return rows < kMinRows || rows > kMaxRows ? 0 : std::min(rows / kRowsPerError, kMaxErrors);

@@ -13,7 +13,7 @@ namespace slidercrank
 ///
 /// Returns by how much each parameter of the last fit would change if the angle had the ripple that explains the
 /// residuals best (magnitudes in mm, rad and s, to first order). All are 0 if no ripple explains at least half of the
-/// residuals (rms), and if the file contains θ2.
+/// residuals (rms), or if the model follows the θ2 of the file.
 ParameterErrors changesByRipple(const LastFit &lastFit);
 
 } // namespace slidercrank

@@ -71,7 +71,7 @@ double nearestFactor(const std::vector<double> &factors, double wanted)
 /// The factors by which all lengths and all times of a file are multiplied.
 struct WholeFileFactors {
     double length = 1.0;
-    double time = 1.0;       ///< of the times; derivatives are multiplied by its inverse powers
+    double time = 1.0;       ///< also divides derivatives: those of order n by its nth power
     bool isReversed = false; ///< y has the opposite direction, so that angles are counted in the opposite one, too
 };
 
