@@ -193,6 +193,31 @@ bool isRestingAngle(const RawColumn &column)
            (isConstant(column) || (isPosition && angularWidth(column.finiteValues()) == 0.0));
 }
 
+/// Returns whether the column is an angle of an unknown body that the crank does not have, such as Tracker's θ_{r}, the
+/// direction in which a point lies from the origin.
+bool isAngleOfUnknownBody(const RawColumn *column)
+{
+    return column->meaning.doubt == Doubt::IsAngleOfUnknown && column->use.channel.coordinate != Theta2;
+}
+
+/// Removes the angles of unknown bodies. If no other angle is of an unnamed body, also removes the derivatives of
+/// unnamed bodies: they are those of these angles.
+void removeAnglesOfUnknownBodies(std::vector<RawColumn *> &candidates)
+{
+    const auto isOtherAngle = [](const RawColumn *column) {
+        return isOfUnnamedBody(column) && isAngle(column->use.channel.coordinate) &&
+               column->use.channel.order == Order::Position && !isAngleOfUnknownBody(column);
+    };
+    const bool areAllUnknown =
+        std::ranges::any_of(candidates, isAngleOfUnknownBody) && std::ranges::none_of(candidates, isOtherAngle);
+    removeColumns(candidates, ColumnReason::UnknownBody, [areAllUnknown](const RawColumn &column) {
+        const Channel channel = column.use.channel;
+        const bool isDerivative = isOfUnnamedBody(&column) && column.meaning.owner.empty() &&
+                                  channel.coordinate == Theta3 && channel.order != Order::Position;
+        return isAngleOfUnknownBody(&column) || (areAllUnknown && isDerivative);
+    });
+}
+
 /// Returns whether the column is x or y, or a derivative, of a point that is named only by a letter, a number or an
 /// unknown word.
 bool isOfPoint(const RawColumn *column)
@@ -370,9 +395,7 @@ void assignBodies(RawTable &table, std::vector<RawColumn *> &candidates)
     findCrank(table, candidates);
     findBodiesOfPoses(candidates);
     removeColumns(candidates, ColumnReason::Constant, isRestingAngle);
-    removeColumns(candidates, ColumnReason::UnknownBody, [](const RawColumn &column) {
-        return column.meaning.doubt == Doubt::IsAngleOfUnknown && column.use.channel.coordinate != Theta2;
-    });
+    removeAnglesOfUnknownBodies(candidates);
 }
 
 } // namespace slidercrank
