@@ -2,7 +2,7 @@
 #include "core/identification/length_change.h"
 
 #include "core/identification/residual_test.h"
-#include "core/identification/round_values.h"
+#include "core/identification/round_number.h"
 
 #include <cmath>
 #include <vector>

@@ -3,17 +3,14 @@
 
 #include "core/comparison/comparison.h"
 #include "core/identification/convention.h"
+#include "core/identification/even_grid.h"
 #include "core/import/clock.h"
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"
 
-#include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -115,75 +112,11 @@ Indices rowsWithValues(const ReferenceData &data)
     return rows;
 }
 
-/// Times (or angles of a table) of one spacing, some of which may be missing.
-struct Grid {
-    Values times;
-    // How far its start and its duration can differ so that rounding still explains it; 0 if rounding does not.
-    double startMargin = 0.0;
-    double durationMargin = 0.0;
-};
-
-/// Number of bits of a grid's start and spacing that are computed. A minimum determines its argument only to half the
-/// bits of a double, and the margins around it need no more.
-constexpr int kBits = 26;
-
-/// The argument between `minimum`, at which a convex function is least, and `end` that is farthest from `minimum` and
-/// at which the function is not positive: its root there, or `end` if it has none. Returns `minimum` if the function is
-/// nowhere negative.
-template <class Function>
-double farthestBelowZero(const Function &function, double minimum, double end)
-{
-    if (function(end) <= 0.0) {
-        return end;
-    }
-    if (function(minimum) >= 0.0) {
-        return minimum;
-    }
-    std::uintmax_t evaluations = 50;
-    const boost::math::tools::eps_tolerance<double> isClose(kBits);
-    const auto [left, right] = boost::math::tools::toms748_solve(function, std::min(minimum, end),
-                                                                 std::max(minimum, end), isClose, evaluations);
-    return 0.5 * (left + right);
-}
-
-/// Finds the time stamps (or angles of a table) before they were rounded. Rounding explains a grid if each of its times
-/// is within half a rounding step of the printed time stamp. Returns the grid with the largest margin to these limits
-/// or, if none is within them, the one that exceeds them least. `gridNumbers`: how many spacings each time stamp is
-/// after the first one.
-Grid findGrid(const Values &printed, const Values &halfSteps, const std::vector<double> &gridNumbers)
-{
-    const Index last = printed.size() - 1;
-    const Values numbers = Eigen::Map<const Values>(gridNumbers.data(), std::ssize(gridNumbers));
-    const Values fractions = numbers / numbers[last]; // of the duration of the grid
-    // The times of a grid that starts at zero. The first and the last time stamp allow durations from the shortest one
-    // (stretch = -1) to the longest one (stretch = 1).
-    const auto gridFromZero = [&](double stretch) -> Values {
-        return (printed[last] - printed[0] + stretch * (halfSteps[0] + halfSteps[last])) * fractions;
-    };
-    // Every time stamp limits the start of the grid from both sides.
-    const auto earliestStart = [&](double stretch) { return (printed - gridFromZero(stretch) - halfSteps).maxCoeff(); };
-    const auto latestStart = [&](double stretch) { return (printed - gridFromZero(stretch) + halfSteps).minCoeff(); };
-    // By how much the earliest start is after the latest one; negative if the limits leave starts between them. This is
-    // a convex function, so that its only local minimum is the least.
-    const auto excess = [&](double stretch) { return earliestStart(stretch) - latestStart(stretch); };
-    const double best = boost::math::tools::brent_find_minima(excess, -1.0, 1.0, kBits).first;
-    const double start = 0.5 * (earliestStart(best) + latestStart(best));
-    Grid grid{.times = start + gridFromZero(best)};
-    for (const double limit : {-1.0, 1.0}) {
-        const double stretch = farthestBelowZero(excess, best, limit);
-        const double otherStart = 0.5 * (earliestStart(stretch) + latestStart(stretch));
-        grid.startMargin = std::max({grid.startMargin, -0.5 * excess(best), std::abs(otherStart - start)});
-        grid.durationMargin =
-            std::max(grid.durationMargin, std::abs(gridFromZero(stretch)[last] - gridFromZero(best)[last]));
-    }
-    return grid;
-}
-
 /// Reads the time stamps of a file (s), or the angles of a table over the crank angle (°), in some rows. Those that are
 /// evenly spaced as printed are taken as exact (clock.h). Those that are evenly spaced within their rounding are
 /// replaced by a grid; their half step remains, because a program may have computed its values at the printed ones (see
 /// withBestAbscissa()).
-Abscissa readAbscissa(const std::vector<double> &stamps, const Rounding &rounding, const Indices &rows)
+Abscissa readAbscissa(const std::vector<double> &stamps, const Rounding &rounding, const Indices &rows, double whole)
 {
     const Clock clock = clockOf(stamps, rounding);
     const Values printed = Eigen::Map<const Values>(stamps.data(), std::ssize(stamps));
@@ -191,8 +124,8 @@ Abscissa readAbscissa(const std::vector<double> &stamps, const Rounding &roundin
         return {.values = printed(rows), .halfStep = 0.5 * clock.step()};
     }
     const auto halfStep = [&](double stamp) { return 0.5 * rounding.stepAt(stamp); };
-    const Grid grid = findGrid(printed, printed.unaryExpr(halfStep), clock.gridNumbers);
-    return {.values = grid.times(rows),
+    const EvenGrid grid = findEvenGrid(printed, printed.unaryExpr(halfStep), clock.gridNumbers, whole);
+    return {.values = grid.values(rows),
             .printed = printed(rows),
             .halfStep = 0.5 * clock.step(),
             .startMargin = grid.startMargin,
@@ -202,8 +135,9 @@ Abscissa readAbscissa(const std::vector<double> &stamps, const Rounding &roundin
 /// Reads the time stamps of a file over the time.
 void observeTime(Observations &observations, const ReferenceData &data)
 {
+    constexpr double kSecond = 1.0;
     Abscissa &time = observations.time;
-    time = readAbscissa(data.time, data.timeRounding, observations.rows);
+    time = readAbscissa(data.time, data.timeRounding, observations.rows, kSecond);
     observations.timeOrigin = 0.5 * (time.values[0] + time.values[observations.size() - 1]);
     time.values -= observations.timeOrigin;
     time.printed -= observations.timeOrigin;
@@ -239,11 +173,14 @@ void countTurnsInGaps(Values &angle, const Values &time)
 /// Reads the abscissa of a table over the crank angle.
 void observeTableAngle(Observations &observations, const CrankAngles &crank)
 {
+    constexpr double kTurnInDegrees = 360.0;
     Abscissa &angle = observations.angle;
-    angle = readAbscissa(crank.degrees, crank.rounding, observations.rows);
+    angle = readAbscissa(crank.degrees, crank.rounding, observations.rows, kTurnInDegrees);
     angle.values /= kDegreesPerRadian;
     angle.printed /= kDegreesPerRadian;
     angle.halfStep /= kDegreesPerRadian;
+    angle.startMargin /= kDegreesPerRadian;
+    angle.durationMargin /= kDegreesPerRadian;
 }
 
 /// Whether somebody has chosen the angles and computed the other columns from them: they are evenly spaced, and each is

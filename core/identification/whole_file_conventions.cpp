@@ -2,7 +2,7 @@
 #include "core/identification/whole_file_conventions.h"
 
 #include "core/identification/noise.h"
-#include "core/identification/round_values.h"
+#include "core/identification/round_number.h"
 
 #include "core/import/crank_angles.h"
 #include "core/mechanism/turn.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/identification/round_values.h"
+#include "core/identification/round_number.h"
 
 #include "core/identification/identification.h"
 #include "core/mechanism/turn.h"
@@ -94,6 +94,33 @@ private slots:
                          : 0;
         }
         QVERIFY2(exact >= kMechanisms * 9 / 10, QByteArray::number(exact)); // some errors exceed three standard errors
+    }
+
+    /// A camera takes a picture every 1/30 s, and its times are written with few significant digits, so that rounding
+    /// leaves their spacing open by about as much as it leaves ω2.
+    void findsTheOriginalRoundNumbersAtRoundedTimes()
+    {
+        constexpr Parameters kChosen{30.0, 70.0, 10.0, -6.0, 0.3};
+        for (const char *format : {"%.4g", "%.5g", "%.6g", "%.3E", "%.4f"}) {
+            for (const double start : {0.0, 0.4}) {
+                const Printing printing{.from = start,
+                                        .to = start + 2.0,
+                                        .rows = 61,
+                                        .channels = {kSlider, kTheta3},
+                                        .format = format,
+                                        .timeFormat = format};
+                const Identification found = identify(printedData(kChosen, printing), Mechanism());
+                QCOMPARE(found.outcome, Identification::Outcome::Identified);
+                const std::vector<double> rounded{found.rounded.a, found.rounded.b, found.rounded.c,
+                                                  found.rounded.omega2};
+                QVERIFY2(rounded == (std::vector<double>{kChosen.a, kChosen.b, kChosen.c, kChosen.omega2}),
+                         format + QByteArray(" from ") + QByteArray::number(start) + ": " +
+                             QByteArray::number(found.rounded.a, 'g', 17) + ' ' +
+                             QByteArray::number(found.rounded.b, 'g', 17) + ' ' +
+                             QByteArray::number(found.rounded.c, 'g', 17) + ' ' +
+                             QByteArray::number(found.rounded.omega2, 'g', 17));
+            }
+        }
     }
 
     void roundsLengthsInTheUnitOfTheFile()
