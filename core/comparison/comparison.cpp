@@ -251,7 +251,7 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
 /// `clock.isRoundedGrid`, otherwise the rounding of a double. Returns nullopt if the crank turns by at most
 /// kNegligibleRotation in one step.
 std::optional<RoundedTimeEffect> effectOfRoundedTime(const Mechanism &mechanism, const ReferenceData &reference,
-                                                     const Clock &clock)
+                                                     const TimePrecision &clock)
 {
     std::vector<double> early = reference.time;
     std::vector<double> late = reference.time;
@@ -284,8 +284,8 @@ void forEachSeries(const ReferenceData &reference, const Function &function)
 /// stamps were rounded, although the clock does not show it. Keeps the new comparisons that do not differ. If the time
 /// stamps are evenly spaced, the best new verdict is `Close`. `clock`: that of the reference. `compared`, `reference`:
 /// those of `channels`.
-void compareWithRoundedClock(std::vector<ChannelComparison> &channels, Clock clock, const ComparedModel &compared,
-                             const ReferenceData &reference)
+void compareWithRoundedClock(std::vector<ChannelComparison> &channels, TimePrecision clock,
+                             const ComparedModel &compared, const ReferenceData &reference)
 {
     const auto canImprove = [&](const ChannelComparison &channel) {
         // Rounded time stamps lower the excess by at most kExcessOfCloseness, and a close column may still have an
@@ -321,7 +321,7 @@ void compareWithRoundedClock(std::vector<ChannelComparison> &channels, Clock clo
 std::vector<ChannelComparison> compare(const Mechanism &mechanism, const Trajectory &model,
                                        const ReferenceData &reference, const FittedMechanism &fitted)
 {
-    const Clock clock = clockOf(reference.time, reference.timeRounding);
+    const TimePrecision clock = timePrecisionOf(reference.time, reference.timeRounding);
     const ComparedModel compared{mechanism, model, fitted};
     const std::optional<RoundedTimeEffect> effect = effectOfRoundedTime(mechanism, reference, clock);
     std::vector<ChannelComparison> channels(reference.series.size());
@@ -336,7 +336,7 @@ void findRoundedTime(std::vector<ChannelComparison> &channels, const Mechanism &
                      const ReferenceData &reference)
 {
     const auto differs = [](const ChannelComparison &channel) { return channel.verdict == Verdict::Differs; };
-    Clock clock = clockOf(reference.time, reference.timeRounding);
+    TimePrecision clock = timePrecisionOf(reference.time, reference.timeRounding);
     if (clock.isEven || clock.isRoundedGrid || std::ranges::none_of(channels, differs)) {
         return;
     }

@@ -118,16 +118,16 @@ Indices rowsWithValues(const ReferenceData &data)
 /// withBestAbscissa()).
 Abscissa readAbscissa(const std::vector<double> &stamps, const Rounding &rounding, const Indices &rows, double whole)
 {
-    const Clock clock = clockOf(stamps, rounding);
+    const TimePrecision clock = timePrecisionOf(stamps, rounding);
     const Values printed = Eigen::Map<const Values>(stamps.data(), std::ssize(stamps));
     if (!clock.isRoundedGrid) {
-        return {.values = printed(rows), .halfStep = 0.5 * clock.step()};
+        return {.values = printed(rows), .halfStep = 0.5 * clock.roundingStep()};
     }
     const auto halfStep = [&](double stamp) { return 0.5 * rounding.stepAt(stamp); };
     const EvenGrid grid = findEvenGrid(printed, printed.unaryExpr(halfStep), clock.gridNumbers, whole);
     return {.values = grid.values(rows),
             .printed = printed(rows),
-            .halfStep = 0.5 * clock.step(),
+            .halfStep = 0.5 * clock.roundingStep(),
             .startMargin = grid.startMargin,
             .durationMargin = grid.durationMargin};
 }

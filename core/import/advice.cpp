@@ -125,8 +125,8 @@ bool isChannel(const RawColumn &column)
     return column.use.role == ColumnRole::Channel;
 }
 
-/// Returns the choice of the column that already is the abscissa, or else of the first one that may be. Returns nothing
-/// if there is none.
+/// Returns the choice of the column that already is the abscissa, or else of the first one that may be. Returns no
+/// choice if there is none.
 std::vector<ColumnChoice> abscissaChoice(const RawTable &table, std::span<RawColumn> columns)
 {
     if (const RawColumn *const guessed = findElement(columns, &RawColumn::isAbscissa)) {
@@ -193,8 +193,8 @@ const RawColumn *likeliestChannel(std::span<const RawColumn> columns, std::size_
     return last;
 }
 
-/// Returns the choice of the likeliest channel, and those of the other quantities of the same point. Returns nothing if
-/// no column may be a channel. `excluded`: index of a column that is not chosen.
+/// Returns the choice of the likeliest channel, and those of the other quantities of the same point. Returns no choices
+/// if no column may be a channel. `excluded`: index of a column that is not chosen.
 std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColumn> columns, std::size_t excluded)
 {
     const RawColumn *const likeliest = likeliestChannel(columns, excluded);
@@ -217,8 +217,8 @@ std::vector<ColumnChoice> channelChoice(const RawTable &table, std::span<RawColu
     return choices;
 }
 
-/// Returns the choices that ignore a second time and the columns behind it, which were sampled at it. If no column
-/// before it could be a channel, they ignore only the second time.
+/// Returns the choices that ignore a second column of time stamps, and the columns behind it, which were sampled at
+/// these times. If no column before it could be a channel, ignores only the second time.
 std::vector<ColumnChoice> choicesIgnoring(const RawTable &table, std::span<const RawColumn> columns,
                                           const RawColumn &secondTime)
 {
@@ -244,7 +244,7 @@ std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table)
     }
     const TableFile &file = table.files[std::min(error.file.value_or(0), table.files.size() - 1)];
     const std::span<RawColumn> columns = table.columnsOf(file);
-    RawColumn *const place = error.column > 0 && error.column <= columns.size() ? &columns[error.column - 1] : nullptr;
+    RawColumn *const faulty = error.column > 0 && error.column <= columns.size() ? &columns[error.column - 1] : nullptr;
     std::vector<ColumnChoice> advice;
     switch (error.fault.kind) {
     case Fault::NoChannel:
@@ -260,14 +260,14 @@ std::vector<ColumnChoice> adviceFor(const ReadError &error, RawTable &table)
     case Fault::UnknownTimeUnit: {
         const bool isTime = error.fault.kind == Fault::UnknownTimeUnit;
         const ColumnRole role = isTime ? ColumnRole::Time : ColumnRole::Channel;
-        if (place) {
-            const std::string unit = isTime ? likelyTimeUnit(*place) : std::string(fileUnit(error.fault.channel));
-            advice.push_back(choiceFor(table, *place, role, error.fault.channel, unit));
+        if (faulty) {
+            const std::string unit = isTime ? likelyTimeUnit(*faulty) : std::string(fileUnit(error.fault.channel));
+            advice.push_back(choiceFor(table, *faulty, role, error.fault.channel, unit));
         }
         return advice;
     }
-    case Fault::TimeTwice: return place ? choicesIgnoring(table, columns, *place) : advice;
-    case Fault::ChannelTwice: return place ? std::vector{choiceFor(table, *place, ColumnRole::Ignored)} : advice;
+    case Fault::TimeTwice: return faulty ? choicesIgnoring(table, columns, *faulty) : advice;
+    case Fault::ChannelTwice: return faulty ? std::vector{choiceFor(table, *faulty, ColumnRole::Ignored)} : advice;
     case Fault::ChannelInBoth: {
         RawColumn *const second =
             findElement(columns, [&](const RawColumn &column) { return column.use.channel == error.fault.channel; });

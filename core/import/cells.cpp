@@ -42,7 +42,7 @@ std::string withPlainSpelling(std::string_view number)
     return plain;
 }
 
-/// Returns the places of the digits of a number that is printed as `digits`, with a sign and a point, times
+/// Returns the places of the digits of a number that is printed as `digits`, possibly with a sign and a point, times
 /// 10^exponent.
 PrintedPlaces placesOf(std::string_view digits, double exponent)
 {
@@ -51,13 +51,15 @@ PrintedPlaces placesOf(std::string_view digits, double exponent)
     const auto first = std::ranges::find_if(digits, isNonZeroDigit);
     const auto last = std::find_if(digits.rbegin(), digits.rend(), isNonZeroDigit);
     const auto point = static_cast<std::ptrdiff_t>(std::min(digits.find('.'), digits.size()));
-    const int top =
+    const int placeAbove = // one more than the place of the first character
         static_cast<int>(std::clamp(exponent, -kLargestExponent, kLargestExponent) + static_cast<double>(point));
-    const auto powerAt = [&](std::ptrdiff_t at) { return top - static_cast<int>(at) - (at < point ? 1 : 0); };
-    return {.zero = first == digits.end(),
-            .first = powerAt(first - digits.begin()),
-            .last = powerAt(digits.rend() - last - 1),
-            .printed = powerAt(std::ssize(digits) - 1)};
+    const auto placeAt = [&](std::ptrdiff_t at) { // the point itself has no place
+        return placeAbove - static_cast<int>(at) - (at < point ? 1 : 0);
+    };
+    return {.isZero = first == digits.end(),
+            .firstNonZero = placeAt(first - digits.begin()),
+            .lastNonZero = placeAt(digits.rend() - last - 1),
+            .lastPrinted = placeAt(std::ssize(digits) - 1)};
 }
 
 /// Parses an optional minus sign, digits with at most one point, and an optional exponent. Other texts have the fault
@@ -81,7 +83,7 @@ CellNumber parsePlain(std::string_view text)
         return number;
     }
     number.places = placesOf(digits, exponent);
-    if (parsed.ec == std::errc::result_out_of_range && number.places.first > 0) {
+    if (parsed.ec == std::errc::result_out_of_range && number.places.firstNonZero > 0) {
         number.fault = RowFault::TooLarge;
     } else {
         number.value = value;
@@ -202,7 +204,7 @@ PrintedPlaces placesOfDouble(double value)
 {
     constexpr int kDigits = 17;
     const int last = firstPlaceOf(value) - kDigits + 1;
-    return {.zero = value == 0.0, .first = firstPlaceOf(value), .last = last, .printed = last};
+    return {.isZero = value == 0.0, .firstNonZero = firstPlaceOf(value), .lastNonZero = last, .lastPrinted = last};
 }
 
 /// Parses an angle in degrees, minutes and seconds: 45°30'15", 45° 30.25', -3°07′. The minutes may be missing, as in
@@ -231,12 +233,15 @@ CellNumber parseDegreesAndMinutes(std::string_view text)
             return refused;
         }
         degrees += unit * number.value;
-        roundingStep = unit * powerOfTen(number.places.printed);
+        roundingStep = unit * powerOfTen(number.places.lastPrinted);
         unit /= kPerUnit;
     }
     const int place = static_cast<int>(std::ceil(std::log10(roundingStep)));
     return {.value = isNegative ? -degrees : degrees,
-            .places = {.zero = degrees == 0.0, .first = firstPlaceOf(degrees), .last = place, .printed = place},
+            .places = {.isZero = degrees == 0.0,
+                       .firstNonZero = firstPlaceOf(degrees),
+                       .lastNonZero = place,
+                       .lastPrinted = place},
             .unit = "deg"};
 }
 

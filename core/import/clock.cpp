@@ -14,6 +14,8 @@ namespace slidercrank
 namespace
 {
 
+constexpr std::size_t kMinTimeStamps = 10; // fewer may be evenly spaced by chance
+
 /// Returns the numbers 0, 1, 2, … of time stamps without gaps.
 std::vector<double> numbersWithoutGaps(std::size_t count)
 {
@@ -23,11 +25,10 @@ std::vector<double> numbersWithoutGaps(std::size_t count)
 }
 
 /// Returns the number of each time stamp on a grid whose spacing is the lower quartile of the differences, from 0. Some
-/// time stamps of the grid may be missing. Returns nothing unless most neighbours are one spacing apart.
+/// time stamps of the grid may be missing. Returns no numbers unless most neighbours are one spacing apart.
 std::vector<double> numbersWithGaps(std::span<const double> time)
 {
-    constexpr double kMaxGapFraction =
-        0.5; // of all differences: time stamps that a person chose have a grid, too, but more gaps
+    constexpr double kMaxGapFraction = 0.5; // of all differences: with more, a person chose the time stamps
     std::vector<double> differences;
     differences.reserve(time.size());
     for (std::size_t i = 1; i < time.size(); ++i) {
@@ -49,51 +50,64 @@ std::vector<double> numbersWithGaps(std::span<const double> time)
     return isGrid ? numbers : std::vector<double>();
 }
 
+/// Returns whether time stamps that have these numbers on a grid are evenly spaced, apart from `tolerance` (s). Returns
+/// false without numbers, or for fewer than kMinTimeStamps time stamps with gaps.
+bool areEvenlySpaced(std::span<const double> time, const std::vector<double> &numbers, double tolerance)
+{
+    if (numbers.empty()) {
+        return false;
+    }
+    ValueRange spacing; // of the grid, s
+    for (std::size_t i = 1; i < time.size(); ++i) {
+        spacing.include((time[i] - time[i - 1]) / (numbers[i] - numbers[i - 1]));
+    }
+    const bool hasGaps = numbers.back() + 1.0 > static_cast<double>(numbers.size());
+    return spacing.width() <= tolerance && (!hasGaps || time.size() >= kMinTimeStamps);
+}
+
+/// Returns whether time stamps were rounded, although they have numbers on a grid: the grid lacks many, and numbered
+/// without gaps, they are evenly spaced within their rounding. 0, 0.01, 0.03, 0.04, 0.06 is 0, 0.014, 0.028, 0.042,
+/// 0.056, and not a grid of 0.01 that lacks every third time stamp.
+bool areRatherRounded(std::span<const double> time, const std::vector<double> &numbers, double printedStep)
+{
+    constexpr double kMaxMissingFraction = 0.2; // of the time stamps: a grid that lacks more is not the true one
+    const double missing = numbers.empty() ? 0.0 : numbers.back() + 1.0 - static_cast<double>(time.size());
+    return missing > kMaxMissingFraction * static_cast<double>(time.size()) && time.size() >= kMinTimeStamps &&
+           isStraight(time, numbersWithoutGaps(time.size()), printedStep);
+}
+
 } // namespace
 
-Clock clockOf(std::span<const double> time, const Rounding &rounding)
+TimePrecision timePrecisionOf(std::span<const double> time, const Rounding &rounding)
 {
     // As a fraction of the rounding step; time stamps that were rounded deviate far more from an even spacing.
     constexpr double kRelativeTolerance = 1e-3;
     constexpr double kMaxUlps = 4.0; // rounding errors of two differences: four time stamps, plus the unit conversion
-    constexpr double kMaxMissingFraction = 0.2; // of the time stamps: a grid that lacks more is not the true one
-    constexpr std::size_t kMinTimeStamps = 10;  // fewer may be evenly spaced by chance
-    Clock clock;
+    TimePrecision precision;
     if (time.empty()) {
-        return clock;
+        return precision;
     }
     const double latest = std::max(std::abs(time.front()), std::abs(time.back()));
-    clock.printedStep = rounding.stepAt(latest);
-    const double slack = std::max(kRelativeTolerance * clock.printedStep, kMaxUlps * kEpsilon * latest);
+    const double printedStep = rounding.stepAt(latest);
+    const double tolerance = std::max(kRelativeTolerance * printedStep, kMaxUlps * kEpsilon * latest);
     const std::vector<double> numbers = numbersWithGaps(time);
-    const bool hasGaps = numbers.empty() || numbers.back() + 1.0 > static_cast<double>(numbers.size());
-    const bool mayBeGrid = !numbers.empty() && (!hasGaps || time.size() >= kMinTimeStamps);
-    ValueRange spacing; // per step of the grid
-    for (std::size_t i = 1; mayBeGrid && i < time.size(); ++i) {
-        spacing.include((time[i] - time[i - 1]) / (numbers[i] - numbers[i - 1]));
-    }
-    // If a grid lacks many time stamps, but they are evenly spaced within their rounding, they were rounded:
-    // 0, 0.01, 0.03, 0.04, 0.06 is 0, 0.014, 0.028, 0.042, 0.056, and not a grid of 0.01 that lacks every third one.
-    const double missing = numbers.empty() ? 0.0 : numbers.back() + 1.0 - static_cast<double>(time.size());
-    const bool isRatherRounded = missing > kMaxMissingFraction * static_cast<double>(time.size()) &&
-                                 time.size() >= kMinTimeStamps &&
-                                 isStraight(time, numbersWithoutGaps(time.size()), clock.printedStep);
-    clock.isEven = time.size() == 1 || (mayBeGrid && spacing.width() <= slack && !isRatherRounded);
-    clock.printedStep = clock.isEven ? rounding.finestStep() : clock.printedStep;
-    if (clock.isEven || time.size() < kMinTimeStamps) {
-        return clock;
+    precision.isEven = time.size() == 1 ||
+                       (areEvenlySpaced(time, numbers, tolerance) && !areRatherRounded(time, numbers, printedStep));
+    precision.printedStep = precision.isEven ? rounding.finestStep() : printedStep;
+    if (precision.isEven || time.size() < kMinTimeStamps) {
+        return precision;
     }
     // If the rounding step is not much smaller than the spacing (0.02, 0.05, 0.07 for 0.025, 0.05, 0.075), the
     // differences look like gaps, so that a grid without gaps is tried first.
     for (std::vector<double> grid : {numbersWithoutGaps(time.size()), numbers}) {
         // Each time stamp may be off by half a step, and so may the first and the last, which determine the spacing.
-        if (!grid.empty() && isStraight(time, grid, clock.printedStep)) {
-            clock.isRoundedGrid = true;
-            clock.gridNumbers = std::move(grid);
+        if (!grid.empty() && isStraight(time, grid, printedStep)) {
+            precision.isRoundedGrid = true;
+            precision.gridNumbers = std::move(grid);
             break;
         }
     }
-    return clock;
+    return precision;
 }
 
 } // namespace slidercrank

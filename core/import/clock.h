@@ -17,26 +17,27 @@
 namespace slidercrank
 {
 
-/// The precision of time stamps.
-struct Clock {
+/// How precisely the printed time stamps of a file are known.
+struct TimePrecision {
     /// Largest rounding step of the time stamps, s; that of the last printed digit if they are evenly spaced, because
     /// their digits do not show the rounding. 0 if it is unknown.
     double printedStep = 0.0;
 
-    /// Evenly spaced, apart from gaps, within the precision of a double or 1e-3 of the rounding step.
+    /// The time stamps are evenly spaced, apart from gaps, within the precision of a double or 1e-3 of the rounding
+    /// step.
     bool isEven = true;
 
-    /// At least ten time stamps that are evenly spaced within their rounding, but not `isEven`.
+    /// At least ten time stamps are evenly spaced within their rounding, but not `isEven`.
     bool isRoundedGrid = false;
 
-    /// Of a rounded grid: how many spacings each time stamp is after the first one.
+    /// If `isRoundedGrid`: how many spacings each time stamp is after the first one.
     std::vector<double> gridNumbers{};
 
     /// Returns the rounding step of the time stamps, s: each may be off by half of it. 0 if they are exact.
-    double step() const { return isEven ? 0.0 : printedStep; }
+    double roundingStep() const { return isEven ? 0.0 : printedStep; }
 };
 
 /// Finds the precision of time stamps, in s, which increase. `rounding`: the rule that their digits show.
-Clock clockOf(std::span<const double> time, const Rounding &rounding);
+TimePrecision timePrecisionOf(std::span<const double> time, const Rounding &rounding);
 
 } // namespace slidercrank

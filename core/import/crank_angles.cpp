@@ -33,10 +33,10 @@ std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData d
         return data;
     }
     CrankAngles &crank = *data.crank;
-    const double start = mechanism.theta20() * kDegreesPerRadian;
-    const double speed = mechanism.omega2() * kDegreesPerRadian;
+    const double theta20 = mechanism.theta20() * kDegreesPerRadian; // °
+    const double omega2 = mechanism.omega2() * kDegreesPerRadian;   // °/s
     const bool rises = crank.degrees.back() >= crank.degrees.front();
-    if (rises != (speed > 0.0)) {
+    if (rises != (omega2 > 0.0)) {
         std::ranges::reverse(crank.degrees);
         std::ranges::reverse(data.lines);
         for (ReferenceSeries &series : data.series) {
@@ -46,11 +46,11 @@ std::optional<ReferenceData> timedBy(const Mechanism &mechanism, ReferenceData d
     crank.omega2 = mechanism.omega2();
     crank.theta20 = mechanism.theta20();
     data.time.resize(crank.degrees.size());
-    std::ranges::transform(crank.degrees, data.time.begin(), [&](double angle) { return (angle - start) / speed; });
+    std::ranges::transform(crank.degrees, data.time.begin(), [&](double angle) { return (angle - theta20) / omega2; });
     data.timeRounding = crank.rounding.withDecimalsAt(rangeOf(crank.degrees).size());
-    data.timeRounding.unitFactor /= std::abs(speed);
-    if (clockOf(data.time, data.timeRounding).isEven) {
-        data.timeRounding = Rounding(); // evenly spaced angles were chosen, not measured
+    data.timeRounding.unitFactor /= std::abs(omega2);
+    if (timePrecisionOf(data.time, data.timeRounding).isEven) {
+        data.timeRounding = Rounding(); // evenly spaced angles were chosen, not measured, and are exact
     }
     const bool areDistinct =
         std::isfinite(data.time.front()) && std::isfinite(data.time.back()) && !findReversal(data.time);

@@ -126,6 +126,16 @@ Rank rankOf(const HeadingCandidate &names, const NumberRow &row)
     return {.isLikeRow = isLikeRow, .known = names.known(), .hasCountOfRow = hasCount, .cells = names.cells.size()};
 }
 
+/// Returns a line without the comment mark before its headings. A "#" that is the heading of the row numbers, as in
+/// "#,t,x", stays: the line has as many cells as the row.
+std::string_view withoutMarkOfHeadings(std::string_view line, const NumberRow &row)
+{
+    const bool isNumberSign = row.isFound() && row.delimiter != ' ' &&
+                              trimmed(line).starts_with(std::string("#") + row.delimiter) &&
+                              countCells(line, row.delimiter) == row.sizeWithEmptyCells;
+    return isNumberSign ? line : withoutCommentMark(line);
+}
+
 } // namespace
 
 HeadingCandidate countNames(Cells cells, char delimiter)
@@ -165,10 +175,7 @@ std::vector<HeadingCandidate> waysToSplit(std::string_view line)
 HeadingCandidate readNames(std::string_view line, const NumberRow &row)
 {
     const bool isSpaced = row.delimiter == ' ';
-    const bool isNumberSign = row.isFound() && !isSpaced &&
-                              trimmed(line).starts_with(std::string("#") + row.delimiter) &&
-                              countCells(line, row.delimiter) == row.sizeWithEmptyCells;
-    const std::string_view unmarked = isNumberSign ? line : withoutCommentMark(line); // "#,t,x" numbers the rows
+    const std::string_view unmarked = withoutMarkOfHeadings(line, row);
     if (isData(unmarked)) {
         return isSpaced ? HeadingCandidate{splitCells(unmarked, ' '), ' '} : HeadingCandidate();
     }

@@ -71,8 +71,8 @@ std::size_t readRow(RawTable &table, const TableFile &file, std::size_t row)
 }
 
 /// Returns the smallest number of cells of a row that can be read. Between spaces, a gap in the middle cannot be
-/// distinguished from one at the end. So a row with fewer cells than the longest one cannot be read, unless at least
-/// half of the rows are such. `counts`: numbers of cells of all rows.
+/// distinguished from one at the end. So a row with fewer cells than the longest row cannot be read, unless at least
+/// half of the rows have fewer. `counts`: numbers of cells of all rows.
 std::size_t fewestCellsOf(const TableFile &file, std::span<const std::size_t> counts)
 {
     const std::size_t longest = counts.empty() ? 0 : std::min(std::ranges::max(counts), file.width);
@@ -109,8 +109,9 @@ std::size_t countStatisticsAbove(const TableFile &file)
     return static_cast<std::size_t>(first - file.rows.begin());
 }
 
-/// Finds the number that loggers and scientific formats write for a missing value. It is farther from the other values
-/// of the column than these are from each other. Returns NaN if there is none.
+/// Finds the number that a logger or a scientific format wrote for a missing value: the smallest or largest value, if
+/// it is one of kMissingValues, and farther from the other values than these are from each other. Returns NaN if there
+/// is none.
 double findMissingValue(const RawColumn &column)
 {
     constexpr std::array<double, 12> kMissingValues{-999.0, -9999.0, -99999.0,   -999999.0,
@@ -118,11 +119,11 @@ double findMissingValue(const RawColumn &column)
                                                     1e30,   -1e30,   9.96921e36, 9.969209968386869e36};
     const ValueRange all = rangeOf(column.values);
     for (const double extreme : {all.low, all.high}) {
-        ValueRange others;
-        if (std::ranges::count(kMissingValues, extreme) > 0) {
-            std::ranges::for_each(column.values,
-                                  [&](double value) { others.include(value == extreme ? kNone : value); });
+        if (std::ranges::count(kMissingValues, extreme) == 0) {
+            continue;
         }
+        ValueRange others;
+        std::ranges::for_each(column.values, [&](double value) { others.include(value == extreme ? kNone : value); });
         const double distance = std::max(others.low - extreme, extreme - others.high);
         if (others.count > 0 && distance > others.width()) {
             return extreme;
@@ -131,7 +132,7 @@ double findMissingValue(const RawColumn &column)
     return kNone;
 }
 
-/// Turns the numbers of all rows before `begin` and from `end` on into gaps: they are no data. Reads the other rows
+/// Turns the numbers of all rows before `begin` and from `end` on into gaps: they are no data. Reads the rows between
 /// again, so that only their digits count for the rounding of the columns.
 void keepRows(RawTable &table, const TableFile &file, std::size_t begin, std::size_t end)
 {

@@ -28,7 +28,7 @@ struct RawColumn {
     std::size_t index = 0;                ///< in RawTable::columns
     std::optional<ColumnChoice> choice{}; ///< of a person
 
-    /// One per row: NaN for a gap, infinity for an unreadable cell. In the unit of the file until convert() is called.
+    /// One value per row: NaN for a gap, infinity for an unreadable cell. In the unit of the file until convert().
     std::vector<double> values{};
     RoundingObserver rounding{};
     double factor = 1.0; ///< from the unit of the file to the default unit
@@ -62,7 +62,7 @@ struct TableFile {
     std::vector<Line> rows{};    ///< refer to the bytes or to `converted`
     std::size_t firstColumn = 0; ///< in the table
     std::size_t width = 0;       ///< number of columns
-    std::size_t fewestCells = 0; ///< in a row that can be read; further missing cells are gaps at its end
+    std::size_t fewestCells = 0; ///< a row with fewer cells cannot be read; with fewer than `width`, it ends with gaps
     bool hasAbscissa = false;    ///< whether one of its columns contains the time stamps or crank angles
 };
 
@@ -105,7 +105,7 @@ ReadError errorAtHeading(const RawTable &table, const RawColumn &column, ReadFau
 
 /// Appends the columns of a file to the table. `progress` is called regularly with the fraction that was read; see
 /// ReadOptions::progress for its result. Throws ReadError.
-void readTable(const FileBytes &file, const std::function<bool(double fraction)> &progress, RawTable &table);
+void readTable(const FileBytes &bytes, const std::function<bool(double fraction)> &progress, RawTable &table);
 
 /// Returns why a row is skipped: the fault of the first used column that is unreadable there, or else that the time is
 /// repeated.

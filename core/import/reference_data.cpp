@@ -62,8 +62,8 @@ bool beginsTable(const Cells &cells, std::span<const RawColumn> columns)
     return cells.size() > 1 && isOther;
 }
 
-/// Throws if another table begins in a file. A line that repeats its own headings or units is only skipped, and a line
-/// below the last row of numbers is a remark, unless it contains units.
+/// Throws if another table begins in a file. A line that repeats the headings or units of the file is only skipped, and
+/// a line below the last row of numbers is a remark, unless it contains units.
 void refuseAnotherTable(const RawTable &table)
 {
     for (const TableFile &file : table.files) {
@@ -150,8 +150,8 @@ ReadError noRowError(const TableFile &file, const SkippedRow &row)
                       .cellCount = splitCells(line->text, file.layout.delimiter).size()}};
 }
 
-/// Throws if most rows with numbers cannot be read: a person expects more of the file than the few others. `used`: the
-/// rows that can be read.
+/// Throws if more rows with numbers are unreadable than can be read: a person would not expect that so little is used.
+/// `used`: the rows that can be read.
 void requireMostRows(RawTable &table, const std::vector<std::size_t> &used)
 {
     std::vector<std::size_t> unreadable;
@@ -227,19 +227,20 @@ std::optional<std::size_t> findAnotherMotion(const ReferenceData &data)
 {
     constexpr double kMaxMeanDifference = 0.02; // of two turns of one motion, as a fraction of the column's range
     const std::vector<double> &angles = data.time;
-    std::size_t row = 1;
-    while (row < angles.size() && angles[row] != angles[0]) {
-        ++row;
+    std::size_t rowsOfTurn = 1;
+    while (rowsOfTurn < angles.size() && angles[rowsOfTurn] != angles[0]) {
+        ++rowsOfTurn;
     }
+    const std::size_t endOfSecondTurn = std::min(2 * rowsOfTurn, angles.size());
     const bool differs = std::ranges::any_of(data.series, [&](const ReferenceSeries &series) {
         double sum = 0.0;
-        for (std::size_t i = row; i < angles.size() && i < 2 * row; ++i) {
-            sum += std::abs(series.values[i] - series.values[i - row]);
+        for (std::size_t i = rowsOfTurn; i < endOfSecondTurn; ++i) {
+            sum += std::abs(series.values[i] - series.values[i - rowsOfTurn]);
         }
-        return sum > kMaxMeanDifference * rangeOf(series.values).width() *
-                         static_cast<double>(std::min(row, angles.size() - row));
+        return sum >
+               kMaxMeanDifference * rangeOf(series.values).width() * static_cast<double>(endOfSecondTurn - rowsOfTurn);
     });
-    return row < angles.size() && differs ? std::optional(row) : std::nullopt;
+    return rowsOfTurn < angles.size() && differs ? std::optional(rowsOfTurn) : std::nullopt;
 }
 
 /// Replaces the crank angles in ReferenceData::time by time stamps. Throws if a second motion begins, or if the angle
@@ -261,38 +262,46 @@ void replaceAnglesByTimes(ReferenceData &data, RawTable &table)
     data = *std::move(timed);
 }
 
-/// Sets the rounding of a series to the multiples of a step, if its first rows show the step of an instrument: that of
-/// an encoder or converter, printed exactly or rounded, or else 5 or 0.5, as of a scale.
-void detectInstrumentStep(ReferenceSeries &series, std::span<const double> time)
+constexpr double kArithmeticTolerance = 1e-9; // of a straight line or parabola, relative to the largest value
+
+/// Returns the step of an encoder or converter whose values are printed within `uncertainty`. Returns nullopt if there
+/// is none, or if the values are points of a straight line or parabola: with even time stamps, these are also multiples
+/// of a step. `time`: one time stamp per value.
+std::optional<double> findQuantumOfCurve(std::span<const double> values, std::span<const double> time,
+                                         double uncertainty)
+{
+    const double tolerance = 2.0 * uncertainty + kArithmeticTolerance * rangeOf(values).size();
+    const bool isSmooth = isStraight(values, time, tolerance) || isParabola(values, tolerance);
+    return isSmooth ? std::nullopt : findQuantum(values, uncertainty);
+}
+
+/// Returns the step of an instrument, in the default unit, if the first rows of a series show one: that of an encoder
+/// or converter, printed exactly (0.9°) or rounded (360°/1024), or else 5, 0.5 and the like, as of a scale.
+std::optional<double> findInstrumentStep(const ReferenceSeries &series, std::span<const double> time)
 {
     constexpr std::size_t kExaminedRows = 4096;
+    constexpr double kMinQuantum = 1.5; // rounding steps: a smaller one is the rounding step itself
     const std::size_t rows = std::min(series.values.size(), kExaminedRows);
-    const auto first = std::span(series.values).first(rows);
-    std::vector<double> values(first.begin(), first.end());
+    const std::span<const double> firstTimes = time.first(rows);
+    const auto firstValues = std::span(series.values).first(rows);
+    std::vector<double> values(firstValues.begin(), firstValues.end());
     if (isAngle(series.channel.coordinate)) {
         values = unwrapped(std::move(values));
     }
     const double size = rangeOf(values).size();
-    const double step = series.rounding.stepAt(size);
-    // With even time stamps, the points of a straight line or parabola are also multiples of a step.
-    const auto findQuantumAbove = [&](double uncertainty) {
-        const double tolerance = 2.0 * uncertainty + 1e-9 * size;
-        const bool isSmooth = isStraight(values, time.first(rows), tolerance) || isParabola(values, tolerance);
-        return isSmooth ? std::nullopt : findQuantum(values, uncertainty);
-    };
-    // Steps of 0.9 degrees are printed exactly, those of 360/1024 degrees are rounded.
-    std::optional<double> quantum = findQuantumAbove(0.0);
-    quantum = quantum > 1.5 * step ? quantum : findQuantumAbove(step);
-    if (!quantum && !isStraight(values, time.first(rows), 1e-9 * size)) {
-        quantum = findStepOfFive(first, series.rounding);
+    const double roundingStep = series.rounding.stepAt(size);
+    const std::optional<double> exact = findQuantumOfCurve(values, firstTimes, 0.0);
+    if (exact && *exact > kMinQuantum * roundingStep) {
+        return exact;
     }
-    if (quantum) {
-        series.rounding.rule = Rounding::Rule::Multiples;
-        series.rounding.quantum = *quantum / series.rounding.unitFactor;
+    if (const std::optional<double> rounded = findQuantumOfCurve(values, firstTimes, roundingStep)) {
+        return rounded;
     }
+    return isStraight(values, firstTimes, kArithmeticTolerance * size) ? std::nullopt
+                                                                       : findStepOfFive(firstValues, series.rounding);
 }
 
-/// Returns whether the file is prose, if its fault is one that prose can cause.
+/// Returns whether prose can cause the fault of a file, and the file is prose.
 bool isProseInsteadOfTable(const FileBytes &file, Fault fault)
 {
     using enum ReadFault::Kind;
@@ -312,7 +321,10 @@ ReferenceData toData(RawTable &table)
         replaceAnglesByTimes(data, table);
     }
     for (ReferenceSeries &series : data.series) {
-        detectInstrumentStep(series, data.time);
+        if (const std::optional<double> step = findInstrumentStep(series, data.time)) {
+            series.rounding.rule = Rounding::Rule::Multiples;
+            series.rounding.quantum = *step / series.rounding.unitFactor;
+        }
     }
     for (RawColumn &column : table.columns) {
         column.use.difference =
@@ -335,6 +347,7 @@ void cutToShortest(RawTable &table)
 ReadError withLayoutAndAdvice(ReadError error, RawTable &table, std::span<const FileBytes> files, std::size_t reading)
 {
     const bool areRead = reading == files.size();
+    // An error about all files is examined in the last one.
     const std::size_t faulty = error.file.value_or(areRead && !files.empty() ? files.size() - 1 : reading);
     if (!files.empty() && isProseInsteadOfTable(files[faulty], error.fault.kind)) {
         error = ReadError{.fault = {Fault::NotATable}, .file = faulty};

@@ -42,13 +42,13 @@ constexpr int kMaxDigitsOfChosenNumber = 4;
 /// was rounded to hundredths, but 123456.0 to a whole number.
 int placeOfOneValue(const PrintedPlaces &places)
 {
-    const int place = std::min(places.last, std::max(places.printed, 0));
-    const int known = std::max(places.first - kMaxDigitsOfChosenNumber + 1, places.printed);
-    return places.printed < 0 ? std::min(place, known) : place;
+    const int place = std::min(places.lastNonZero, std::max(places.lastPrinted, 0));
+    const int lastCountedZero = std::max(places.firstNonZero - kMaxDigitsOfChosenNumber + 1, places.lastPrinted);
+    return places.lastPrinted < 0 ? std::min(place, lastCountedZero) : place;
 }
 
-/// How far the places of decades are from those of a rule, as sums over all values. The smallest one is the best; of
-/// two with the same distance, that of the coarser rule is smaller. Compared in this order.
+/// How far the places of all decades are from those of a rule. The members are sums over all values, and are compared
+/// in order: of two rules at the same distance, the coarser one is less.
 struct RuleDistance {
     double distance = 0.0;       ///< in places
     double minusRulePlace = 0.0; ///< the place of the rule, negated
@@ -70,9 +70,9 @@ RuleDistance distanceFromRule(Rounding::Rule rule, const RoundedDecade &referenc
     return sum;
 }
 
-/// Sets the rule, and its number of digits, to the one that is closest to the places of all decades, weighted by their
-/// numbers of values. The best place, a weighted median, is that of one of the decades.
-void chooseRule(const std::vector<RoundedDecade> &decades, Rounding &rounding)
+/// Returns `rounding` with the rule and number of digits that are closest to the places of all decades, weighted by
+/// their numbers of values. The best place, a weighted median, is that of one of the decades.
+Rounding withClosestRule(Rounding rounding, const std::vector<RoundedDecade> &decades)
 {
     RuleDistance least{kInfinity};
     for (const Rounding::Rule rule : {Rounding::Rule::SignificantDigits, Rounding::Rule::Decimals}) {
@@ -85,15 +85,34 @@ void chooseRule(const std::vector<RoundedDecade> &decades, Rounding &rounding)
             }
         }
     }
+    return rounding;
 }
 
-/// Returns `places` with the places of the first and last digit of the shortest text that is read as `value`.
+/// Returns `places` with the places of the non-zero digits of the shortest text that is read as `value`.
 PrintedPlaces withShortestPlaces(PrintedPlaces places, double value)
 {
     std::array<char, 32> text{};
     const auto shortest = std::to_chars(text.data(), text.data() + text.size(), value);
     const PrintedPlaces found = parseNumber({text.data(), shortest.ptr}, DecimalSign::Point).places;
-    return {.zero = found.zero, .first = found.first, .last = found.last, .printed = places.printed};
+    return {.isZero = found.isZero,
+            .firstNonZero = found.firstNonZero,
+            .lastNonZero = found.lastNonZero,
+            .lastPrinted = places.lastPrinted};
+}
+
+/// Returns the places of a number with 16 or more digits as if it were printed as the shortest text of the same double,
+/// and with 16 digits at most: the last digits are those of the binary number. Returns other places unchanged.
+PrintedPlaces withoutBinaryDigits(const PrintedPlaces &printed, double value)
+{
+    constexpr int kMinDigitsOfDouble = 16; // of a number that a program printed in full
+    if (printed.firstNonZero - printed.lastNonZero + 1 < kMinDigitsOfDouble) {
+        return printed;
+    }
+    PrintedPlaces places = withShortestPlaces(printed, value);
+    const int finest = places.firstNonZero - kMinDigitsOfDouble + 1;
+    places.lastNonZero = std::max(places.lastNonZero, finest);
+    places.lastPrinted = std::max(places.lastPrinted, finest);
+    return places;
 }
 
 /// Returns a more precise step for sorted values whose distances are multiples of `step`: a distance of n steps,
@@ -178,19 +197,13 @@ double Rounding::finestStep() const
     return rule == Rule::Unknown ? 0.0 : unitFactor * powerOfTen(finestPlace);
 }
 
-void RoundingObserver::observe(PrintedPlaces places, double value)
+void RoundingObserver::observe(const PrintedPlaces &printed, double value)
 {
-    constexpr int kMinDigitsOfDouble = 16; // of a number that a program printed in full
-    m_finestPlace = std::min(m_finestPlace, places.printed);
-    if (places.zero) {
+    m_finestPlace = std::min(m_finestPlace, printed.lastPrinted); // as printed, also beyond the 16th digit
+    if (printed.isZero) {
         return;
     }
-    if (places.first - places.last + 1 >= kMinDigitsOfDouble) { // the last digits are those of a binary number
-        places = withShortestPlaces(places, value);
-        const int finest = places.first - kMinDigitsOfDouble + 1;
-        places.last = std::max(places.last, finest);
-        places.printed = std::max(places.printed, finest);
-    }
+    const PrintedPlaces places = withoutBinaryDigits(printed, value);
     const double magnitude = std::abs(value);
     if (m_values > 0 && magnitude == m_lastMagnitude) { // a standstill says nothing new
         return;
@@ -198,16 +211,16 @@ void RoundingObserver::observe(PrintedPlaces places, double value)
     m_lastPlaces = places;
     m_lastMagnitude = magnitude;
     ++m_values;
-    const int trailingZeros = std::max(std::min(places.last, 0) - places.printed, 0);
+    const int trailingZeros = std::max(std::min(places.lastNonZero, 0) - places.lastPrinted, 0);
     m_trailingZeros += static_cast<std::uint64_t>(trailingZeros);
     m_paddedValues += trailingZeros > 0 ? 1 : 0;
-    m_coarsestPlace = std::max(m_coarsestPlace, places.printed);
-    m_smallestExponent = std::min(m_smallestExponent, places.first);
-    if (std::abs(places.first) > kLargestExponent) {
+    m_coarsestPlace = std::max(m_coarsestPlace, places.lastPrinted);
+    m_smallestExponent = std::min(m_smallestExponent, places.firstNonZero);
+    if (std::abs(places.firstNonZero) > kLargestExponent) {
         return;
     }
-    const auto length = static_cast<std::size_t>(places.first - places.last);
-    ++m_decades[static_cast<std::size_t>(places.first + kLargestExponent)][std::min(length, kMaxDigits - 1)];
+    const auto length = static_cast<std::size_t>(places.firstNonZero - places.lastNonZero);
+    ++m_decades[static_cast<std::size_t>(places.firstNonZero + kLargestExponent)][std::min(length, kMaxDigits - 1)];
 }
 
 bool RoundingObserver::isPadded() const
@@ -223,8 +236,7 @@ bool RoundingObserver::isPadded() const
 
 std::vector<RoundedDecade> RoundingObserver::roundedDecades(Content content) const
 {
-    // Without padding, a program prints all values with the same digits; but many of a formula end early by chance,
-    // such as those at 30°, 60° and 90°.
+    // Without padding, a program prints all values with the same number of digits, so that nine of ten end there.
     const bool haveEqualDigits = content == Content::TimeStamps || !isPadded();
     // A value ends at its last digit other than 0. A decade is rounded at the first place by which this number of its
     // values has ended: nine of ten or, with padding, clearly more than a quarter.
@@ -281,7 +293,7 @@ Rounding RoundingObserver::infer(double unitFactor, Content content) const
         return rounding;
     }
     const std::vector<RoundedDecade> decades = roundedDecades(content);
-    chooseRule(decades, rounding);
+    rounding = withClosestRule(rounding, decades);
     rounding.coarsestPlace = coarsestPlaceOf(rounding, decades.back(), content);
     if (rounding.rule == Rounding::Rule::Decimals) {
         rounding.digits = std::max(rounding.digits, -rounding.coarsestPlace);
@@ -326,7 +338,7 @@ std::optional<double> findStepOfFive(std::span<const double> values, const Round
 {
     constexpr std::size_t kMinValues = 6;      // distinct ones; of fewer, all may be multiples of 5 by chance
     constexpr double kArithmeticError = 1e-13; // of a unit conversion, relative to the largest value
-    constexpr double kMaxEvenFraction = 0.7;   // of multiples that are also multiples of 10: with more, the step is 10
+    constexpr double kMaxEvenFraction = 0.7;   // of multiples of 5 that are multiples of 10: with more, the step is 10
     constexpr double kMaxErrorOfStep = 0.1;    // relative to a step: with more, every value is a multiple of it
     std::vector<double> magnitudes(values.begin(), values.end());
     std::ranges::for_each(magnitudes, [&](double &value) { value = std::abs(value) / rounding.unitFactor; });
@@ -342,6 +354,7 @@ std::optional<double> findStepOfFive(std::span<const double> values, const Round
     const auto areMultiplesOf = [&](double step) {
         return std::ranges::all_of(levels, [&](double level) { return isMultipleOf(level, step); });
     };
+    // The largest power of ten of which all values are multiples is 10^place. The step is 5 times that power.
     const int coarserThanErrors = static_cast<int>(std::ceil(std::log10(tolerance / kMaxErrorOfStep)));
     int place = std::max(rounding.finestPlace, coarserThanErrors);
     while (areMultiplesOf(powerOfTen(place + 1)) && powerOfTen(place + 1) < levels.back()) {

@@ -5,6 +5,8 @@
 // multiples of a step, such as that of an encoder. Trailing zeros carry no information (139.397000 has six digits), so
 // the rule is inferred from all values of the column. A number with 16 or more digits is treated as the shortest text
 // of the same double: 12.3456000000000003 is 12.3456.
+//
+// The place of a digit is its power of ten: in 12.3, the last digit is at the place -1.
 
 #include <array>
 #include <climits>
@@ -31,7 +33,7 @@ struct Rounding {
     double unitFactor = 1.0; ///< from the unit of the file to the default unit
     int smallestExponent = 0; ///< smallest power of ten of the non-zero values; used for a value of zero
 
-    /// Power of ten of the last digit printed anywhere in the column: no step of significant digits is finer.
+    /// Place of the last digit printed anywhere in the column: no step of significant digits is finer.
     int finestPlace = INT_MIN;
 
     /// No step is coarser than this power of ten: next to 40, 70 is a whole number and not a multiple of ten.
@@ -56,25 +58,25 @@ struct Rounding {
 /// Returns 10^exponent; 0 or infinity outside the range of a double.
 double powerOfTen(int exponent);
 
-/// Positions of the digits of a printed number, as powers of ten. For 0.0120, the first non-zero digit is at -2, the
-/// last one at -3, and the last printed digit at -4.
+/// Places of the digits of a printed number. For 0.0120, the first non-zero digit is at -2, the last one at -3, and the
+/// last printed digit at -4.
 struct PrintedPlaces {
-    bool zero = true; ///< all digits are zero; `first` and `last` have no meaning
-    int first = 0;
-    int last = 0;
-    int printed = 0;
+    bool isZero = true; ///< all digits are zero; `firstNonZero` and `lastNonZero` have no meaning
+    int firstNonZero = 0;
+    int lastNonZero = 0;
+    int lastPrinted = 0;
 };
 
 struct RoundedDecade;
 
 /// Infers the rule of a column from its numbers as they were printed.
 ///
-/// Take the values of one decade (with the same power of ten of the first digit). If they are rounded at one place,
-/// one value in ten has its last non-zero digit one place earlier, and one in a hundred two places earlier. So they are
-/// rounded at the place where nine of ten have ended: in a table of a formula, many more values end early by chance,
-/// such as those at 30°, 60° and 90°. If the numbers are padded with zeros, it is the coarsest place where clearly more
-/// than a quarter have ended, because some programs print some rows with more digits than others: the rule describes
-/// the coarser half.
+/// A value ends at its last non-zero digit. Take the values of one decade (with the same power of ten of the first
+/// digit). If they are rounded at one place, one value in ten ends one place earlier, and one in a hundred two places
+/// earlier; in a table of a formula, many more end early by chance, such as those at 30°, 60° and 90°. So the place of
+/// rounding is the coarsest one by which nine of ten values have ended. If the numbers are padded with zeros, it is the
+/// coarsest one by which clearly more than a quarter have ended: some programs print some rows with more digits than
+/// others, and the rule describes the rows with fewer digits.
 ///
 /// The rule of the column is the one that is closest to the places of all decades, weighted by their numbers of values.
 /// It is never coarser than the coarsest printed place, unless the largest values, at least six, all end earlier
@@ -89,11 +91,11 @@ public:
     /// What the numbers of a column mean.
     enum class Content { Quantity, TimeStamps };
 
-    /// Adds the next number of the column, which was printed with these places.
-    void observe(PrintedPlaces places, double value);
+    /// Adds the next number of the column. `printed`: the places of its digits in the file.
+    void observe(const PrintedPlaces &printed, double value);
 
     /// Infers the rule. The digits of time stamps are not random: in 0.0333, 0.0667, 0.1, every third ends early. So
-    /// they are rounded at the place where nine of ten have ended, also if they are padded.
+    /// the place by which nine of ten have ended is used also if they are padded.
     Rounding infer(double unitFactor, Content content) const;
 
 private:
@@ -117,8 +119,8 @@ private:
     std::uint64_t m_values = 0;        ///< number of values that are not zero and differ from the one before
     std::uint64_t m_trailingZeros = 0; ///< number of zeros printed after the last non-zero decimal of these values
     std::uint64_t m_paddedValues = 0;  ///< number of these values that end with such zeros
-    int m_coarsestPlace = INT_MIN;     ///< largest power of ten of the last printed digit of these values
-    int m_finestPlace = INT_MAX;       ///< smallest power of ten of the last printed digit of any number
+    int m_coarsestPlace = INT_MIN;     ///< largest place of the last printed digit of these values
+    int m_finestPlace = INT_MAX;       ///< smallest place of the last printed digit of any number, also of 0
     int m_smallestExponent = INT_MAX;  ///< smallest power of ten of the first digit of these values
     PrintedPlaces m_lastPlaces;        ///< of the last of these values
     double m_lastMagnitude = 0.0;      ///< of the last of these values

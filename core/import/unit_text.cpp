@@ -263,27 +263,28 @@ std::optional<Unit> parseProduct(std::string_view product)
 {
     constexpr int kLargestOrder = 2;
     std::optional<Unit> unit;
-    bool isDivided = false;
+    bool isBehindSlash = false;
     for (std::string_view rest = trimmed(product); !rest.empty(); rest = trimmed(rest)) {
         if (rest[0] == '/') {
-            isDivided = true;
+            isBehindSlash = true;
             rest.remove_prefix(1);
             continue;
         }
         const UnitFactor factor = takeFactor(rest);
-        if (factor.name.empty() && factor.power == 1 && !unit && !isDivided) { // "1/s"
+        if (factor.name.empty() && factor.power == 1 && !unit && !isBehindSlash) { // "1/s"
             continue;
         }
         const std::optional<Unit> time = findUnit(factor.name);
         const bool isTime = time && time->dimension == Time && factor.power != 0;
-        if (isTime && (unit || isDivided || factor.power < 0)) {
+        const bool isDivisor = isTime && (unit || isBehindSlash || factor.power < 0);
+        if (isDivisor) {
             unit = unit.value_or(Unit{Angle, 0, kDegreesPerRadian}); // 1/s is rad/s
             unit->order += std::abs(factor.power);
             if (unit->dimension == Time || unit->order > kLargestOrder) {
                 return std::nullopt;
             }
             unit->factor *= std::pow(time->factor, std::abs(factor.power));
-        } else if (!unit && !isDivided) {
+        } else if (!unit && !isBehindSlash) {
             unit = parseNumerator(factor);
             if (!unit) {
                 return std::nullopt;

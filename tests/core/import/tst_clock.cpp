@@ -61,12 +61,12 @@ private slots:
             const QByteArray table = row.times.join(",12.5\n");
             const auto outcome = read(QByteArray("time [") + row.unit + "],R4_x\n" + table + ",12.5\n");
             const auto &data = std::get<ReferenceData>(outcome);
-            const Clock clock = clockOf(data.time, data.timeRounding);
+            const TimePrecision clock = timePrecisionOf(data.time, data.timeRounding);
             QVERIFY2(clock.isEven == row.even && clock.isRoundedGrid == row.rounded, row.name);
             QVERIFY2(std::abs(clock.printedStep - row.step) <= 1e-9 * row.step, row.name);
-            QCOMPARE(clock.step(), clock.isEven ? 0.0 : clock.printedStep);
+            QCOMPARE(clock.roundingStep(), clock.isEven ? 0.0 : clock.printedStep);
         }
-        const Clock none = clockOf({}, {});
+        const TimePrecision none = timePrecisionOf({}, {});
         QVERIFY(none.isEven && none.printedStep == 0.0);
     }
 };

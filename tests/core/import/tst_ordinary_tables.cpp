@@ -988,7 +988,7 @@ private slots:
         const Outcome outcome = readOrdinary("gaps_lower_precision.csv");
         const ReferenceData &data = std::get<ReferenceData>(outcome);
         QVERIFY(data.skippedCount > 0);
-        QVERIFY(clockOf(data.time, data.timeRounding).isEven);
+        QVERIFY(timePrecisionOf(data.time, data.timeRounding).isEven);
     }
 
     void saysThatDecimalsCouldBeThousands()
