@@ -77,9 +77,9 @@ double divisorToSeconds(const RawColumn &column)
     return divisor;
 }
 
-/// Subtracts the smallest time stamp from all of them if they are times of day or times since a date, and converts them
-/// to seconds. A clock without a date that begins below an hour shows the time since the start: it only loses its jumps
-/// at noon and midnight.
+/// Removes the jumps of a clock at noon and midnight. Then, if the time stamps are times of day or times since a date,
+/// subtracts the smallest one from all of them, and converts them to seconds. A clock without a date that begins below
+/// an hour shows the time since the start.
 void countFromFirstRow(RawColumn &column)
 {
     constexpr double kHalfDay = 43'200.0;     // s: a clock may have twelve hours
@@ -100,7 +100,7 @@ void countFromFirstRow(RawColumn &column)
     const double step = column.rounding.infer(column.factor, RoundingObserver::Content::TimeStamps).finestStep();
     std::ranges::for_each(column.values, [&](double &value) {
         value = (value - first) / divisor;
-        value = step > 0.0 ? step * std::rint(value / step) : value; // a double near 1.7e9 is off by 1e-7
+        value = step > 0.0 ? step * std::rint(value / step) : value; // again, as a double near 1.7e9 is off by 1e-7
     });
 }
 
@@ -233,10 +233,11 @@ void guessAbscissa(RawTable &table, const TableFile &file)
     }
 }
 
-/// Returns the undecided columns of a file whose names denote a time. If some have a unit of time or none, the others
-/// are ignored ("T (Nm)"). If some of the rest contain numbers other than times of a clock, all other columns are
-/// ignored (a clock beside seconds). Sets the reasons of the ignored columns.
-std::vector<RawColumn *> takeNamedTimes(RawTable &table, const TableFile &file)
+/// Returns the undecided columns of a file whose names denote a time, without these, whose reasons it sets:
+///
+/// 1. columns with other units ("T (Nm)"), if any column has a unit of time or none,
+/// 2. times of a clock and columns without numbers, if any column contains numbers that are no times of a clock.
+std::vector<RawColumn *> selectNamedTimes(RawTable &table, const TableFile &file)
 {
     std::vector<RawColumn *> times;
     for (RawColumn &column : table.columnsOf(file)) {
@@ -257,8 +258,8 @@ std::vector<RawColumn *> takeNamedTimes(RawTable &table, const TableFile &file)
     return times;
 }
 
-/// Uses the columns as the time, which must be the same in all of them. Columns beside an abscissa of their file that a
-/// person chose are ignored, and so are columns beside the crank angle of another file.
+/// Uses the columns as the time, which must be the same in all of them. Ignores columns if a person chose the abscissa
+/// of their file, or if the abscissa of another file is the crank angle.
 void assignNamedTimes(RawTable &table, const std::vector<RawColumn *> &times)
 {
     for (RawColumn *const column : times) {
@@ -302,7 +303,7 @@ void setAbscissa(RawTable &table, RawColumn &column, ColumnRole role, ColumnReas
 void assignAbscissas(RawTable &table)
 {
     for (const TableFile &file : table.files) {
-        assignNamedTimes(table, takeNamedTimes(table, file));
+        assignNamedTimes(table, selectNamedTimes(table, file));
         if (!file.hasAbscissa) {
             guessAbscissa(table, file);
         }

@@ -17,7 +17,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::string_view kGaps =
+constexpr std::string_view kTextsOfGaps =
     "nan -nan na n/a n.a. null none - -- --- – — | #n/a #nv #div/0! #num! #value! #wert! "
     "#ref! #bezug! 1.#qnan -1.#ind 1.#ind 1.#ind00 -1.#ind00";
 
@@ -91,7 +91,6 @@ CellNumber parsePlain(std::string_view text)
     return number;
 }
 
-/// Returns whether a text begins with a sign.
 bool beginsWithSign(std::string_view text)
 {
     return text.starts_with('-') || text.starts_with('+');
@@ -272,7 +271,7 @@ std::string_view trimmed(std::string_view text)
 std::string_view takeCell(std::string_view &rest, char delimiter)
 {
     const bool bySpaces = delimiter == ' ';
-    const char otherDelimiter = bySpaces ? '\t' : delimiter;
+    const char otherDelimiter = bySpaces ? '\t' : delimiter; // any blank ends a cell between spaces
     const std::size_t size = rest.size();
     std::size_t begin = 0;
     while (begin < size && isBlank(rest[begin]) && (bySpaces || rest[begin] != delimiter)) {
@@ -336,7 +335,7 @@ Cells splitAtBlanks(std::string_view line, std::size_t minBlanks)
         if (cells.empty() || (blanks >= minBlanks && depth == 0 && !opens)) {
             cells.push_back({&c, 1});
         }
-        cells.back() = {cells.back().data(), &c + 1};
+        cells.back() = {cells.back().data(), &c + 1}; // extended up to this character
         const bool closes = c == ')' || c == ']';
         depth += (opens ? 1 : 0) - (closes ? 1 : 0);
         blanks = 0;
@@ -361,12 +360,12 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
     if (number.fault != RowFault::NotANumber) {
         return number;
     }
-    if (text.empty() || isAmong(lowered(text), kGaps)) {
+    if (text.empty() || isAmong(lowered(text), kTextsOfGaps)) {
         number.fault.reset();
         return number;
     }
     if (const std::string_view inner = withoutMarkup(text); inner.size() < text.size()) {
-        return parseNumber(inner, DecimalSign::Point);
+        return parseNumber(inner, DecimalSign::Point); // a decimal comma has become a point above
     }
     if (const std::optional<double> multiple = multipleOfPi(text)) {
         return {.value = *multiple, .places = placesOfDouble(*multiple), .unit = "rad"};
@@ -387,8 +386,8 @@ CellNumber parseNumber(std::string_view text, DecimalSign decimalSign)
 CellNumber parseClock(std::string_view text)
 {
     constexpr double kPerUnit = 60.0; // seconds a minute, minutes an hour
-    text.remove_prefix(text.substr(0, text.find(':')).find_last_not_of("0123456789") + 1);
-    std::string time(text.substr(0, text.find_first_not_of("0123456789:.,")));
+    text.remove_prefix(text.substr(0, text.find(':')).find_last_not_of("0123456789") + 1); // the date
+    std::string time(text.substr(0, text.find_first_not_of("0123456789:.,")));             // without the time zone
     std::ranges::replace(time, ',', '.');
     std::string_view rest = time;
     const auto colons = std::ranges::count(rest, ':');

@@ -79,12 +79,13 @@ struct CellNumber {
 /// - an uncertainty behind the number, "1.5 ± 0.1", and the marks of spreadsheets, ="1.5", and LaTeX, \num{1.5},
 /// - "π/6", a number of radians, and 45°30'15", one of degrees.
 ///
-/// Other texts have the fault NotANumber, or PointForComma or CommaForPoint if the other decimal sign would suit.
+/// A number may have the fault TooLarge. Other texts have the fault NotANumber, or PointForComma or CommaForPoint if
+/// the other decimal sign would suit.
 CellNumber parseNumber(std::string_view text, DecimalSign decimalSign);
 
 /// Parses the time of a clock, "12:34:56.789" or "05:06.7", with or without a date before it and a time zone after it.
 /// The value is the number of seconds since midnight. The decimal sign may be a point or a comma, regardless of that of
-/// the file. With a single colon and without a fraction, as in "12:34", it has the fault NotANumber.
+/// the file. A time with a single colon and without a fraction, as in "12:34", has the fault NotANumber.
 CellNumber parseClock(std::string_view text);
 
 /// Returns whether a text looks like a number with either decimal sign: it consists of digits, signs, separators and

@@ -9,11 +9,11 @@
 namespace slidercrank
 {
 
-/// Returns the error that two columns are the same channel. It is at the second one or, if they are in different files,
-/// names the file of the first one.
+/// Returns the error that two columns are the same channel. The error is at the second column or, if the columns are in
+/// different files, names the file of the first one.
 ReadError sameChannelError(const RawTable &table, const RawColumn &first, const RawColumn &second);
 
-/// Gives each channel to the column with the best evidence, if there is only one, and sets the reason of the others.
+/// Uses the column with the best evidence as the channel, if there is only one, and sets the reason of ignored columns.
 /// Requires that the abscissa is known. Throws ReadError if two columns have the exact name of a channel or were chosen
 /// as the same channel, or if the unit of such a column does not suit the channel.
 void assignChannels(RawTable &table);

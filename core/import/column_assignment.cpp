@@ -52,7 +52,7 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
     for (const ColumnChoice &choice : choices) {
         if (!choice.heading.empty()) {
             findColumn(table, choice.heading).choice = choice;
-        } else if (choice.column < table.columns.size()) { // otherwise it is remembered from a file with more columns
+        } else if (choice.column < table.columns.size()) { // otherwise the choice was made for a file with more columns
             table.columns[choice.column].choice = choice;
         }
     }
@@ -72,44 +72,44 @@ void applyChoices(RawTable &table, std::span<const ColumnChoice> choices)
 
 /// Returns the error of a file that lacks the time or a channel. If a person could choose a column as the channel, the
 /// error names the first such column.
-ReadError missingDataError(RawTable &table, std::size_t file)
+ReadError missingDataError(RawTable &table, std::size_t fileIndex)
 {
-    const TableFile &own = table.files[file];
-    if (own.layout.headerLine == 0 && !own.rows.empty()) {
-        return {.line = own.rows.front().number, .fault = {Fault::NamesMissing}, .file = file};
+    const TableFile &file = table.files[fileIndex];
+    if (file.layout.headerLine == 0 && !file.rows.empty()) {
+        return {.line = file.rows.front().number, .fault = {Fault::NamesMissing}, .file = fileIndex};
     }
-    if (!own.hasAbscissa) {
-        return {.line = own.layout.headerLine, .fault = {Fault::NoTime}, .file = file};
+    if (!file.hasAbscissa) {
+        return {.line = file.layout.headerLine, .fault = {Fault::NoTime}, .file = fileIndex};
     }
-    const std::span<const RawColumn> columns = table.columnsOf(own);
+    const std::span<const RawColumn> columns = table.columnsOf(file);
     const RawColumn *const open = findElement(columns, [](const RawColumn &column) {
         return leavesOpen(column.use.reason) || column.use.reason == ColumnReason::UnknownUnit ||
                column.use.reason == ColumnReason::Ratio || column.use.reason == ColumnReason::CrankPin;
     });
     if (!open) {
-        return {.line = own.layout.headerLine, .fault = {Fault::NoChannel}, .file = file};
+        return {.line = file.layout.headerLine, .fault = {Fault::NoChannel}, .file = fileIndex};
     }
     const RawColumn *const sameInOtherFile = findElement(table.columns, [&](const RawColumn &column) {
-        return column.use.file != file && column.use.channel == open->use.channel;
+        return column.use.file != fileIndex && column.use.channel == open->use.channel;
     });
     if (open->use.reason == ColumnReason::LikeOther && sameInOtherFile) {
         return sameChannelError(table, *open, *sameInOtherFile);
     }
-    return {.line = own.layout.headerLine,
+    return {.line = file.layout.headerLine,
             .fault = {.kind = Fault::NoCertainChannel,
                       .heading = excerpt(open->use.heading),
                       .columnReason = open->use.reason},
-            .file = file};
+            .file = fileIndex};
 }
 
 /// Throws if a file lacks the time or a channel.
 void requireData(RawTable &table)
 {
     const auto isChannel = [](const RawColumn &column) { return column.use.role == ColumnRole::Channel; };
-    for (std::size_t file = 0; file < table.files.size(); ++file) {
-        const TableFile &own = table.files[file];
-        if (!own.hasAbscissa || std::ranges::none_of(table.columnsOf(own), isChannel)) {
-            throw missingDataError(table, file);
+    for (std::size_t i = 0; i < table.files.size(); ++i) {
+        const TableFile &file = table.files[i];
+        if (!file.hasAbscissa || std::ranges::none_of(table.columnsOf(file), isChannel)) {
+            throw missingDataError(table, i);
         }
     }
 }

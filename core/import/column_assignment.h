@@ -3,7 +3,7 @@
 
 // Third stage of reading: the meaning of each column. The choices of a person come first, then names of channels, then
 // words for body and quantity, and last a quantity of an unnamed body, which is taken for the one that is usually
-// exported. The column with the best evidence becomes the channel; between equal ones a person has to choose.
+// exported.
 
 #include "core/import/raw_table.h"
 

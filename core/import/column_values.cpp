@@ -51,9 +51,9 @@ bool makesHalfTurn(const RawColumn &column)
 
 bool isNearlyConstant(const RawColumn &column)
 {
-    constexpr double kVariation = 0.01; // of the largest value
+    constexpr double kMaxVariation = 0.01; // of the largest value
     const ValueRange range = rangeOf(column.values);
-    return range.count >= kMinConclusiveRows && range.size() > 0.0 && range.width() <= kVariation * range.size();
+    return range.count >= kMinConclusiveRows && range.size() > 0.0 && range.width() <= kMaxVariation * range.size();
 }
 
 } // namespace slidercrank

@@ -12,14 +12,14 @@ namespace slidercrank
 
 std::vector<double> wholeDegreesBeforeRounding(std::vector<double> degrees, const Rounding &rounding)
 {
-    constexpr double kUnit = 0.5;                // °
-    constexpr double kMaxHalfStep = 0.1 * kUnit; // with larger rounding errors, any angle may have been whole
-    constexpr double kTies = 1.0 + 1e-6;         // an angle in the middle of two printable ones is not exact in binary
+    constexpr double kHalfDegree = 0.5;
+    constexpr double kMaxHalfStep = 0.1 * kHalfDegree; // with larger rounding errors, any angle may have been whole
+    constexpr double kTieFactor = 1.0 + 1e-6; // an angle in the middle of two printable ones is not exact in binary
     std::vector<double> whole = degrees;
     for (double &angle : whole) {
         const double halfStep = 0.5 * rounding.stepAt(angle);
-        const double nearest = kUnit * std::round(angle / kUnit);
-        if (!(halfStep <= kMaxHalfStep && std::abs(nearest - angle) <= kTies * halfStep)) {
+        const double nearest = kHalfDegree * std::round(angle / kHalfDegree);
+        if (!(halfStep <= kMaxHalfStep && std::abs(nearest - angle) <= kTieFactor * halfStep)) {
             return degrees;
         }
         angle = nearest;

@@ -50,7 +50,7 @@ std::optional<std::string_view> characterWithCode(unsigned code)
     return found != kKnownCharacters.end() ? std::optional(found->text) : std::nullopt;
 }
 
-/// Removes the first character of a text, and returns it in UTF-8; nullopt if it is unknown. So is a byte outside ASCII
+/// Removes the first character of a text, and returns it in UTF-8; nullopt if it is unknown or a byte outside ASCII
 /// without a second byte.
 std::optional<std::string_view> takeKnownCharacter(std::string_view &bytes)
 {

@@ -32,7 +32,7 @@ enum class ColumnReason {
 
     // Guessed: a person should confirm them.
     QuantityInName, ///< the heading and its unit denote a quantity, but not of which body: the usual one is assumed
-    WideAngle,      ///< the angle of the crank, by its range or its evenness, or an angle or rate that follows from it
+    WideAngle,      ///< the crank angle, by its range or evenness; its derivative; the angle of a link numbered from it
     StraightPath,   ///< the only one of several points whose y does not change, or a derivative of its x or y
     UnknownWords,   ///< some words of the heading are unknown, but no other column is the quantity
     RisingValues,   ///< no column is named as the time; this is the first one, and its values only rise
@@ -88,13 +88,13 @@ struct FileColumn {
     ColumnRole role = ColumnRole::Ignored;
     Channel channel{}; ///< if the role is Channel
     ColumnReason reason = ColumnReason::UnknownName;
-    std::optional<Difference> difference{}; ///< that a column of derivatives contains; nullopt: none, or unknown
+    std::optional<Difference> difference{}; ///< kind of difference quotient in the column; nullopt: none, or unknown
     std::size_t file = 0;                   ///< index in FileLayout::files
     bool isInRadiansByValues = false; ///< read in rad without a printed unit, because the values of an angle suggest it
 };
 
-/// The layout of a file. If several files are joined, their columns follow each other, and the rest describes the first
-/// one.
+/// The layout of a file. If several files are joined, `columns` and `rows` contain the columns of all files side by
+/// side, and the members before them describe the first file.
 struct FileLayout {
     char delimiter = ',';
     DecimalSign decimalSign = DecimalSign::Point;

@@ -37,7 +37,7 @@ constexpr std::u16string_view kCentralCharacters =
 bool isUtf8(std::string_view bytes)
 {
     using Utf8 = boost::locale::utf::utf_traits<char>;
-    int surplus = 0;
+    int surplus = 0; // valid characters minus invalid bytes
     for (auto at = bytes.begin(); at != bytes.end();) {
         auto next = at + 1;
         if (byteOf(*at) >= 0x80) {
@@ -157,7 +157,7 @@ bool isAsciiLetter(char c)
 /// one, is between letters of ASCII; otherwise the Western one.
 CodePage codePageOf(std::string_view bytes)
 {
-    std::ptrdiff_t apart = 0; // number of letters outside ASCII without a letter of ASCII beside them, minus the others
+    std::ptrdiff_t apart = 0; // letters outside ASCII that have no letter of ASCII beside them, minus those that have
     bool isPolish = false;
     for (std::size_t i = 1; i + 1 < bytes.size(); ++i) {
         const bool isBesideAscii = isAsciiLetter(bytes[i - 1]) || isAsciiLetter(bytes[i + 1]);

@@ -159,7 +159,7 @@ std::optional<NameAndUnit> splitUnitFromBrackets(std::string_view text)
         if (isKnown) {
             break;
         }
-        end = begin;
+        end = begin; // continue before these brackets
     }
     return split;
 }
@@ -185,8 +185,8 @@ bool beginsWord(std::string_view text, std::size_t at)
 ///
 /// 1. pixels, which are no unit of a channel, or a unit that suits the name,
 /// 2. else the unit with the slash that the text lacks, "m/s2" for "ms2", if that suits the name,
-/// 3. else a unit of time behind a name without a meaning, as in "ticks_ms"; but a single letter only if the separator
-///    before it `isClear`, as in "Messzeit / s".
+/// 3. else a unit of time behind a name without a meaning, as in "ticks_ms"; but a single letter only with `isClear`:
+///    the separator before it announces a unit, as in "Messzeit / s".
 ///
 /// Returns nullopt if the text is no such unit.
 std::optional<std::string> unitBehind(std::string_view name, const std::string &text, bool isClear)
@@ -215,11 +215,11 @@ std::optional<NameAndUnit> splitUnitFromEnd(std::string_view text)
         const std::string_view end = trimmed(text.substr(at + (isSeparator ? 1 : 0)));
         const std::string_view name = trimmed(text.substr(0, at));
         const std::string_view printed = withoutPreposition(end, name);
-        const bool isClear = text[at] == '/' || text[at] == ',' || printed.size() < end.size();
+        const bool isClear = text[at] == '/' || text[at] == ',' || printed.size() < end.size(); // "/ s", ", s", "in s"
         const bool isInput = printed == "in" && meaningOf(name, "in").hasUnknownWords; // not inches: "theta_in"
-        const bool isIndex = text[at] == '_' && printed.starts_with('{');              // "θ_{r}"
-        if (printed.empty() || printed[0] == '/' || isIndex ||
-            (!isClear && (isInput || isAmong(lowered(printed), kAmbiguousUnits)))) {
+        const bool isAmbiguous = isInput || isAmong(lowered(printed), kAmbiguousUnits);
+        const bool isIndex = text[at] == '_' && printed.starts_with('{'); // "θ_{r}"
+        if (printed.empty() || printed[0] == '/' || isIndex || (isAmbiguous && !isClear)) {
             continue;
         }
         if (std::optional<std::string> unit = unitBehind(name, std::string(printed), isClear)) {

@@ -91,7 +91,7 @@ bool isCrankPinOfSolve(const RawColumn &column, std::span<const RawColumn> colum
 /// 2. else, beside "xpp" or "d2x", they are derivatives,
 /// 3. else "x_p", or "xp" beside another such name ("yp"), belongs to the piston, unless a column "x" exists.
 ///
-/// The others have no meaning: only a person can tell.
+/// A name that meets none of these conditions loses its meaning: only a person can tell.
 void resolveDerivatives(std::span<RawColumn> columns)
 {
     const auto isNamed = [&](const std::string &name) {
@@ -124,7 +124,7 @@ void resolveDerivatives(std::span<RawColumn> columns)
 }
 
 /// Decides whether α is an angle or the angular acceleration: the acceleration if ω is before it, otherwise an angle if
-/// it turns by more than half a turn in one direction. The meaning of the others stays in doubt.
+/// it turns by more than half a turn in one direction. If neither is so, its meaning stays in doubt.
 void resolveAlphas(std::span<RawColumn> columns)
 {
     bool isBehindOmega = false;
@@ -274,14 +274,13 @@ void implySiUnits(std::span<RawColumn> columns)
             meaning.reason = ColumnReason::PathInSi;
         }
     }
-    if (std::ranges::none_of(columns,
-                             [&](const RawColumn &column) { return isInSi(column) && contradictsSi(column); })) {
-        return;
-    }
-    for (RawColumn &column : columns) {
-        NameMeaning &meaning = column.meaning;
-        const ColumnReason named = meaning.kind >= Kind::Words ? ColumnReason::KnownName : ColumnReason::QuantityInName;
-        meaning.reason = isInSi(column) ? named : meaning.reason;
+    const auto isContradicted = [&](const RawColumn &column) { return isInSi(column) && contradictsSi(column); };
+    if (std::ranges::any_of(columns, isContradicted)) {
+        for (RawColumn &column : columns) {
+            const bool isCertain = column.meaning.kind >= Kind::Words;
+            const ColumnReason named = isCertain ? ColumnReason::KnownName : ColumnReason::QuantityInName;
+            column.meaning.reason = isInSi(column) ? named : column.meaning.reason;
+        }
     }
 }
 

@@ -67,7 +67,6 @@ bool isCrankWithNumberOne(const RawColumn &column)
            makesHalfTurn(column);
 }
 
-/// Returns the angle of the link with the next number.
 Coordinate angleOfNextLink(Coordinate angle)
 {
     if (angle == Theta1) {

@@ -30,8 +30,8 @@ struct HeadingCandidate {
 /// brackets name neither.
 HeadingCandidate countNames(Cells cells, char delimiter);
 
-/// Returns the cells before the first one, apart from the very first, that begins with "%" or "#" and has no meaning.
-/// "%time" of ROS has one, and is a heading.
+/// Returns the cells before a remark. A remark begins with "%" or "#", has no meaning (unlike "%time" of ROS), and is
+/// not the first cell.
 std::span<const std::string_view> headingsBeforeRemark(const Cells &headings);
 
 /// Splits a line in each possible way, and counts the names among its cells: at each delimiter, at all blanks, at two

@@ -22,19 +22,22 @@ constexpr std::array<std::string_view, 6> kRemarkMarks{"#", "//", "/*", "%", "!"
 ///
 /// - "#", "//" and "/*" behind a blank or a digit: "0.5 # start". But directly before a character other than a small
 ///   letter, as in "0.5 #N/A", they do not.
-/// - "%", "!" and "--" only behind a blank and before a word that is no gap: "0.5 % start". They have further
-///   meanings, as in "12 %" and "0.5 -- NaN".
+/// - "%", "!" and "--" only behind a blank and, after another one, before a word that is no gap, as in "0.5 % start",
+/// or
+///   else directly before a small letter. They have further meanings, as in "12 %" and "0.5 -- NaN".
 bool beginsRemark(std::string_view before, std::string_view mark, std::string_view after)
 {
     const bool isAmbiguous = mark == "%" || mark == "!" || mark == "--";
     const bool isApart = isBlank(before.back()) || (!isAmbiguous && isDigit(before.back()));
-    const std::string_view text = trimmed(after);
-    if (!isApart || text.empty()) {
-        return isApart && !isAmbiguous;
+    if (!isApart) {
+        return false;
     }
-    const bool isLower = text[0] >= 'a' && text[0] <= 'z';
+    const std::string_view text = trimmed(after);
+    if (text.empty()) {
+        return !isAmbiguous;
+    }
     if (!isBlank(after[0])) {
-        return isLower;
+        return text[0] >= 'a' && text[0] <= 'z';
     }
     const bool isLetter = lowerCase(text[0]) >= 'a' && lowerCase(text[0]) <= 'z';
     const std::string_view word = text.substr(0, text.find_first_of(" \t"));
@@ -149,7 +152,8 @@ std::string_view withoutBrackets(std::string_view line)
     const bool isEnclosed = begin > 0 && after.find_first_of("])}") != after.npos && areBracketsOpened(inner);
     const bool areNames = (inner[0] == '\'' || inner[0] == '"') && inner.back() == inner[0];
     const bool endsRow = after.find_first_of(";]") != after.npos && inner.find_first_of(";([{") == inner.npos;
-    return (isEnclosed && (isData(inner) || areNames)) || (endsRow && isData(inner)) ? inner : line;
+    const bool isRow = isData(inner) ? isEnclosed || endsRow : isEnclosed && areNames;
+    return isRow ? inner : line;
 }
 
 /// Returns a line of Arduino's serial monitor without the time of its receipt: "12:03:04.013 -> 0.01, 85".
@@ -213,8 +217,8 @@ std::vector<Line> splitLines(std::string_view text)
         const std::size_t end = mayBeHeadings ? findLineEnd(text) : std::min(text.find('\n'), text.size());
         std::string_view rest = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        const auto lineEnds = mayBeHeadings ? std::ranges::count(rest, '\n') : 0;
-        do {
+        const auto lineEnds = mayBeHeadings ? std::ranges::count(rest, '\n') : 0; // in a quoted heading
+        do { // for each line that ends with CR only
             ++number;
             const std::string_view printed = lineEnds > 0 ? std::exchange(rest, {}) : takeUntil('\r', rest);
             const std::string_view inner = withoutBorders(withoutTimeOfReceipt(printed));

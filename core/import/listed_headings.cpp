@@ -27,13 +27,6 @@ std::string_view textBehindNumber(std::string_view line, std::size_t number)
     return isNumbered ? trimmed(rest.substr(text)) : std::string_view();
 }
 
-/// Returns the names as headings; nullopt if none is known.
-std::optional<HeadingCandidate> listOf(const Cells &names)
-{
-    HeadingCandidate list = countNames(names, ',');
-    return list.known() > 0 ? std::optional(std::move(list)) : std::nullopt;
-}
-
 /// Returns the headings in lines that have the numbers of the columns; `firstNumber` is that of the first one. Returns
 /// nullopt if a line has a different number, or if no name is known.
 std::optional<HeadingCandidate> readNumberedList(Lines lines, std::size_t firstNumber)
@@ -45,7 +38,8 @@ std::optional<HeadingCandidate> readNumberedList(Lines lines, std::size_t firstN
     if (std::ranges::count(names, std::string_view()) > 0) {
         return std::nullopt;
     }
-    return listOf(names);
+    HeadingCandidate list = countNames(names, ',');
+    return list.known() > 0 ? std::optional(std::move(list)) : std::nullopt;
 }
 
 /// Returns the headings in lines without numbers. Returns nullopt if any name is unknown, or if the first one is
@@ -65,6 +59,8 @@ std::optional<HeadingCandidate> readBulletedList(Lines lines)
     return list.known() == lines.size() ? std::optional(std::move(list)) : std::nullopt;
 }
 
+/// Returns the headings in lines that are numbered from 0 or 1, or else in lines without numbers; nullopt if the lines
+/// are neither.
 std::optional<HeadingCandidate> readList(Lines lines)
 {
     for (const std::size_t firstNumber : {0U, 1U}) {

@@ -61,14 +61,14 @@ int takeDerivatives(Words &words)
         words = {"d", "dot"};
     }
     for (std::size_t i = 0; i < words.size();) {
-        const WordMeaning *const two = findWord(phraseAt(words, i, 2), WordUse::Derivative);
+        const WordMeaning *const phrase = findWord(phraseAt(words, i, 2), WordUse::Derivative); // of two words
         const bool isOfSymbol = i == 1 && findWord(words[0], WordUse::Symbol);
         const bool isLabel = !isOfSymbol && i + 1 < words.size() && findWord(words[i], WordUse::Label); // but "x punto"
-        const WordMeaning *const entry = two ? two : findWord(words[i], WordUse::Derivative);
+        const WordMeaning *const entry = phrase ? phrase : findWord(words[i], WordUse::Derivative);
         if (entry && !isLabel) {
             count += static_cast<int>(*entry->order);
             words.erase(words.begin() + static_cast<std::ptrdiff_t>(i),
-                        words.begin() + static_cast<std::ptrdiff_t>(i + (two ? 2 : 1)));
+                        words.begin() + static_cast<std::ptrdiff_t>(i + (phrase ? 2 : 1)));
         } else {
             ++i;
         }

@@ -19,7 +19,7 @@ std::string_view withoutTrailingRemark(std::string_view name);
 
 /// Removes the argument behind a name ("x(t)" becomes "x") and the calls that differentiate it; returns how often these
 /// differentiate: "der(x)" of Modelica, "diff(x(t), t, t)", "diff(diff(x(t), t), t)", "D(x)(t)" and "Derivative(x(t),
-/// (t, 2))" of computer algebra. Removes no calls if the unit is that of a position: "d(θ)" in mm is a distance.
+/// (t, 2))" of computer algebra. Removes no calls if `unit` is not divided by a time: "d(θ)" in mm is a distance.
 int takeDerivativeCalls(std::string_view &name, const std::optional<Unit> &unit);
 
 /// Returns whether a name ends with a number in brackets, as that of an element of a list: "x(4)".

@@ -61,7 +61,7 @@ std::optional<int> derivativesOf(const NameReading &name, const std::optional<Un
         const bool isSaidTwice = name.isOrderNamed && name.hasSymbol && named == name.derivatives; // "velocity ẋ"
         return isSaidTwice ? named : named + name.derivatives;
     }
-    if (unit && (name.derivatives == 0 || name.unknown.isAny())) { // "dλ/dt (mm/s)"
+    if (unit && (name.derivatives == 0 || name.unknown.exist())) { // "dλ/dt (mm/s)"
         return unit->order;
     }
     const bool isPositionOrDerivative = name.hasSymbol || name.derivatives > 0 || name.body;
@@ -103,9 +103,9 @@ bool determinesQuantity(const NameReading &name, const std::optional<Unit> &unit
 {
     if (unit) {
         return unit->dimension != Dimension::Time &&
-               (name.namesQuantity() || name.body || name.dimension || name.unknown.isAny());
+               (name.namesQuantity() || name.body || name.dimension || name.unknown.exist());
     }
-    if (name.unknown.isAny()) {
+    if (name.unknown.exist()) {
         return name.namesQuantity() && (!isPath || name.dimension || name.body);
     }
     return name.namesQuantity() || name.body;
@@ -117,7 +117,7 @@ bool determinesQuantity(const NameReading &name, const std::optional<Unit> &unit
 /// 2. `isOfUnknown`, an unknown point or body such as the A of "x_A": IsAngleOfUnknown or IsOfPoint,
 /// 3. a length of a numbered part: IsOfPart,
 /// 4. α without a unit, a body and marks of derivatives: IsAngle,
-/// 5. without a unit, the doubt about its words.
+/// 5. without a unit, the doubt that the words left; with a unit, None.
 NameMeaning::Doubt findDoubt(const NameReading &name, const std::optional<Unit> &unit, bool isAngle, bool isOfUnknown)
 {
     if (name.symbol == "q" && unit) {
@@ -166,7 +166,7 @@ bool namesBodyAndQuantity(const NameReading &name, const std::optional<Unit> &un
 /// Returns the name of the point or body that a column describes: columns with the same owner describe the same one.
 std::string ownerOf(const NameReading &name, const NamePath &path)
 {
-    if (name.unknown.isAny() && !name.body) {
+    if (name.unknown.exist() && !name.body) {
         return name.unknown.point.empty() ? name.unknown.text : name.unknown.point;
     }
     return path.owner + name.pointLetters;
@@ -185,6 +185,16 @@ bool mayBeChannel(const NameReading &name, bool isAngle)
     return isAngle || (name.isCentre && name.axis != ' ');
 }
 
+/// Returns why a name whose quantity is unknown, or can be no channel, has no meaning.
+ColumnReason reasonWithoutChannel(const NameReading &name, const std::optional<Unit> &unit)
+{
+    if (name.unknown.exist() && name.order && !unit && !name.body) {
+        return ColumnReason::UnknownBody;
+    }
+    const bool isOfCrankPin = name.body == Body::Crank && name.axis != ' ';
+    return isOfCrankPin ? ColumnReason::CrankPin : ColumnReason::UnknownName;
+}
+
 /// Returns the channel or quantity of a name whose words have been read. If no word is known, the unit decides.
 NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, const std::string &unitText)
 {
@@ -200,10 +210,7 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
     const std::optional<int> derivatives =
         determinesQuantity(name, unit, path.parts.size() > 2) ? derivativesOf(name, unit) : std::nullopt;
     if (!derivatives || *derivatives > static_cast<int>(Order::Acceleration) || !mayBeChannel(name, isAngle)) {
-        const bool isOfUnknownBody = name.unknown.isAny() && name.order && !unit && !name.body;
-        const bool isOfCrankPin = name.body == Body::Crank && name.axis != ' ';
-        const ColumnReason known = isOfCrankPin ? ColumnReason::CrankPin : ColumnReason::UnknownName;
-        return {.reason = isOfUnknownBody ? ColumnReason::UnknownBody : known};
+        return {.reason = reasonWithoutChannel(name, unit)};
     }
     const auto order = static_cast<Order>(*derivatives);
     const bool isOfUnknown = isOfUnknownPoint(name, isAngle);
@@ -215,7 +222,7 @@ NameMeaning meaningOfReading(const NameReading &name, const NamePath &path, cons
                         .owner = ownerOf(name, path),
                         .symbol = name.symbol,
                         .doubt = findDoubt(name, unit, isAngle, isOfUnknown),
-                        .hasUnknownWords = name.unknown.isAny() || isOfUnknown || isCoordinateOfAnyKind,
+                        .hasUnknownWords = name.unknown.exist() || isOfUnknown || isCoordinateOfAnyKind,
                         .namesAxis = name.axis != ' ',
                         .isNumberedLink = name.isBodyNumbered,
                         .isFirstLink = name.link == "1",

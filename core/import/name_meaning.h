@@ -22,7 +22,7 @@ struct NameMeaning {
         Time,
         Quantity,    ///< of an unnamed body: `channel` is the one that is usually exported
         Words,       ///< for a quantity of a body, which is a channel
-        ChannelName, ///< nameOf() a channel
+        ChannelName, ///< the exact name of a channel: nameOf()
         Chosen       ///< by a person
     };
 

@@ -43,7 +43,7 @@ enum class Entries {
 /// Includes a number of a name. Returns false if it cannot belong to the quantity:
 ///
 /// 1. Behind a word instead of a symbol, it only counts columns ("Linear Velocity1") and is skipped.
-/// 2. Behind q, a generalized coordinate, it is the letter of an unknown body unless q is an angle.
+/// 2. Behind q, a generalized coordinate, it is the number of a point, whose body is unknown unless q is an angle.
 /// 3. Behind another angle, it is the number of a link: 1 to 3, or any if the name also has a body.
 /// 4. Behind a length, 4 is the slider, unless the name has another body.
 /// 5. Behind a length, another number is that of an unknown point: 1 to 3.
@@ -75,7 +75,7 @@ bool includeNumber(NameReading &reading, std::string_view digits, Entries entrie
 
 /// Returns whether a symbol can stand for the quantity in the words before it, as in "velocity v", "velocity ṙ₁" or
 /// "crank angle α".
-bool isOfOrder(const WordMeaning &symbol, const NameReading &before)
+bool suitsQuantityBefore(const WordMeaning &symbol, const NameReading &before)
 {
     const std::optional<Order> order = before.order;
     const bool isAlpha = symbol.dimension == Dimension::Angle && symbol.order == Order::Acceleration;
@@ -92,8 +92,8 @@ bool includePoint(NameReading &reading, std::string_view letters)
     const bool isOfSlider = index && index->body == Body::Slider;
     const bool isPinOfAngle = isOfSlider && reading.dimension == Dimension::Angle; // θ_c, θ_b
     const bool isOtherPoint = !index || (letters.size() == 1 && !index->body);     // x_A, "joint D"
-    // "connecting rod ω_c" names its body by words.
-    reading.isUnknownBody = reading.isUnknownBody || ((isPinOfAngle || isOtherPoint) && !reading.body);
+    const bool isBodyKnown = reading.body.has_value();                             // by words: "connecting rod ω_c"
+    reading.isUnknownBody = reading.isUnknownBody || ((isPinOfAngle || isOtherPoint) && !isBodyKnown);
     if (reading.hasIndex) {
         return false;
     }
@@ -102,8 +102,8 @@ bool includePoint(NameReading &reading, std::string_view letters)
     return !index || isPinOfAngle || merge(reading, *index);
 }
 
-/// Includes the joint after "at": "velocity at B" belongs to that point, but an angle, "θ3 at B", to the coupler.
-bool includePlace(NameReading &reading, std::string_view joint)
+/// Includes the joint after "at": "velocity at B" is that of the point B, but an angle, "θ3 at B", that of the coupler.
+bool includeJointAfterAt(NameReading &reading, std::string_view joint)
 {
     if (reading.dimension != Dimension::Angle) {
         return includePoint(reading, joint);
@@ -113,8 +113,8 @@ bool includePlace(NameReading &reading, std::string_view joint)
     return merge(reading.body, std::optional(Body::Coupler));
 }
 
-/// Returns whether the words at `at` are "at A" or "at B".
-bool isPlace(const Words &words, std::size_t at)
+/// Returns whether the two words at `at` are "at A" or "at B".
+bool isAtJoint(const Words &words, std::size_t at)
 {
     return isAmong(words[at], "at en bei in an") && at + 1 < words.size() && isAmong(words[at + 1], "a b");
 }
@@ -184,7 +184,7 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
         return true;
     }
     const WordMeaning *const symbol = isOfBody ? nullptr : findWord(word, WordUse::Symbol);
-    if (symbol && (symbol->axis != ' ' || (!reading.hasSymbol && isOfOrder(*symbol, reading)))) {
+    if (symbol && (symbol->axis != ' ' || (!reading.hasSymbol && suitsQuantityBefore(*symbol, reading)))) {
         return includeSymbol(reading, word, *symbol);
     }
     const WordMeaning *const derivative = findWord(word, WordUse::Derivative);
@@ -354,16 +354,16 @@ std::size_t sizeOfPhrase(const Words &words, std::size_t at, Entries entries)
 bool includeWords(NameReading &reading, const Words &words, Entries entries)
 {
     for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::size_t size = sizeOfPhrase(words, i, entries);
-        bool isIncluded = true;
         if (countsColumns(words, i) || isBy(words, i)) {
             continue;
         }
+        const std::size_t size = sizeOfPhrase(words, i, entries);
+        bool isIncluded = true;
         if (isNameOfElement(words, i)) {
             reading.unknown.point = words[i] + words[i + 1];
             ++i;
-        } else if (isPlace(words, i)) {
-            isIncluded = includePlace(reading, words[++i]);
+        } else if (isAtJoint(words, i)) {
+            isIncluded = includeJointAfterAt(reading, words[++i]);
         } else if (isNumberOfPoint(reading, words, i)) {
             reading.unknown.point = reading.unknown.point.empty() ? words[i - 1] + words[i] : reading.unknown.point;
         } else if (includeWord(reading, phraseAt(words, i, size), entries)) {
@@ -413,9 +413,8 @@ std::optional<NameReading> readName(const NamePath &path, int derivatives, const
         const Words words = isLast ? lastWords : wordsOf(path.parts[i]);
         NameReading extended = reading;
         if (includeWords(extended, words, isLast ? Entries::All : Entries::WithoutSymbols)) {
-            // Then it may be the name of the model, as in "Model1.slider.x": its unknown words are not kept.
-            const bool canBeUnknown = path.isOfModelica || reading.body;
-            if (canBeUnknown && !isLast) {
+            const bool mayNameModel = !isLast && (path.isOfModelica || reading.body); // "Model1.slider.x"
+            if (mayNameModel) { // then its unknown words say nothing
                 extended.unknown = reading.unknown;
             }
             reading = extended;

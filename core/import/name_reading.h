@@ -21,14 +21,14 @@ struct UnknownWords {
     bool hasWord = false; ///< one of them has at least three bytes, so that they are not only indices
     std::string point{};  ///< a word with the number or letter of a point: "massa" in "mass_A x", "joint3"
 
-    bool isAny() const { return !text.empty() || !point.empty(); }
+    bool exist() const { return !text.empty() || !point.empty(); }
     bool areIndices() const { return !text.empty() && !hasWord && point.empty(); } ///< as in "x_G"
 };
 
 /// The merged meanings of the words of a name.
 struct NameReading {
     std::optional<Dimension> dimension{};
-    std::optional<Order> order{}; ///< of the words and symbols; `derivatives` are counted apart
+    std::optional<Order> order{}; ///< of the words and symbols, without the marks that `derivatives` counts
     std::optional<Body> body{};
     char axis = ' ';
     int derivatives = 0; ///< how often the marks of derivatives differentiate: 2 in "x_ddot"
@@ -45,7 +45,7 @@ struct NameReading {
     std::string symbol{};
     std::string pointLetters{};  ///< letters or number of a point, or the ends of a link: "b", "bc", "3"
     std::string link{};          ///< number of the link whose angle it is: "3" in "θ3"
-    bool isBodyNumbered = false; ///< this number names the body, and no word
+    bool isBodyNumbered = false; ///< the number in `link` names the body, and no word does
 
     UnknownWords unknown{};
 
@@ -55,7 +55,7 @@ struct NameReading {
 
 /// Returns what the parts of a path say together, beginning with the last part. Returns nullopt if its words contradict
 /// each other, as in "linear velocity of the crank", or if one makes it a different quantity, as in "position error".
-/// Other parts that contradict those behind them, as the first one in "/slider_crank/slider/position", are ignored.
+/// Earlier parts that contradict those behind them, as the first one in "/slider_crank/slider/position", are ignored.
 /// `lastWords`: the words of the last part without the marks of derivatives, which differentiate `derivatives` times.
 std::optional<NameReading> readName(const NamePath &path, int derivatives, const std::vector<std::string> &lastWords);
 

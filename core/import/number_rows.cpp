@@ -96,7 +96,8 @@ bool isTransposed(Lines lines)
         for (const char delimiter : kAllDelimiters) {
             const Cells cells = splitCells(line.text, delimiter);
             const auto numbers = static_cast<std::size_t>(std::ranges::count_if(cells, isNumber));
-            const bool isQuantity = numbers >= kMinNumbers && numbers + 2 >= cells.size() && !isNumber(cells[0]);
+            const bool areOthersNumbers = numbers + 2 >= cells.size(); // apart from a name and a unit
+            const bool isQuantity = numbers >= kMinNumbers && areOthersNumbers && !isNumber(cells[0]);
             const NameMeaning meaning = isQuantity ? parseHeading(cells[0]).meaning : NameMeaning();
             const bool isAbscissa = meaning.kind == Kind::Time || meaning.channel.coordinate == Theta2;
             hasAbscissa = hasAbscissa || (meaning.kind != Kind::Nothing && isAbscissa);

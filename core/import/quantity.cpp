@@ -55,7 +55,7 @@ Quantity readQuantity(std::string_view text, const std::optional<Unit> &expected
     std::string number = kPowerSpellings.replacedIn(kQuantitySpellings.replacedIn(withCarets(text)));
     const std::size_t first = number.starts_with('-') || number.starts_with('+') ? 1 : 0;
     if (number.compare(first, 3, "10^") == 0) {
-        number.replace(first, 3, "1@");
+        number.replace(first, 3, "1@"); // "10^3" is 1 · 10^3
     }
     const std::size_t end = std::min(number.find_first_not_of("0123456789+-.,eE@^ "), number.size());
     const std::string unitText = number.substr(end);

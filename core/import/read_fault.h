@@ -55,7 +55,7 @@ struct ReadFault {
         NoCertainChannel, ///< the column with `heading` may be a channel, but is ignored because of `columnReason`
         NoNumbers,        ///< there are no numbers below the headings
         NoRow,            ///< no row can be read; `rowFault` is the reason for the first one
-        MostRows,         ///< most rows cannot be read, although they have numbers; `rowFault` as for NoRow
+        MostRows,         ///< most rows with numbers cannot be read; `rowFault` is the reason for the first one
         NoValues,         ///< only the time has values
         TimeNotRising,
         TimeStartsAgain, ///< a second motion begins

@@ -35,9 +35,9 @@ ReadError errorAt(const SkippedRow &row, Fault fault)
 bool startsAgain(std::span<const double> values, std::size_t row)
 {
     constexpr std::size_t kMinRows = 3;
-    constexpr double kRestart = 0.1; // of the range so far
+    constexpr double kMaxDistance = 0.1; // from the first value, as a fraction of the range so far
     const double range = rangeOf(values.first(row)).width();
-    return row >= kMinRows && std::abs(values[row] - values[0]) <= kRestart * range;
+    return row >= kMinRows && std::abs(values[row] - values[0]) <= kMaxDistance * range;
 }
 
 bool areUnits(const Cells &cells)

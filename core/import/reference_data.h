@@ -17,7 +17,7 @@
 // last one is used.
 //
 // A table over the crank angle instead of the time is read as the motion of a crank that turns once a second, until
-// timedBy() is called with another one.
+// timedBy() is called with a mechanism.
 //
 // If a heading leaves open which channel it is, the usual one is assumed, unless the unit contradicts it. Such a guess
 // is marked in the layout. Other columns are ignored.
@@ -82,7 +82,6 @@ struct ReferenceData {
     const ReferenceSeries *find(Channel channel) const;
 };
 
-/// Returns the channels of all series.
 ChannelSet channelsOf(const ReferenceData &data);
 
 struct ReadOptions {

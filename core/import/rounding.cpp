@@ -42,9 +42,11 @@ constexpr int kMaxDigitsOfChosenNumber = 4;
 /// was rounded to hundredths, but 123456.0 to a whole number.
 int placeOfOneValue(const PrintedPlaces &places)
 {
-    const int place = std::min(places.lastNonZero, std::max(places.lastPrinted, 0));
+    if (places.lastPrinted >= 0) {
+        return std::min(places.lastNonZero, places.lastPrinted);
+    }
     const int lastCountedZero = std::max(places.firstNonZero - kMaxDigitsOfChosenNumber + 1, places.lastPrinted);
-    return places.lastPrinted < 0 ? std::min(place, lastCountedZero) : place;
+    return std::min({places.lastNonZero, 0, lastCountedZero});
 }
 
 /// How far the places of all decades are from those of a rule. The members are sums over all values, and are compared
@@ -131,7 +133,6 @@ double refinedStep(double step, const std::vector<double> &values)
     return step;
 }
 
-/// Returns the finite values, sorted.
 std::vector<double> sortedFinite(std::span<const double> values)
 {
     std::vector<double> sorted;
@@ -140,9 +141,9 @@ std::vector<double> sortedFinite(std::span<const double> values)
     return sorted;
 }
 
-/// The distances between sorted values that are larger than an uncertainty.
+/// The distances between neighbouring sorted values that are larger than an uncertainty.
 struct Gaps {
-    double smallest = kInfinity;    ///< smallest distance
+    double smallest = kInfinity;    ///< smallest of these distances
     std::size_t distinctValues = 1; ///< number of values, of which those closer together count as one
 };
 
@@ -316,7 +317,7 @@ std::optional<double> findQuantum(std::span<const double> values, double printed
     if (levels.empty()) {
         return std::nullopt;
     }
-    const double uncertainty =
+    const double uncertainty = // of a difference of two changes: four values, each off by half a step
         2.0 * printedStep + kArithmeticError * std::max(std::abs(levels.front()), std::abs(levels.back()));
     const Gaps gaps = gapsBetween(levels, 2.0 * uncertainty);
     const Gaps gapsOfDifferences = gapsBetween(differences, 2.0 * uncertainty);

@@ -76,7 +76,7 @@ struct RoundedDecade;
 /// earlier; in a table of a formula, many more end early by chance, such as those at 30°, 60° and 90°. So the place of
 /// rounding is the coarsest one by which nine of ten values have ended. If the numbers are padded with zeros, it is the
 /// coarsest one by which clearly more than a quarter have ended: some programs print some rows with more digits than
-/// others, and the rule describes the rows with fewer digits.
+/// others, and the rule describes those with fewer digits.
 ///
 /// The rule of the column is the one that is closest to the places of all decades, weighted by their numbers of values.
 /// It is never coarser than the coarsest printed place, unless the largest values, at least six, all end earlier

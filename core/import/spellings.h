@@ -27,10 +27,11 @@ public:
     /// Adds the replacement of each character of `from` by `to`.
     void addCharacters(std::string_view from, std::string_view to);
 
-    /// Adds the replacement of each character of `from` by the one at the same place in `to`.
+    /// Adds the replacement of each character of `from` by the one at the same position in `to`.
     void addPairs(std::string_view from, std::string_view to);
 
-    /// Returns the text with all spellings replaced. If several match at a place, the first one in the table applies.
+    /// Returns the text with all spellings replaced. If several match at a position, the first one in the table
+    /// applies.
     std::string replacedIn(std::string_view text) const;
 
 private:

@@ -41,7 +41,7 @@ enum class Annotation {
     Numbers
 };
 
-/// Returns the distance of the middle of a cell from the beginning of its line, doubled.
+/// Returns the distance of the middle of a cell from the beginning of its line, doubled to be a whole number.
 std::ptrdiff_t middleOf(std::string_view cell, std::string_view line)
 {
     return 2 * (cell.data() - line.data()) + std::ssize(cell);

@@ -20,9 +20,9 @@ namespace slidercrank
 /// Simulink wrote it ("Type: double Unit: rad"). Otherwise returns an empty text.
 std::string_view unitIn(std::string_view cell);
 
-/// Sets the unit of column `i` that is found in a line with the number `line`; does nothing if it is empty. Throws if
-/// the heading states a different unit. If the brackets of the heading contain no known unit, they are a remark, as in
-/// "x (FD2)" above "mm".
+/// Sets the unit of column `i` to one that was found in the line with the number `line`; does nothing if `unit` is
+/// empty or the column has no heading. Throws if the heading states a different unit. If the brackets of the heading
+/// contain no known unit, they are a remark, as in "x (FD2)" above "mm".
 void setUnit(std::vector<Heading> &headings, std::size_t i, std::string_view unit, std::size_t line);
 
 /// Interprets the line directly above the headings. If all its cells are units, "s,cm" or "# units: s, cm", they are

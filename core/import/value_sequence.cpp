@@ -51,20 +51,20 @@ bool removeJumps(std::vector<double> &angles, double turn, double largestChange)
 {
     std::vector<double> continuous = angles;
     double last = kNone;
-    double turns = 0.0;
+    double correction = 0.0; // whole turns that are added to the values behind the last jump
     bool hadJumps = false;
     for (double &value : continuous) {
         if (!std::isfinite(value)) {
             continue;
         }
-        const double change = std::isnan(last) ? 0.0 : value + turns - last;
+        const double change = std::isnan(last) ? 0.0 : value + correction - last;
         const double jump = turn * std::rint(change / turn);
         if (jump != 0.0 && std::abs(change - jump) > largestChange * turn) {
             return false;
         }
         hadJumps = hadJumps || jump != 0.0;
-        turns -= jump;
-        value += turns;
+        correction -= jump;
+        value += correction;
         last = value;
     }
     angles = std::move(continuous);
