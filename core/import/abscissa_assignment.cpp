@@ -50,7 +50,7 @@ bool areDays(const RawColumn &column)
     constexpr double kFirstDay = 36'526.0;  // 1 January 2000, in spreadsheets
     constexpr double kCentury = 36'525.0;   // days
     constexpr double kYearZero = 693'960.0; // days between the origins of MATLAB and of spreadsheets
-    constexpr double kLongestStep = 1e-4;   // nine seconds
+    constexpr double kLongestStep = 1e-4;   // days: nine seconds
     const ValueRange range = rangeOf(column.values);
     const auto isInCentury = [&range](double origin) {
         return range.low >= origin + kFirstDay && range.high < origin + kFirstDay + kCentury;
@@ -155,8 +155,8 @@ bool mayBeCrankAngle(const RawColumn &column)
            isTurningAngle(column);
 }
 
-/// Returns whether a column that may be the crank angle also spans more than half a turn. Then it need not be the first
-/// column.
+/// Returns whether a column may be the crank angle even if it is not the first one, because it also spans more than
+/// half a turn.
 bool turnsLikeCrank(const RawColumn &column)
 {
     return mayBeCrankAngle(column) && makesHalfTurn(column);
@@ -186,7 +186,8 @@ RawColumn *findSameHeading(std::span<RawColumn> columns, const RawColumn &abscis
 }
 
 /// Returns whether a column counts in the search for the first column of a file. These do not: columns that a person
-/// chose, parameters, row numbers and, beside a crank angle, counts of the rows.
+/// chose, equal values, row numbers and columns without a heading that cannot be the time, and, beside a crank angle,
+/// counts of the rows.
 bool countsAsFirst(const RawColumn &column, bool hasCrankAngle)
 {
     const bool isNumber = column.use.heading.empty() || column.use.reason == ColumnReason::RowNumber;

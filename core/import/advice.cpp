@@ -155,7 +155,7 @@ struct Likelihood {
     auto operator<=>(const Likelihood &) const = default;
 };
 
-/// Returns nullopt for a column that cannot be a channel: it is used, does not change, contains row numbers, further
+/// Returns nullopt if a column cannot be a channel, because it is used, does not change, contains row numbers, further
 /// time stamps or the crank pin, or has an unknown unit and a heading without a meaning.
 std::optional<Likelihood> likelihoodOf(const RawColumn &column)
 {

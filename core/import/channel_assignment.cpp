@@ -81,7 +81,8 @@ bool isSecondCrankAngle(RawTable &table, const RawColumn &column)
     return column.use.channel == kCrankAngle || isLikeAbscissa;
 }
 
-/// Returns whether a column that is a length by its name may contain row numbers: it has no unit and counts the rows.
+/// Returns whether a column that is a length of an unnamed body by its name may contain row numbers: it has no unit and
+/// counts the rows.
 bool mayBeRowNumbers(const RawColumn &column)
 {
     const bool isUncertainLength = column.meaning.kind == Kind::Quantity && !isAngle(column.use.channel.coordinate);

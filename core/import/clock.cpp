@@ -36,15 +36,15 @@ std::vector<double> numbersWithGaps(std::span<const double> time)
     }
     std::vector<double> sorted = differences;
     std::ranges::sort(sorted);
-    const double step = sorted.empty() ? 0.0 : sorted[sorted.size() / 4]; // the smallest one may be rounded down
+    const double spacing = sorted.empty() ? 0.0 : sorted[sorted.size() / 4]; // the smallest one may be rounded down
     std::vector<double> numbers;
     numbers.reserve(time.size());
     numbers.push_back(0.0);
     std::size_t gaps = 0;
     for (const double difference : differences) {
-        const double steps = std::round(difference / step);
-        gaps += steps == 1.0 ? 0 : 1;
-        numbers.push_back(numbers.back() + steps);
+        const double spacings = std::round(difference / spacing);
+        gaps += spacings == 1.0 ? 0 : 1;
+        numbers.push_back(numbers.back() + spacings);
     }
     const bool isGrid = static_cast<double>(gaps) < kMaxGapFraction * static_cast<double>(differences.size());
     return isGrid ? numbers : std::vector<double>();

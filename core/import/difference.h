@@ -14,8 +14,9 @@ namespace slidercrank
 struct ReferenceData;
 
 /// Returns which difference quotient of the column of one order less a column of velocities or accelerations contains,
-/// judging by the first rows. It has to match within the rounding of both columns, and clearly better than the other
-/// difference quotients and the derivative do. Otherwise, and for a table over the crank angle, returns nullopt.
+/// judging by the first rows. The difference quotient has to match within the rounding of both columns, and clearly
+/// better than the other difference quotients and the derivative do. Otherwise, and for a table over the crank angle,
+/// returns nullopt.
 std::optional<Difference> differenceIn(const ReferenceData &data, Channel channel);
 
 } // namespace slidercrank

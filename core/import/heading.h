@@ -24,7 +24,7 @@ struct CellForm {
 
 /// The heading of a column: "theta3_diff [rad/s]" has the name "theta3_diff" and the unit "rad/s".
 struct Heading {
-    FileColumn use{};   ///< heading and unit; assignColumns() sets the rest
+    FileColumn use{};   ///< heading and unit; assignColumns() sets role, channel and reason
     std::string name{}; ///< the heading without its unit
     CellForm cells{};
     NameMeaning meaning{}; ///< of the name and the unit, without regard to other columns

@@ -44,7 +44,6 @@ bool beginsRemark(std::string_view before, std::string_view mark, std::string_vi
     return !isAmbiguous || (isLetter && parseNumber(word, DecimalSign::Point).fault);
 }
 
-/// Returns the line without the remark after it.
 std::string_view withoutRemark(std::string_view line)
 {
     for (const std::string_view mark : kRemarkMarks) {

@@ -14,7 +14,7 @@ namespace slidercrank
 {
 
 /// Finds such headings in the lines above the row of numbers, one for each of its cells. HeadingCandidate::line is the
-/// last of these lines. Returns nullopt if there are none, or if a line of headings is below them: then such a list may
+/// last of these lines. Returns nullopt if there are none, or if a line of headings is below them: then the list may
 /// describe anything, such as sensors or parameters.
 std::optional<HeadingCandidate> findListedHeadings(Lines above, const NumberRow &row);
 

@@ -363,7 +363,7 @@ NameMeaning meaningOfWords(std::string_view name, const NamePath &path, int deri
     return meaningOfReading(*reading, path, unit);
 }
 
-/// Returns the meaning of a name that may be a path, such as "slider.s". It is differentiated `derivatives` times.
+/// Returns the meaning of a name that may be a path, such as "slider.s", differentiated `derivatives` times.
 NameMeaning meaningOfPath(std::string_view name, int derivatives, const std::string &unit)
 {
     static const Spellings kPathSpellings{{"/dt", "dt"},  {"/Dt", "dt"}, {"/DT", "dt"}, {"/ dt", "dt"},

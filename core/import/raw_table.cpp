@@ -89,7 +89,8 @@ bool isStatistic(const TableFile &file, const Line &row)
 }
 
 /// Returns the number of rows above the footer. The footer consists of the last rows whose first cell is a word
-/// ("Mean") or, if the whole first column contains words, the name of a statistic. It has fewer rows than remain above.
+/// ("Mean") or, if the whole first column contains words, the name of a statistic. A footer has fewer rows than remain
+/// above.
 std::size_t countRowsAboveFooter(const TableFile &file, const RawColumn &first)
 {
     const auto isWord = [](double value) { return std::isinf(value); };
@@ -149,9 +150,8 @@ void keepRows(RawTable &table, const TableFile &file, std::size_t begin, std::si
 }
 
 /// Throws if there are more headings than `longest`, the number of cells of the longest row, because a heading contains
-/// the delimiter. Two exceptions: the headings without cells are all unknown and the others all known (then those
-/// without cells are remarks), or the rows have a single cell (then the delimiter is wrong, which is reported
-/// elsewhere).
+/// the delimiter. Two exceptions: all headings with cells are known, and all without cells are unknown (remarks), or
+/// the rows have a single cell (the delimiter is wrong, which is reported elsewhere).
 void requireCellForEachHeading(std::span<const RawColumn> columns, const TableFile &file, std::size_t longest)
 {
     const auto isKnown = [](const RawColumn &column) { return column.meaning.kind != NameMeaning::Kind::Nothing; };

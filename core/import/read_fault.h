@@ -23,7 +23,7 @@ enum class RowFault {
     TooManyCells,
     TooFewCells,
     NoTime,
-    RepeatedTime ///< a later row has the same time; the last such row is used: it contains the state after an event
+    RepeatedTime ///< a later row has the same time; the last one is used, as it contains the state after an event
 };
 
 /// Why no data could be read.

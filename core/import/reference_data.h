@@ -8,8 +8,7 @@
 // Reading has three stages: text (file_text.h), table of numbers (raw_table.h), meaning of the columns
 // (column_assignment.h).
 //
-// The text is UTF-8, UTF-16 or in a code page of Windows (1250, 1251, 1252, or the headings in GBK or Shift-JIS). A
-// line names the columns: the time and the channels (nameOf(), or words), in any order and case, each with or without
+// A line names the columns: the time and the channels (nameOf(), or words), in any order and case, each with or without
 // its unit. There may be other lines above it, and a line of units below. A comment mark (#, %, //) before the names is
 // ignored. Cells are separated by commas, semicolons, tabs or vertical bars, or else by spaces, and may be quoted; only
 // a heading may contain a line break. Numbers have a decimal point or a decimal comma, the same throughout a file, and

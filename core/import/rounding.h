@@ -79,7 +79,7 @@ struct RoundedDecade;
 /// others, and the rule describes those with fewer digits.
 ///
 /// The rule of the column is the one that is closest to the places of all decades, weighted by their numbers of values.
-/// It is never coarser than the coarsest printed place, unless the largest values, at least six, all end earlier
+/// The rule is never coarser than the coarsest printed place, unless the largest values, at least six, all end earlier
 /// (-2120, beside 853); if the numbers are padded with zeros, it is never coarser than whole numbers, unless it has
 /// many significant digits.
 ///

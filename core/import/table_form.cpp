@@ -33,7 +33,7 @@ std::optional<HeadingCandidate> findHeader(Lines lines, const NumberRow &row)
         return list;
     }
     std::vector<HeadingCandidate> above;
-    std::optional<HeadingCandidate> otherwiseSplit; // the first such line with a different delimiter
+    std::optional<HeadingCandidate> otherwiseSplit; // the first complete line whose delimiter is not that of the row
     for (std::size_t i = 0; i < lines.size(); ++i) {
         HeadingCandidate names = readNames(lines[i].text, row);
         names.line = i;

@@ -13,8 +13,8 @@ namespace slidercrank
 {
 
 /// Finds the table in the lines of a file, and removes the lines above the first row of numbers. Returns the headings
-/// with their units, which may also be in a line of units or in the cells, and describes the rest in `layout`. Throws
-/// ReadError.
+/// with their units, which may also be in a line of units or in the cells, and sets the delimiter, the decimal sign and
+/// the header line in `layout`. Throws ReadError.
 std::vector<Heading> takeHeadings(std::vector<Line> &lines, FileLayout &layout);
 
 } // namespace slidercrank

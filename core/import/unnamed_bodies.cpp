@@ -308,7 +308,7 @@ Path pathOf(const RawColumn *x, const RawColumn *y)
 Path pathOf(const std::vector<RawColumn *> &candidates, const std::string &owner)
 {
     Path path = Path::Unknown;
-    for (const Order order : {Order::Acceleration, Order::Velocity, Order::Position}) { // the last one tells most
+    for (const Order order : {Order::Acceleration, Order::Velocity, Order::Position}) { // positions tell most
         const Path found =
             pathOf(findUnnamed(candidates, {R4x, order}, owner), findUnnamed(candidates, {R4y, order}, owner));
         path = found == Path::Unknown ? path : found;
@@ -357,8 +357,8 @@ std::set<std::string> pointsWithPath(const std::vector<RawColumn *> &candidates,
 }
 
 /// Finds the slider among points with x and y: it is the only one whose y does not change. Sets the reason of its
-/// columns to StraightPath, and removes the other points. If not exactly one point has such a y, removes those whose
-/// paths are curved, and those whose names leave open whether they are the slider.
+/// columns to StraightPath, and removes the other points. If not exactly one point has such a y, removes the points
+/// whose paths are curved, and those whose names leave open whether they are the slider.
 void findSliderAmongPoints(std::vector<RawColumn *> &candidates)
 {
     const std::string part = onlyPart(candidates);

@@ -39,7 +39,7 @@ bool isStraight(std::span<const double> values, std::span<const double> time, do
 
 bool isParabola(std::span<const double> values, double tolerance)
 {
-    constexpr double kMaxErrors = 4.0; // in x[0] - 2 x[1] + x[2], where x[1] counts twice
+    constexpr double kMaxErrors = 4.0; // of x[0] - 2 x[1] + x[2], in tolerances: x[1] counts twice
     ValueRange secondDifferences;
     for (std::size_t i = 2; i < values.size(); ++i) {
         secondDifferences.include(values[i] - 2.0 * values[i - 1] + values[i - 2]);

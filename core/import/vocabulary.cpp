@@ -273,8 +273,8 @@ bool isLetter(char c)
     return (lowerCase(c) >= 'a' && lowerCase(c) <= 'z') || byteOf(c) >= 0x80;
 }
 
-/// Returns whether the words are one of `names`: at least one is in names.words; the others are there, in
-/// names.companions, or numbers.
+/// Returns whether the words are one of `names`: at least one word is in names.words, and each other word is there, in
+/// names.companions, or a number.
 bool areAmong(const Words &words, const ShortNames &names)
 {
     const auto isListed = [&](const std::string &word) { return isAmong(word, names.words); };
