@@ -11,7 +11,7 @@ namespace slidercrank
 
 bool isConstant(const RawColumn &column)
 {
-    constexpr std::size_t kMinValues = 3; // "20 20" may be the same by chance
+    constexpr std::size_t kMinValues = 3;
     const ValueRange range = rangeOf(column.values);
     return range.count >= kMinValues && range.width() == 0.0;
 }

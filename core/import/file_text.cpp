@@ -71,7 +71,8 @@ void refuseFormats(std::string_view text, Formats formats)
          {"{\"", Json},
          {"[{", Json},
          {"[[", Json}}};
-    std::string beginning = lowered(text.substr(0, 1000));
+    constexpr std::size_t kExaminedSize = 1000; // bytes
+    std::string beginning = lowered(text.substr(0, kExaminedSize));
     std::erase_if(beginning, isBlank);
     for (const auto &[bytes, format] : kBeginnings) {
         const bool isBinary = format == Spreadsheet || format == Pdf;

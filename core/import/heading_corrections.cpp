@@ -135,7 +135,7 @@ bool turnsInRadians(const RawColumn &column, std::span<const RawColumn> columns)
     if (values.size() < kMinValues || width > kMaxWidth) {
         return false;
     }
-    const double roundingStep =
+    const double roundingStep = // the angle may be the abscissa
         column.rounding.infer(column.factor, RoundingObserver::Content::TimeStamps).stepAt(rangeOf(values).size());
     if (findReversal(values)) { // at a jump, or because the angle oscillates
         std::vector<double> unwrapped = values;

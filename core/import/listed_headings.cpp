@@ -79,7 +79,8 @@ std::optional<HeadingCandidate> findListedHeadings(Lines above, const NumberRow 
     for (std::size_t end = above.size(); end >= size; --end) {
         if (end < above.size()) {
             const HeadingCandidate below = readNames(above[end].text, row);
-            if (row.hasCountOf(below.cells) && 2 * below.known() > below.cells.size()) {
+            const bool areMostlyNames = 2 * below.known() > below.cells.size();
+            if (row.hasCountOf(below.cells) && areMostlyNames) {
                 return std::nullopt;
             }
         }

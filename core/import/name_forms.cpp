@@ -71,6 +71,13 @@ std::size_t findOuterComma(std::string_view text)
     return text.npos;
 }
 
+/// Returns how often a call differentiates by these variables: ", t", ", t, t", ", (t, 2)", or nothing for once.
+int countDerivatives(std::string_view variables)
+{
+    const auto count = static_cast<int>(std::ranges::count(variables, 't'));
+    return variables.find('2') != variables.npos ? 2 : std::max(count, 1);
+}
+
 /// Returns whether a word is a symbol, also with an index: "v", "vb", "t".
 bool isSymbol(const std::string &word)
 {
@@ -97,10 +104,7 @@ int takeDerivativeCalls(std::string_view &name, const std::optional<Unit> &unit)
         while (mayBeDerivative && lowered(name.substr(0, function.size())) == function && name.ends_with(')')) {
             name = name.substr(function.size(), name.size() - function.size() - 1);
             const std::size_t comma = findOuterComma(name);
-            // ", t", ", t, t", ", (t, 2)", or nothing: a second derivative has t twice, or a 2.
-            const std::string_view variables = name.substr(std::min(comma, name.size()));
-            const auto variableCount = static_cast<int>(std::ranges::count(variables, 't'));
-            count += variables.find('2') != variables.npos ? 2 : std::max(variableCount, 1);
+            count += countDerivatives(name.substr(std::min(comma, name.size())));
             name = name.substr(0, comma);
         }
     }

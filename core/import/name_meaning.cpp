@@ -34,7 +34,7 @@ std::optional<Channel> channelSpelled(const Words &words, int derivatives)
         const Channel channel = channelAt(index);
         std::string name = lowered(nameOf(channel));
         std::erase(name, '_');
-        if (name == text && derivatives <= 2) {
+        if (name == text && derivatives <= static_cast<int>(Order::Acceleration)) {
             return Channel{channel.coordinate, static_cast<Order>(derivatives)};
         }
     }

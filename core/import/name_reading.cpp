@@ -2,7 +2,6 @@
 #include "core/import/name_reading.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace slidercrank
 {
@@ -162,7 +161,8 @@ bool includeEntry(NameReading &reading, std::string_view word, Entries entries)
         return merge(reading, *entry);
     }
     const bool isLabel = findWord(word, WordUse::Label);
-    const bool followsLabel = std::exchange(reading.expectsJoint, mayPrecedeJoint(reading, word));
+    const bool followsLabel = reading.expectsJoint;
+    reading.expectsJoint = mayPrecedeJoint(reading, word);
     if (followsLabel && word.size() == 1 && !isAmong(word, "x y")) {
         return includePoint(reading, word);
     }

@@ -91,7 +91,6 @@ struct ReadOptions {
     std::function<bool(double fraction)> progress;
 };
 
-/// A file in memory.
 struct FileBytes {
     std::string_view bytes;
     std::string name{};       ///< "slider_velocity.csv"; empty: unknown

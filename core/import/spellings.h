@@ -18,7 +18,6 @@ struct Spelling {
     std::string_view to;
 };
 
-/// A table of spellings of parts of a text.
 class Spellings
 {
 public:
