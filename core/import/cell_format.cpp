@@ -55,7 +55,7 @@ void markClocks(const Line &row, char delimiter, std::vector<Heading> &headings)
     const Cells cells = splitCells(row.text, delimiter);
     for (std::size_t i = 0; i < std::min(cells.size(), headings.size()); ++i) {
         if (headings[i].meaning.kind >= NameMeaning::Kind::Quantity) {
-            break; // behind a quantity, "1:02" is a duration, as of a lap
+            break; // behind a quantity, "1:02" is a duration
         }
         const std::size_t colon = cells[i].find(':');
         headings[i].cells.isClock = colon != cells[i].npos;

@@ -104,7 +104,7 @@ struct FileLayout {
     std::vector<std::vector<std::string>> rows; ///< the first few rows of cells as printed, for a preview
     std::vector<std::string> files;             ///< names of the joined files; empty for a single file
 
-    /// Returns whether the role of any column was guessed, so that a person should confirm it.
+    /// Returns whether the role of any column was guessed.
     bool isGuessed() const;
 };
 

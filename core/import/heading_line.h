@@ -26,8 +26,8 @@ struct HeadingCandidate {
     bool isComplete() const { return times > 0 && quantities > 0; }
 };
 
-/// Returns the cells with the numbers of those that name a time and those that name a quantity. Numbers and units in
-/// brackets name neither.
+/// Returns the cells with the numbers of those that name a time and those that name a quantity, without unknown words.
+/// Numbers and units in brackets name neither.
 HeadingCandidate countNames(Cells cells, char delimiter);
 
 /// Returns the cells before a remark. A remark begins with "%" or "#", has no meaning (unlike "%time" of ROS), and is

@@ -100,7 +100,7 @@ public:
 
 private:
     /// Returns whether the numbers were padded with zeros, as in 139.397000: at least half of the values end with
-    /// zeros, with at least a quarter of a zero per value.
+    /// zeros, with at least a quarter of a zero per value plus four zeros.
     bool isPadded() const;
 
     /// Returns the places at which the values of all decades were rounded, from the smallest decade.

@@ -28,7 +28,7 @@ bool isOfUnnamedBody(const RawColumn *column)
 
 /// Removes columns of unnamed bodies that contain a parameter, such as the radius of the crank, if other columns of
 /// their file change: a single value, or equal values other than 0. Equal values are no parameter in columns of y, of
-/// velocities, and of accelerations other than that of the slider.
+/// velocities, and of accelerations, except that of the slider in at least ten rows.
 void removeConstants(std::vector<RawColumn *> &candidates)
 {
     std::vector<std::size_t> filesOfMotion;
