@@ -106,14 +106,19 @@ Observations withMovedAngles(Observations observations, double stretch, double s
     return observations;
 }
 
-/// The fit over evenly spaced angles that are fitted, too. nullopt unless they explain positions over the angle in the
-/// file exactly, which the angles of observe() do not, and are within the rounding of the printed ones (apart from the
-/// error with which the fit determines the first one, at most as much again).
+/// The fit of positions over the angle in the file, with evenly spaced angles that are fitted, too. nullopt if the fit
+/// is none of this kind, if the angles of observe() explain the positions exactly or the fitted ones do not, or if an
+/// angle has moved by more than half a rounding step from the printed one (and as much again, at most, for the error
+/// with which the fit determines the first angle).
 std::optional<ObservedFit> withFittedAngles(const ObservedFit &observed)
 {
     const Fit &fit = observed.fit;
     const bool arePositions = !observed.searched.containDerivatives(fit.columns);
-    if (!fit.model.followsAngle || !arePositions || isExact(withMovedAngles(observed.searched, 1.0, 0.0), fit)) {
+    if (!fit.model.followsAngle || !arePositions) {
+        return std::nullopt;
+    }
+    const Observations withExactAngles = withMovedAngles(observed.searched, 1.0, 0.0); // not moved, but exact
+    if (isExact(withExactAngles, fit)) {
         return std::nullopt;
     }
     const Fit freeFit = fitOverFreeAngles(observed.searched, fit);

@@ -15,8 +15,8 @@ struct ObservedFit {
     Observations searched;  ///< the rows to which the model was fitted
     Fit fit;
 
-    /// Standard errors of the lengths, beside those of `fit`, if withBestAbscissa() has replaced the angles in the file
-    /// by fitted ones; otherwise 0.
+    /// Standard errors of the lengths, in addition to those of `fit`, if withBestAbscissa() has replaced the angles in
+    /// the file by fitted ones; otherwise 0.
     ParameterErrors errorsOfAngles{};
 };
 

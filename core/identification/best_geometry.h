@@ -19,8 +19,8 @@ namespace slidercrank
 /// Omits the second search if rounding explains the lower orders with their usual origins (in a file with θ2: with any
 /// origins), because then nothing has changed them.
 ///
-/// If the columns of one search are two that come from two mechanisms, each of which explains one of them exactly and
-/// over at least a turn, the geometry is that of the last one: R4_x, if the columns are θ3 and R4_x.
+/// If a search has two columns that come from two mechanisms, each of which explains one column exactly and over at
+/// least a turn, the geometry is that of the second column: R4_x, if the columns are θ3 and R4_x.
 ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given);
 
 /// Finds the geometry of the lowest orders, and fits it to them again with the approximate formula of textbooks for

@@ -60,7 +60,8 @@ struct ColumnScale {
 ColumnScale fitScale(const Observations &observations, const Fit &fit, const Model &model, Index column);
 
 /// The usual factor of a column, ±1 or ± one of unitFactors(), that is nearest to bestFactor(). Columns that show no
-/// factor have 1 (R4_y) or the sign of their coordinate in the fit (other columns that do not change).
+/// factor have 1 (R4_y) or the sign of their coordinate in the fit (other constant columns, except the speed of the
+/// crank).
 double usualFactor(const Observations &observations, const Fit &fit, Index column);
 
 } // namespace slidercrank

@@ -19,9 +19,9 @@ namespace slidercrank
 namespace
 {
 
-/// Number of bits of a grid's start and spacing that are computed. A minimum determines its argument only to half the
-/// bits of a double, and the margins around it need no more.
-constexpr int kBits = 26;
+/// Number of correct bits of the stretches that findEvenGrid() computes. A minimum determines its argument only to half
+/// the bits of a double, and the margins around it need no more.
+constexpr int kStretchBits = 26;
 
 /// The argument between `minimum`, at which a convex function is least, and `end` that is farthest from `minimum` and
 /// at which the function is not positive: its root there, or `end` if it has none. Returns `minimum` if the function is
@@ -36,7 +36,7 @@ double farthestBelowZero(const Function &function, double minimum, double end)
         return minimum;
     }
     std::uintmax_t evaluations = 50;
-    const boost::math::tools::eps_tolerance<double> isClose(kBits);
+    const boost::math::tools::eps_tolerance<double> isClose(kStretchBits);
     const auto [left, right] = boost::math::tools::toms748_solve(function, std::min(minimum, end),
                                                                  std::max(minimum, end), isClose, evaluations);
     return 0.5 * (left + right);
@@ -126,7 +126,7 @@ EvenGrid findEvenGrid(const Values &printed, const Values &halfSteps, const std:
 {
     const GridLimits limits(printed, halfSteps, gridNumbers);
     const auto excess = [&](double stretch) { return limits.excess(stretch); };
-    double stretch = boost::math::tools::brent_find_minima(excess, -1.0, 1.0, kBits).first;
+    double stretch = boost::math::tools::brent_find_minima(excess, -1.0, 1.0, kStretchBits).first;
     const std::array ends{farthestBelowZero(excess, stretch, -1.0), farthestBelowZero(excess, stretch, 1.0)};
     double start = limits.middleStart(stretch);
     if (const auto chosen = findChosenSpacing(limits.spacing(ends.front()), limits.spacing(ends.back()), whole)) {

@@ -31,7 +31,7 @@ Dual variable(double value, int index)
 }
 
 /// The terms that belong to one value of a column: the partial derivatives of its prediction by the parameters, at
-/// indexOf(Parameter), and by the origin of the column; and its residual.
+/// indexOf(Parameter), and by the origin of the column; and the residual.
 constexpr Index kOriginTerm = static_cast<Index>(kParameterCount);
 constexpr Index kResidualTerm = kOriginTerm + 1;
 constexpr Index kTermCount = kResidualTerm + 1;
@@ -54,27 +54,28 @@ Terms computeTerms(const TextbookMotion<Dual> &motion, const Model &model, const
     const ObservedColumn &column = observations.columns[k];
     const ColumnReading &reading = model.readings[k];
     const double speed = model.crankSpeed(observations, row);
-    const Dual prediction = motionAtSpeed(motion, column.channel, speed, model.alpha2);
-    const auto [byA, byB, byC, byAngle] = std::array{prediction.derivatives()[0], prediction.derivatives()[1],
-                                                     prediction.derivatives()[2], prediction.derivatives()[3]};
-    // ω2 changes the angle of the crank, which is ω2 t + θ20 unless the model follows that in the file, …
+    const Dual motionOfColumn = motionAtSpeed(motion, column.channel, speed, model.alpha2);
+    const auto [byA, byB, byC, byAngle] = std::array{motionOfColumn.derivatives()[0], motionOfColumn.derivatives()[1],
+                                                     motionOfColumn.derivatives()[2], motionOfColumn.derivatives()[3]};
+    // ω2 changes the angle of the crank, which is ω2 t + θ20 unless the model follows the angle in the file.
     double bySpeed = model.followsAngle ? 0.0 : byAngle * observations.time.values[row];
-    // … and the derivatives at that angle: by ω, f'ω changes by f', and f''ω² + f'α by 2 f''ω.
+    // ω2 also changes a derivative at this angle: the derivative of f'ω by ω is f', that of f''ω² + f'α is 2 f''ω.
     if (column.isDerivative()) {
         const double order = static_cast<double>(column.channel.order);
         bySpeed += order * std::pow(speed, order - 1.0) * motion.valueAt(column.channel).value();
     }
-    const double f = reading.factor;
+    const double factor = reading.factor;
     const double byOrigin = 1.0;
-    const double residual = column.values[row] - f * prediction.value() - reading.origin;
+    const double residual = column.values[row] - factor * motionOfColumn.value() - reading.origin;
     Terms terms;
-    terms << f * byA, f * byB, f * byC, f * bySpeed, f * byAngle, byOrigin, residual;
+    terms << factor * byA, factor * byB, factor * byC, factor * bySpeed, factor * byAngle, byOrigin, residual;
     return terms;
 }
 
-/// Adds one row of the file to the sums. Returns false if the row has a value but the mechanism cannot be assembled.
-bool addRow(std::vector<ColumnSums> &sums, const Model &model, const Observations &observations, const Indices &columns,
-            Index row)
+/// Adds the terms of one row to the sums of the columns. Returns false if the row has a value but the mechanism cannot
+/// be assembled.
+bool addTermsOfRow(std::vector<ColumnSums> &sums, const Model &model, const Observations &observations,
+                   const Indices &columns, Index row)
 {
     const Parameters &m = model.mechanism;
     TextbookMotion<Dual> motion;
@@ -111,8 +112,8 @@ double columnMisfitSlope(const ObservedColumn &column, double meanSquare, double
 
 /// Adds the part that a column contributes to the misfit and to its derivatives by the unknowns. `sums`: the
 /// sums of this column.
-void addColumn(LocalShape &shape, const ColumnSums &sums, const Observations &observations, Index columnIndex,
-               const Unknowns &unknowns)
+void addMisfitOfColumn(LocalShape &shape, const ColumnSums &sums, const Observations &observations, Index columnIndex,
+                       const Unknowns &unknowns)
 {
     const ObservedColumn &column = observations.columns[columnIndex];
     const double meanSquare = sums.meanSquare();
@@ -152,14 +153,14 @@ std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const 
 {
     std::vector<ColumnSums> sums(columns.size());
     for (Index row = 0; row < observations.size(); ++row) {
-        if (observations.stop.stop_requested() || !addRow(sums, model, observations, columns, row)) {
+        if (observations.stop.stop_requested() || !addTermsOfRow(sums, model, observations, columns, row)) {
             return std::nullopt;
         }
     }
     const Index size = std::ssize(unknowns);
     LocalShape shape{0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
     for (std::size_t place = 0; place < columns.size(); ++place) {
-        addColumn(shape, sums[place], observations, columns[place], unknowns);
+        addMisfitOfColumn(shape, sums[place], observations, columns[place], unknowns);
     }
     return std::isfinite(shape.value) ? std::optional(std::move(shape)) : std::nullopt;
 }

@@ -58,7 +58,7 @@ double valueOf(const Model &model, Unknown unknown);
 /// An error of each parameter, at indexOf(Parameter), in mm, rad and s.
 using ParameterErrors = std::array<double, kParameterCount>;
 
-/// Relative difference that a parameter may have from the same one as a person has typed it, with few digits.
+/// The largest relative difference of a parameter from the same one as a person has typed it, with few digits.
 inline constexpr double kTypedDifference = 2e-3;
 
 /// Difference (mm, rad or °) of two origins that are equal: far above rounding errors, far below an origin that
@@ -71,7 +71,7 @@ inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
 /// crank for an offset, and a radian for an angle.
 double parameterSize(Parameter parameter, const Parameters &parameters);
 
-/// Errors of a fitted parameter by the arithmetic, relative to its size.
+/// Rounding error of the computation of a fitted parameter, relative to its size.
 inline constexpr double kFitArithmetic = 1e-13;
 
 /// A fitted model. Where a function has a parameter `place`, it is about the column fit.columns[place] and its
@@ -99,8 +99,8 @@ struct Fit {
     /// The unknowns and those of `more` that are not among them.
     Unknowns unknownsWith(const Unknowns &more) const;
 
-    /// Replaces the model, its residuals, their rms and the misfit by those of another fit of the same columns. The
-    /// rest remains, such as the unknowns and the curvature.
+    /// Replaces the model, its residuals, their rms and the misfit by those of another fit of the same columns. All
+    /// other members remain, such as the unknowns and the curvature.
     void replaceModel(const Fit &other);
 
     /// How the mechanism was fitted, for a comparison. The number of values is the average of the columns and not that

@@ -34,8 +34,8 @@ double bestOrigin(const Observations &observations, const Fit &fit, Index k, dou
     return column.isDerivative() ? 0.0 : median(differences);
 }
 
-/// Whether the column may be measured from a different origin. Only positions have an origin; one that does not change
-/// shows none, apart from R4_y, which is constant in every mechanism.
+/// Whether the column may be measured from a different origin. Only positions have an origin; a constant one shows
+/// none, apart from R4_y, which is constant in every mechanism.
 bool mayHaveOrigin(const ObservedColumn &column)
 {
     return !column.isDerivative() && (!column.isConstant() || column.channel == kSliderLine);
@@ -46,8 +46,9 @@ bool mayHaveOrigin(const ObservedColumn &column)
 ///   1. If |factor| is not 1 and the model follows the time: ±1, the unit that the heading states. (If it follows the
 ///      angle, findTableSpeeds() has chosen between the units.)
 ///   2. `factor`.
-///   3. For positions: -factor.
-/// In 2 and 3, an angle gets the multiple of half a turn that is nearest to its best origin; other origins are 0.
+///   3. If the column may have an origin: -factor.
+/// In 2 and 3, the position θ3 or θ2 gets the multiple of half a turn that is nearest to its best origin; other origins
+/// are 0.
 std::vector<ColumnReading> simpleReadings(const Observations &observations, const Fit &fit, Index k, double factor)
 {
     const ObservedColumn &column = observations.columns[k];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Adds a column to a fit: all of its columns are fitted together.
+// Adds a column to a fit, by fitting all columns together.
 
 #include "core/identification/fit.h"
 

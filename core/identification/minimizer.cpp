@@ -34,11 +34,11 @@ Eigen::VectorXd diagonalScale(const Eigen::MatrixXd &matrix)
 std::optional<Minimum> minimize(const Objective &function, Eigen::VectorXd start, const MinimizerOptions &options)
 {
     // A rejected step is repeated with ten times the damping, and a successful one is followed by a tenth of it.
-    constexpr double kFactor = 10.0;
+    constexpr double kDampingFactor = 10.0;
     constexpr double kFirstDamping = 1e-3;     // hardly any, because the starts are good
     constexpr double kSmallestDamping = 1e-12; // a smaller one is lost in rounding errors
     constexpr double kLargestDamping = 1e8;    // with more, steps are lost in rounding errors
-    constexpr double kUndamped = 1e-2;         // with more damping, a small gain may only mean a short step
+    constexpr double kSmallDamping = 1e-2;     // with more damping, a small gain may only mean a short step
     std::optional<LocalShape> shape = function(start);
     if (!shape) {
         return std::nullopt;
@@ -53,11 +53,11 @@ std::optional<Minimum> minimize(const Objective &function, Eigen::VectorXd start
             minimum.point = point;
             minimum.shape = *std::move(next);
         }
-        if (std::abs(gain) < options.smallestGain && (gain <= 0.0 || damping <= kUndamped)) {
+        if (std::abs(gain) < options.smallestGain && (gain <= 0.0 || damping <= kSmallDamping)) {
             minimum.status = Minimum::Status::Converged;
             break;
         }
-        damping = std::max(gain > 0.0 ? damping / kFactor : damping * kFactor, kSmallestDamping);
+        damping = std::max(gain > 0.0 ? damping / kDampingFactor : damping * kDampingFactor, kSmallestDamping);
         if (damping > kLargestDamping) {
             minimum.status = Minimum::Status::NoProgress;
             break;

@@ -57,9 +57,9 @@ struct Model {
     /// angle in the file is zero.
     Parameters mechanism{};
     bool followsAngle = false;             ///< θ2 follows from the angle in the file
-    double angleFactor = 1.0;              ///< of the angle in the file: ±1 times a unit conversion
+    double angleFactor = 1.0;              ///< factor of the angle in the file: ±1 times a unit conversion
     double alpha2 = 0.0;                   ///< angular acceleration of the crank, rad/s²
-    Ripple ripple{};                       ///< only if the angle is not that in the file
+    Ripple ripple{};                       ///< zero if followsAngle
     bool isApproximateFormula = false;     ///< R4_x is that of the approximate formula (computeUnitSpeedMotion())
     std::vector<ColumnReading> readings{}; ///< reading of each column of the observations
 
@@ -110,7 +110,7 @@ void approximateSlider(TextbookMotion<Number> &motion, const Number &b)
     const Number &h = motion.height; // c - y of the crank pin
     const Number &velocityY = motion.pinY[Motion::kVelocity];
     const Number &accelerationY = motion.pinY[Motion::kAcceleration];
-    const Number reach = b - 0.5 * h * h / b;
+    const Number reach = b - 0.5 * h * h / b; // |b cos θ3|
     const Number velocityOfReach = h * velocityY / b;
     const Number accelerationOfReach = (h * accelerationY - velocityY * velocityY) / b;
     motion.sliderX[Motion::kPosition] = motion.pinX[Motion::kPosition] + motion.side * reach;

@@ -21,12 +21,12 @@ inline double dependence(const Values &residuals)
 {
     double runs = 1.0; // number of series of residuals with the same sign
     double count = 0.0;
-    double last = 0.0;
+    double previous = 0.0;
     for (const double residual : residuals) {
         if (std::isfinite(residual)) {
-            runs += residual * last < 0.0 ? 1.0 : 0.0;
+            runs += residual * previous < 0.0 ? 1.0 : 0.0;
             count += 1.0;
-            last = residual;
+            previous = residual;
         }
     }
     return std::max(1.0, 0.5 * count / runs);

@@ -81,11 +81,11 @@ void flattenIfConstant(ObservedColumn &column, double span)
     // mm or rad: a program that computes a constant position changes it by no more than this. Divided by the n-th power
     // of the span, it limits the n-th derivative.
     constexpr double kMaxArithmeticChange = 1e-8;
-    const double zero = kMaxArithmeticChange / std::pow(span, static_cast<double>(column.channel.order));
+    const double maxChange = kMaxArithmeticChange / std::pow(span, static_cast<double>(column.channel.order));
     const double rootMeanSquareStep = std::sqrt(12.0 * column.variance);
-    if (column.range <= rootMeanSquareStep || column.range <= zero) {
+    if (column.range <= rootMeanSquareStep || column.range <= maxChange) {
         column.range = 0.0;
-        column.setHalfSteps(column.halfSteps.max(zero));
+        column.setHalfSteps(column.halfSteps.max(maxChange));
     }
 }
 
@@ -211,8 +211,8 @@ void observeAngleColumn(Observations &observations, const ReferenceData &data)
         angle.values = column.values;
         angle.halfStep = column.halfSteps.maxCoeff();
         if (areChosen(column.values)) { // exact, apart from the motion during half a rounding step of the time
-            const double motionOfClock = observations.time.halfStep / observations.span() * column.range;
-            angle.halfStep = std::min(angle.halfStep, motionOfClock + kArithmetic * column.range);
+            const double motionInHalfStep = observations.time.halfStep / observations.span() * column.range;
+            angle.halfStep = std::min(angle.halfStep, motionInHalfStep + kArithmetic * column.range);
         }
         countTurnsInGaps(angle.values, observations.time.values);
     }
@@ -234,6 +234,27 @@ Observations withRows(const Observations &observations, const Indices &rows)
         selected.columns[k].halfSteps = observations.columns[k].halfSteps(rows);
     }
     return selected;
+}
+
+/// The distance of each value from the median of the seven values around it, itself included; NaN in a gap. 0 if there
+/// are fewer values.
+Values distancesFromNeighbours(const Values &values)
+{
+    constexpr Index kWindow = 7; // rows: a value and three on either side
+    Values distances = Values::Zero(values.size());
+    if (values.size() < kWindow) {
+        return distances;
+    }
+    for (Index i = 0; i < values.size(); ++i) {
+        std::array<double, kWindow> window;
+        const Index first = std::clamp<Index>(i - kWindow / 2, 0, values.size() - kWindow);
+        const auto end = std::copy_if(values.data() + first, values.data() + first + kWindow, window.begin(),
+                                      [](double value) { return std::isfinite(value); });
+        const auto middle = window.begin() + (end - window.begin()) / 2;
+        std::nth_element(window.begin(), middle, end);
+        distances[i] = end == window.begin() ? kNone : std::abs(values[i] - *middle);
+    }
+    return distances;
 }
 
 } // namespace
@@ -284,11 +305,14 @@ double findLengthUnit(const ReferenceData &data)
 {
     std::optional<double> unit;
     for (const ReferenceSeries &series : data.series) {
+        if (isAngle(series.channel.coordinate)) {
+            continue;
+        }
         const double factor = series.rounding.unitFactor;
-        if (!isAngle(series.channel.coordinate) && std::abs(factor / unit.value_or(factor) - 1.0) > kArithmetic) {
+        if (std::abs(factor / unit.value_or(factor) - 1.0) > kArithmetic) {
             return 1.0;
         }
-        unit = isAngle(series.channel.coordinate) ? unit : factor;
+        unit = factor;
     }
     return unit.value_or(1.0);
 }
@@ -305,20 +329,10 @@ double median(const Values &values)
 
 Observations withoutSpikes(Observations observations)
 {
-    constexpr Index kWindow = 7;              // rows: a value and three on either side
     constexpr double kMaxDeviation = 12.0;    // times the usual distance from the median of the window: not a motion
     constexpr double kFractionOfSpread = 0.3; // of the column: a smaller deviation does not mislead the search
     for (ObservedColumn &column : observations.columns) {
-        Values distances = Values::Zero(column.values.size());
-        for (Index i = 0; distances.size() >= kWindow && i < distances.size(); ++i) {
-            std::array<double, kWindow> window;
-            const Index first = std::clamp<Index>(i - kWindow / 2, 0, distances.size() - kWindow);
-            const auto end = std::copy_if(column.values.data() + first, column.values.data() + first + kWindow,
-                                          window.begin(), [](double value) { return std::isfinite(value); });
-            const auto middle = window.begin() + (end - window.begin()) / 2;
-            std::nth_element(window.begin(), middle, end);
-            distances[i] = end == window.begin() ? kNone : std::abs(column.values[i] - *middle);
-        }
+        const Values distances = distancesFromNeighbours(column.values);
         const double spread = median((column.values - median(column.values)).abs());
         const double limit = std::max(kMaxDeviation * median(distances), kFractionOfSpread * spread);
         column.values = (distances > limit).select(kNone, column.values);

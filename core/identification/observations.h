@@ -41,9 +41,10 @@ struct ObservedColumn {
     bool hadJumps = false;   ///< it had jumps by whole turns, which have been removed
 
     // Set by withComputedColumnsMarked().
-    bool isDifference = false; ///< it contains difference quotients of a lower column, or values that agree with them
+    bool isDifference = false; ///< it contains difference quotients of a column of lower order, or values that agree
+                               ///< with them
     bool isPrintedDifference = false; ///< it certainly contains difference quotients: those of the printed values
-    bool isInterpolated = false;      ///< it was interpolated linearly, or holds the last of fewer values
+    bool isInterpolated = false; ///< its values were interpolated linearly between fewer ones, or repeat fewer ones
 
     bool containsAngles() const { return isAngle(channel.coordinate); } ///< angles, or derivatives of angles
     bool isDerivative() const { return channel.order != Order::Position; }
@@ -66,7 +67,7 @@ struct Abscissa {
     /// evenly spaced values have replaced the printed ones.
     double halfStep = 0.0;
 
-    // How far rounding leaves the start of evenly spaced time stamps that have replaced the printed ones, and the
+    // If evenly spaced time stamps have replaced the printed ones: how far rounding leaves their start, and the
     // distance from the first to the last one, uncertain, s.
     double startMargin = 0.0;
     double durationMargin = 0.0;
@@ -78,7 +79,7 @@ struct Observations {
     double timeOrigin = 0.0; ///< time of the file at which `time` is zero, s
     Abscissa angle;          ///< θ2 as in the file, without jumps by whole turns; empty if it is not used
     double lengthUnit = 1.0; ///< the result of findLengthUnit()
-    Indices rows;            ///< the index of each row in the file
+    Indices rows;            ///< the index in the file of each row
     std::vector<ObservedColumn>
         columns;          ///< without those that tell nothing; θ2 only if withDriveOfFile() has made it one
     std::stop_token stop; ///< requests the end of every computation with these observations

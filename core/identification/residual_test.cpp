@@ -40,8 +40,8 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index pl
     const ObservedColumn &column = observations.columns[fit.columns[place]];
     Values bound = roundingBounds(observations, fit, place);
     // Each bound grows by the error of the fitted mechanism, but at most by the bound of the least exact value (the
-    // largest motion during half a step of the abscissa, and the largest half step): a fit of many values is no less
-    // exact.
+    // largest motion during half a step of the abscissa, and the largest half step), because a fit of many values is at
+    // least as exact as that value.
     const double largestBound = (bound - column.halfSteps).maxCoeff() + column.halfSteps.maxCoeff();
     bound += std::min(largestBound, fit.fittedMechanism().errorOf(fit.rms[place]));
     const Values errors = gapsAsZeros(fit.residuals.col(place)).abs();
@@ -72,8 +72,11 @@ bool isExact(const Observations &observations, const Fit &fit)
 
 bool explainsAsWell(const Observations &observations, const Fit &fit, const Fit &best)
 {
-    if (!fit.isFinite() || isExact(observations, fit)) {
-        return fit.isFinite();
+    if (!fit.isFinite()) {
+        return false;
+    }
+    if (isExact(observations, fit)) {
+        return true;
     }
     double growth = 0.0;
     for (const Index place : best.places()) {
