@@ -23,16 +23,16 @@ Fit withoutContradictingColumn(const Observations &searched, const Fit &fit)
     if (fit.columns.size() != 2 || isExact(searched, fit)) {
         return fit;
     }
-    Fit alone;
+    Fit fitOfOneColumn;
     for (const Index column : fit.columns) {
         Unknowns unknowns = fit.unknowns;
         std::erase_if(unknowns, [&](Unknown unknown) { return unknown.isOrigin() && unknown.column != column; });
-        alone = fitModel(searched, fit.model, {column}, unknowns);
-        if (!isExact(searched, alone) || isShortArc(searched, alone.model)) {
+        fitOfOneColumn = fitModel(searched, fit.model, {column}, unknowns);
+        if (!isExact(searched, fitOfOneColumn) || isShortArc(searched, fitOfOneColumn.model)) {
             return fit;
         }
     }
-    return alone; // that of R4_x, which shapeColumns() lists last: it shows the lengths, θ3 only their ratios
+    return fitOfOneColumn; // that of R4_x, which shapeColumns() lists last: it shows the lengths, θ3 only their ratios
 }
 
 /// The geometry of some columns, without the freedoms that they do not need.
@@ -79,17 +79,19 @@ double coarsestStep(const Observations &observations, const Indices &columns)
 
 ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observations &searched, const Parameters &given)
 {
-    Indices columns = shapeColumns(searched);
+    const Indices lowestColumns = shapeColumns(searched);
     const Indices higherColumns = higherShapeColumns(searched);
-    ConstrainedFit lowest = findConstrainedGeometry(wholeFile, searched, columns, given);
+    ConstrainedFit lowest = findConstrainedGeometry(wholeFile, searched, lowestColumns, given);
     const bool hasUsualOrigins = std::ranges::none_of(lowest.fit.unknowns, &Unknown::isOrigin);
-    const bool isUnchanged = isExact(searched, lowest.fit) && (hasUsualOrigins || searched.hasAngle());
-    if (isUnchanged || higherColumns.empty()) {
+    // Nothing has changed the columns of the lowest orders (best_geometry.h).
+    const bool areLowestUnchanged = isExact(searched, lowest.fit) && (hasUsualOrigins || searched.hasAngle());
+    if (areLowestUnchanged || higherColumns.empty()) {
         return lowest;
     }
     ConstrainedFit higher = findConstrainedGeometry(wholeFile, searched, higherColumns, given);
-    columns.insert(columns.end(), higherColumns.begin(), higherColumns.end());
-    return isHigherBetter(searched, higher.fit, lowest.fit, columns) ? higher : lowest;
+    Indices columnsOfBoth = lowestColumns;
+    columnsOfBoth.insert(columnsOfBoth.end(), higherColumns.begin(), higherColumns.end());
+    return isHigherBetter(searched, higher.fit, lowest.fit, columnsOfBoth) ? higher : lowest;
 }
 
 ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, const Observations &searched,
@@ -108,7 +110,7 @@ ConstrainedFit findGeometryOfApproximateFormula(const Observations &wholeFile, c
 {
     Fit fit = findConstrainedGeometry(wholeFile, searched, shapeColumns(searched), given).fit;
     fit.model.isApproximateFormula = true;
-    return withoutFreedoms(searched, fitModel(searched, fit.model, fit.columns, fit.unknowns), {});
+    return withoutFreedoms(searched, fitModel(searched, fit.model, fit.columns, fit.unknowns));
 }
 
 } // namespace slidercrank

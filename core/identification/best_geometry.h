@@ -28,8 +28,9 @@ ConstrainedFit findBestGeometry(const Observations &wholeFile, const Observation
 ConstrainedFit findGeometryOfApproximateFormula(const Observations &wholeFile, const Observations &searched,
                                                 const Parameters &given);
 
-/// Finds the geometry from the next higher orders alone. The result is also not finite if the columns of the next
-/// higher orders are not at least three times as finely rounded (relative to their ranges) as those of the lowest ones.
+/// Finds the geometry from the next higher orders alone. Besides, the result is not finite if there are no columns of
+/// these orders, or if they are not at least three times as finely rounded (relative to their ranges) as those of the
+/// lowest orders.
 ConstrainedFit findGeometryOfHigherDerivatives(const Observations &wholeFile, const Observations &searched,
                                                const Parameters &given);
 

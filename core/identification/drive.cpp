@@ -122,8 +122,8 @@ Drive findDrive(const Observations &observations, const Model &model)
     const Polynomial line = fitPolynomial(observations, angles, halfStep, kLineTerms);
     const Polynomial parabola = fitPolynomial(observations, angles, halfStep, kParabolaTerms);
     const Index fromFirstToLastRow = observations.size() - 1;
-    Drive drive{.kind = Drive::Kind::Uneven,
-                .omega2 = computeSlopes(angles, observations.time.values, fromFirstToLastRow)[0]};
+    const double meanSpeed = computeSlopes(angles, observations.time.values, fromFirstToLastRow)[0];
+    Drive drive{.kind = Drive::Kind::Uneven, .omega2 = meanSpeed};
     if (line.explainsAngles) {
         drive = {.kind = Drive::Kind::Constant, .theta20 = line.coefficients[0], .omega2 = line.coefficients[1]};
     } else if (parabola.explainsAngles) {

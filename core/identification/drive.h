@@ -32,8 +32,8 @@ struct Drive {
     double minSpeed = kNone;
     double maxSpeed = kNone;
 
-    // RunUp: standard errors of the angle (rad) and the speed (rad/s), not in the middle of the file as above, but at
-    // its t = 0.
+    // RunUp: standard errors of the angle (rad) and the speed (rad/s) at t = 0 of the file. (theta20 and omega2 are
+    // those in the middle of the file.)
     double angleErrorAtZero = kNone;
     double speedErrorAtZero = kNone;
 };

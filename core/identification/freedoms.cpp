@@ -146,8 +146,9 @@ bool isUnneeded(const Observations &observations, const Fit &freeFit, const Fit 
 bool originMayExist(const Observations &observations, const Fit &freeFit, const Fit &fixedFit, Unknown origin,
                     double usual)
 {
-    constexpr double kGrowth = 4.0; // of the misfit, for two standard errors
-    return fixedFit.misfit - freeFit.misfit > kGrowth || isBelowRounding(observations, freeFit, origin, usual);
+    constexpr double kGrowthOfTwoErrors = 4.0; // of the misfit: (two standard errors)²
+    return fixedFit.misfit - freeFit.misfit > kGrowthOfTwoErrors ||
+           isBelowRounding(observations, freeFit, origin, usual);
 }
 
 /// Adds the changes of the parameters from one fit to another to `errors`, as independent errors.
@@ -172,18 +173,16 @@ Unknowns originsAmong(const Fit &fit)
     return origins;
 }
 
-/// Fits again with some origins free that are not free in `fit`. Does nothing if there are none, or if that fit is not
-/// finite.
-void freeOriginsAgain(const Observations &observations, Fit &fit, const Unknowns &origins)
+/// Repeats a fit with some further origins free. Returns the same fit if all of these are free already, or if the new
+/// one is not finite.
+Fit withOriginsFree(const Observations &observations, Fit fit, const Unknowns &origins)
 {
     const Unknowns unknowns = fit.unknownsWith(origins);
     if (unknowns.size() == fit.unknowns.size()) {
-        return;
+        return fit;
     }
     Fit next = fitModel(observations, fit.model, fit.columns, unknowns);
-    if (next.isFinite()) {
-        fit = std::move(next);
-    }
+    return next.isFinite() ? next : fit;
 }
 
 } // namespace
@@ -207,7 +206,7 @@ ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const 
         result.possibleOrigins = earlier.possibleOrigins;
         result.possibleErrors = earlier.possibleErrors;
     } else {
-        freeOriginsAgain(observations, result.fit, earlier.possibleOrigins);
+        result.fit = withOriginsFree(observations, std::move(result.fit), earlier.possibleOrigins);
     }
     for (const Unknown origin : originsAmong(result.fit)) {
         const double usual = nearestUsualValue(observations, result.fit.model, origin);

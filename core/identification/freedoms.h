@@ -32,11 +32,11 @@ Fit withUsualReadings(const Observations &observations, Fit fit);
 ///   2. a filter or an interpolation may have bent the curve as the origin does: the residuals of each column are
 ///      rounding, or below 1 % of its range, and the origin is small (2 % of the range of its column, 1° of the crank)
 ///      or the residuals of the fit with the free origin are systematic.
-/// The parameters move when an origin is taken back. It may exist nevertheless if it changes each column by at most a
-/// rounding step (an encoder truncates), or if it is more than two standard errors from its usual value. Then these
-/// changes are possible errors. `earlier`: the result from which `fit` was made; {} if there is none. If columns were
-/// added to it, its possible origins are free again at first, so that the possible errors become those that all columns
-/// leave; if not, its possible origins and errors are kept. A fit that is not finite remains as it is.
+/// An origin that is not needed may exist nevertheless if it changes each column by at most a rounding step (an encoder
+/// truncates), or if it is more than two standard errors from its usual value. Then the changes of the parameters by
+/// taking it back are possible errors. `earlier`: the result from which `fit` was made; {} if there is none. If columns
+/// were added to it, its possible origins are free again at first, so that the possible errors become those that all
+/// columns leave; if not, its possible origins and errors are kept. A fit that is not finite remains as it is.
 ConstrainedFit withoutFreedoms(const Observations &observations, Fit fit, const ConstrainedFit &earlier = {});
 
 } // namespace slidercrank

@@ -68,9 +68,9 @@ Regression fitOrigin(const Moments &m, double factor, ColumnOrigin columnOrigin)
     if (columnOrigin == ColumnOrigin::HalfTurns) {
         origin = nearestHalfTurns(origin, factor);
     }
-    const double squares = m.yy + factor * factor * m.ff + m.n * origin * origin -
-                           2.0 * (factor * m.fy + origin * m.y - factor * origin * m.f);
-    return {{factor, origin}, std::max(squares, 0.0) / m.n};
+    const double sumOfSquares = m.yy + factor * factor * m.ff + m.n * origin * origin -
+                                2.0 * (factor * m.fy + origin * m.y - factor * origin * m.f);
+    return {{factor, origin}, std::max(sumOfSquares, 0.0) / m.n};
 }
 
 /// Fits the factor and the origin of a column by least squares.
@@ -78,9 +78,9 @@ Regression fitFactorAndOrigin(const Moments &m, ColumnOrigin columnOrigin)
 {
     // If the origin may be any number, the factor follows from the deviations of motion and values from their means.
     const double weightOfMeans = columnOrigin == ColumnOrigin::Any ? 1.0 / m.n : 0.0;
-    const double sumOfProducts = m.fy - weightOfMeans * m.f * m.y;
-    const double sumOfSquares = m.ff - weightOfMeans * m.f * m.f;
-    return fitOrigin(m, sumOfProducts / sumOfSquares, columnOrigin);
+    const double productsWithMotion = m.fy - weightOfMeans * m.f * m.y;
+    const double squaresOfMotion = m.ff - weightOfMeans * m.f * m.f;
+    return fitOrigin(m, productsWithMotion / squaresOfMotion, columnOrigin);
 }
 
 /// Fits the reading of θ3. Its factor is not free, because it would be the same unknown as b where sin θ3 ≈ θ3: only
@@ -97,8 +97,8 @@ Regression fitCouplerReading(const Moments &moments, ColumnOrigin origin)
     return best;
 }
 
-/// Whether a column depends on a speed of the crank that is not known yet: derivatives over the angle in the file.
-/// Their motion is computed for ω2 = 1.
+/// Whether the values of a column depend on a speed of the crank that is not known yet. Those of a derivative over the
+/// angle in the file do; its motion is computed for ω2 = 1 rad/s.
 bool dependsOnUnknownSpeed(const ObservedColumn &column, const Model &model)
 {
     return column.isDerivative() && model.followsAngle;
@@ -114,35 +114,37 @@ Regression fitColumn(const ObservedColumn &column, const Moments &moments, const
                                                                             : fitFactorAndOrigin(moments, origin);
 }
 
-/// What the factors of fitted columns say about a mechanism with a = 1 mm.
-struct Scale {
+/// The true size and speed of a mechanism that was fitted to columns with a = 1 mm and, over the angle, ω2 = 1 rad/s.
+struct SizeAndSpeed {
     double crankLength = 1.0; ///< mm
     double speed = 1.0;       ///< ω2, rad/s, if the model follows the angle in the file
 };
 
-/// The scale that the columns show. What no column shows is the given length, and the given speed unless it is 0.
-/// `regressions`: the result of fitColumn() for each of `columns`.
-Scale scaleOfColumns(const Observations &observations, const Indices &columns,
-                     const std::vector<Regression> &regressions, const Model &model, const Parameters &given)
+/// The size and the speed that the factors of the columns show. If no column shows the size, it is the given one; if
+/// none shows the speed, it is the given one or, if that is 0, 1 rad/s. `regressions`: the result of fitColumn() for
+/// each of `columns`.
+SizeAndSpeed sizeAndSpeedOfColumns(const Observations &observations, const Indices &columns,
+                                   const std::vector<Regression> &regressions, const Model &model,
+                                   const Parameters &given)
 {
-    Scale scale{.crankLength = given.a};
+    SizeAndSpeed result{.crankLength = given.a};
     if (given.omega2 != 0.0) { // at a speed of 0, all derivatives are 0 and show no length
-        scale.speed = given.omega2;
+        result.speed = given.omega2;
     }
     // θ3 is the first of the columns (shapeColumns()): its derivatives show the speed, with which those of R4_x show
     // the length.
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const ObservedColumn &column = observations.columns[columns[i]];
         const auto order = static_cast<double>(column.channel.order);
-        const double size = std::abs(regressions[i].reading.factor);
-        const bool isFactorOfSpeed = dependsOnUnknownSpeed(column, model);
+        const double factor = std::abs(regressions[i].reading.factor);
+        const bool containsSpeed = dependsOnUnknownSpeed(column, model);
         if (!column.containsAngles()) {
-            scale.crankLength = isFactorOfSpeed ? size / std::pow(std::abs(scale.speed), order) : size;
-        } else if (isFactorOfSpeed) {
-            scale.speed = std::pow(size, 1.0 / order);
+            result.crankLength = containsSpeed ? factor / std::pow(std::abs(result.speed), order) : factor;
+        } else if (containsSpeed) {
+            result.speed = std::pow(factor, 1.0 / order);
         }
     }
-    return scale;
+    return result;
 }
 
 /// The reading of a column after the mechanism has got its true size and speed: of the factor of a length, or of a
@@ -165,8 +167,8 @@ struct Candidate {
     Model model;
 };
 
-/// The misfit of some columns, as if each had one value. (They have nearly the same number of values, so that this
-/// orders the candidates as the misfit would.)
+/// The misfit of some columns, as if each had one value. (The columns have nearly the same number of values, so that
+/// this orders the candidates as the misfit would.)
 double misfitOfRegressions(const Observations &observations, const Indices &columns,
                            const std::vector<Regression> &regressions)
 {
@@ -196,21 +198,22 @@ std::vector<Regression> fitColumns(const Observations &observations, const Indic
 Candidate scaleToColumns(Model model, const Observations &observations, const Indices &columns,
                          const std::vector<Regression> &regressions, const Parameters &given)
 {
-    const Scale scale = scaleOfColumns(observations, columns, regressions, model, given);
+    const SizeAndSpeed shown = sizeAndSpeedOfColumns(observations, columns, regressions, model, given);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const Index k = columns[i];
-        model.readings[k] = readingAfterScaling(observations.columns[k], regressions[i].reading, model, scale.speed);
+        model.readings[k] = readingAfterScaling(observations.columns[k], regressions[i].reading, model, shown.speed);
     }
     if (model.followsAngle) {
-        model.mechanism.omega2 = scale.speed;
+        model.mechanism.omega2 = shown.speed;
     }
     for (const Parameter length : kLengths) {
-        valueOf(model.mechanism, length) *= scale.crankLength;
+        valueOf(model.mechanism, length) *= shown.crankLength;
     }
     return {.misfit = misfitOfRegressions(observations, columns, regressions), .model = std::move(model)};
 }
 
-/// The best candidates of a grid: those for columns with their usual origins, and those for columns with any origins.
+/// The best candidates of a coarse grid of mechanisms: those for columns with their usual origins, and those for
+/// columns with any origins.
 struct GridResult {
     std::vector<Candidate> usualOrigins, anyOrigins;
 };
@@ -233,8 +236,8 @@ void keepBest(std::vector<Candidate> &candidates)
 
 /// Tries a mechanism with a = 1 mm with several values of θ20, and appends the best candidate of these to each list of
 /// `result`.
-void addBestAngles(GridResult &result, Model model, const Observations &observations, const Indices &columns,
-                   const Parameters &given)
+void addBestCandidates(GridResult &result, Model model, const Observations &observations, const Indices &columns,
+                       const Parameters &given)
 {
     constexpr int kAngles = 16; // every 22.5°
     Candidate usual, any;
@@ -262,16 +265,16 @@ void addBestAngles(GridResult &result, Model model, const Observations &observat
 GridResult searchGrid(const Observations &observations, const Indices &columns, const Model &start,
                       const Parameters &given)
 {
-    constexpr std::array kCouplers{0.6, 0.85, 1.08, 1.25, 1.5, 1.9, 2.5, 3.5, 5.5, 10.0};        // b / (a + |c|)
-    constexpr std::array kOffsets{0.0, -0.3, 0.3, -0.6, 0.6, -0.9, 0.9, -2.0, 2.0, -12.0, 12.0}; // c / a
+    constexpr std::array kCouplerRatios{0.6, 0.85, 1.08, 1.25, 1.5, 1.9, 2.5, 3.5, 5.5, 10.0};        // b / (a + |c|)
+    constexpr std::array kOffsetRatios{0.0, -0.3, 0.3, -0.6, 0.6, -0.9, 0.9, -2.0, 2.0, -12.0, 12.0}; // c / a
     GridResult result;
     Model model = start;
     // Over the angle in the file, derivatives are compared with those by the angle, which are those of ω2 = 1.
     const double speed = start.followsAngle ? 1.0 : start.mechanism.omega2;
-    for (const double offset : kOffsets) {
-        for (const double coupler : kCouplers) {
+    for (const double offset : kOffsetRatios) {
+        for (const double coupler : kCouplerRatios) {
             model.mechanism = {.a = 1.0, .b = coupler * (1.0 + std::abs(offset)), .c = offset, .omega2 = speed};
-            addBestAngles(result, model, observations, columns, given);
+            addBestCandidates(result, model, observations, columns, given);
         }
     }
     keepBest(result.usualOrigins);
@@ -318,12 +321,12 @@ std::vector<Fit> fitCandidates(const Observations &observations, const Indices &
 
 /// Repeats the best two of some fits with all rows of `observations`, and returns the better one. Not finite if there
 /// are no fits, or if none is finite.
-Fit fitFinalists(const Observations &observations, std::vector<Fit> fits)
+Fit repeatBestFits(const Observations &observations, std::vector<Fit> fits)
 {
-    constexpr std::size_t kFinalists = 2; // the best fit of some rows may be the second one of all
+    constexpr std::size_t kRepeatedFits = 2; // the best fit of some rows may be the second one of all
     Fit best;
     std::ranges::sort(fits, {}, &Fit::misfit);
-    fits.resize(std::min(kFinalists, fits.size()));
+    fits.resize(std::min(kRepeatedFits, fits.size()));
     for (const Fit &start : fits) {
         Fit fit = fitModel(observations, start.model, start.columns, start.unknowns);
         if (fit.misfit < best.misfit) {
@@ -439,28 +442,28 @@ bool determineLengths(const Observations &observations, const Indices &columns)
 Fit findGeometry(const Observations &observations, const Indices &columns, const std::vector<double> &speeds,
                  const Parameters &given)
 {
-    constexpr Index kGridRows = 40;    // for each of more than a thousand mechanisms, which are not exact anyway
-    constexpr Index kSearchRows = 120; // some dozens of candidates are fitted to them
+    constexpr Index kGridRows = 40;       // for each of more than a thousand mechanisms, which are not exact anyway
+    constexpr Index kCandidateRows = 120; // some dozens of candidates are fitted to them
     const Observations gridRows = selectRows(observations, kGridRows);
-    const Observations searchRows = selectRows(observations, kSearchRows);
+    const Observations candidateRows = selectRows(observations, kCandidateRows);
     const Unknowns unknowns = geometryUnknowns(observations, columns, Origins::Usual);
     std::vector<Fit> fits;
     std::vector<Candidate> candidatesWithAnyOrigins;
     for (const Model &start : startModels(observations, speeds, given)) {
         const GridResult grid = searchGrid(gridRows, columns, start, given);
         std::ranges::copy(grid.anyOrigins, std::back_inserter(candidatesWithAnyOrigins));
-        std::ranges::move(fitCandidates(searchRows, columns, grid.usualOrigins, unknowns), std::back_inserter(fits));
-        if (!fits.empty() && isExact(searchRows, fits.back())) {
+        std::ranges::move(fitCandidates(candidateRows, columns, grid.usualOrigins, unknowns), std::back_inserter(fits));
+        if (!fits.empty() && isExact(candidateRows, fits.back())) {
             break; // no other start can be better
         }
     }
-    Fit best = fitFinalists(observations, std::move(fits));
+    Fit best = repeatBestFits(observations, std::move(fits));
     if (isExact(observations, best)) {
         return best;
     }
     const Unknowns unknownsWithOrigins = geometryUnknowns(observations, columns, Origins::Any);
-    Fit bestWithAnyOrigins =
-        fitFinalists(observations, fitCandidates(searchRows, columns, candidatesWithAnyOrigins, unknownsWithOrigins));
+    Fit bestWithAnyOrigins = repeatBestFits(
+        observations, fitCandidates(candidateRows, columns, candidatesWithAnyOrigins, unknownsWithOrigins));
     return bestWithAnyOrigins.misfit < best.misfit ? bestWithAnyOrigins : best;
 }
 

@@ -84,7 +84,7 @@ struct SignCount {
             return negated;
         }
         // They are counted along the opposite axis, which is one unusual reading. Derivatives share the direction of a
-        // displacement, so that it is none beside a negated one.
+        // displacement, so that beside a negated displacement they have their usual direction.
         return isDisplacementNegated ? 0 : 1;
     }
 };
@@ -170,7 +170,8 @@ struct ImageRank {
     int unusualReadingsAndAssembly; ///< unusualReadings, and one more for an assembly other than the given one
     bool isOtherThanGiven;          ///< the assembly or c is not that of the given mechanism
     bool isDisplacementNegated;     ///< a displacement may have any direction, but that of x is likelier
-    int unusualReadings; ///< countUnusualReadings(): the given assembly with one is preferred to the other without any
+    int unusualReadings; ///< countUnusualReadings(): the other assembly without any is preferred to the given one with
+                         ///< one
     bool isReversed;     ///< the crank turns in the direction opposite to the given one
     double distanceOfC;  ///< between c and the given c, 0 … 1
 
@@ -231,8 +232,8 @@ std::vector<Model> rankMirrorImages(const Observations &observations, const Fit 
     const Model inX = mirroredInX(fit.model, observations);
     std::vector<Model> images{fit.model, inX, mirroredInY(fit.model, observations), mirroredInY(inX, observations)};
     if (observations.containOnlyAngles(fit.columns)) {
-        const std::vector<Model> imagesWithCrankOfFit = images;
-        for (const Model &image : imagesWithCrankOfFit) {
+        const std::vector<Model> imagesOfBothAxes = images;
+        for (const Model &image : imagesOfBothAxes) {
             images.push_back(withReflectedCrank(image, observations));
         }
     }

@@ -17,7 +17,8 @@ namespace slidercrank
 /// of angles are negated, they count once. An assembly other than the given one, and R4_y that is not c, count like one
 /// such column. A displacement, which is a length with a free origin, may have either direction and does not count.
 /// Equally simple images are ordered by these questions: whether the assembly and c are those of the given mechanism,
-/// whether no displacement is negated, and how near the mechanism is to the given one.
+/// whether no displacement is negated, how simple the reading is apart from the assembly, and how near the mechanism is
+/// to the given one.
 std::vector<Model> rankMirrorImages(const Observations &observations, const Fit &fit, const Parameters &given);
 
 /// Returns the first of rankMirrorImages(), followed by those that read the file in the same way.
