@@ -11,7 +11,7 @@
 namespace slidercrank
 {
 
-double largestFurtherResidual(const Observations &observations, const Fit &fit)
+double maxResidualOfFurtherColumn(const Observations &observations, const Fit &fit)
 {
     constexpr double kLargestBesideExactColumns = 1e-3; // of the range: a program may compute derivatives less exactly
     return isExact(observations, fit) ? kLargestBesideExactColumns : kLargestNoise;
@@ -57,7 +57,7 @@ ColumnScale fitScale(const Observations &observations, const Fit &fit, const Mod
     return {.factor = factor * signOfCoordinate(observations, fit, column.channel.coordinate),
             .isExplained = fitOfColumn.isFinite() &&
                            (isWithinRounding(observations, fitOfColumn, 0) ||
-                            fitOfColumn.rms[0] < largestFurtherResidual(observations, fit) * column.range),
+                            fitOfColumn.rms[0] < maxResidualOfFurtherColumn(observations, fit) * column.range),
             .isNearRounding = fitOfColumn.isFinite() && isNearRounding(observations, fitOfColumn, 0)};
 }
 

@@ -32,7 +32,7 @@ inline constexpr std::array kAngleFactors = withInverses(kAngleUnits);
 
 /// The largest residual (rms, relative to the range of the column) with which a mechanism explains a column that a fit
 /// does not use: much smaller if rounding explains all columns of the fit than if their residuals are noise.
-double largestFurtherResidual(const Observations &observations, const Fit &fit);
+double maxResidualOfFurtherColumn(const Observations &observations, const Fit &fit);
 
 /// The possible ratios of the unit of a column of this channel to the one that its heading states; the first is 1.
 std::span<const double> unitFactors(Channel channel);
@@ -50,7 +50,8 @@ struct ColumnScale {
     /// same coordinate that the fit uses.
     double factor = kNone;
 
-    /// After multiplication by the factor, rounding explains the residuals, or they are below largestFurtherResidual().
+    /// After multiplication by the factor, rounding explains the residuals, or they are below
+    /// maxResidualOfFurtherColumn().
     bool isExplained = false;
     bool isNearRounding = false; ///< these residuals are as small as rounding (residual_test.h)
 };

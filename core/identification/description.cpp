@@ -16,9 +16,25 @@ namespace slidercrank
 namespace
 {
 
+/// The conversion that the readings of most of `lengths`, columns of the last fit, need: their |factor|. Of two with
+/// equally many columns, the one after which the crank has the given length.
+double findConversionOfMostColumns(const LastFit &last, const Indices &lengths, const Parameters &given)
+{
+    const auto conversionOf = [&](Index k) { return std::abs(last.fit.model.readings[k].factor); };
+    const auto rank = [&](double conversion) {
+        const double crankLength = last.fit.model.mechanism.a * conversion;
+        const bool isGivenLength = std::abs(crankLength - given.a) < kTypedDifference * given.a;
+        return std::pair(std::ranges::count(lengths, conversion, conversionOf), isGivenLength);
+    };
+    double best = 1.0;
+    for (const Index k : lengths) {
+        best = rank(conversionOf(k)) > rank(best) ? conversionOf(k) : best;
+    }
+    return best;
+}
+
 /// Converts the lengths of the last fit, which are in the unit of the column from which the geometry was found, to the
-/// unit of most columns, so that only the other columns are said to be in a wrong unit. Of two units with equally many
-/// columns, the one is chosen in which the crank has the given length.
+/// unit of most columns, so that only the other columns are said to be in a wrong unit.
 void convertToUnitOfMostColumns(LastFit &last, const Parameters &given)
 {
     Indices lengths;
@@ -31,28 +47,16 @@ void convertToUnitOfMostColumns(LastFit &last, const Parameters &given)
             lengths.push_back(k);
         }
     }
-    const auto columnsWith = [&](double unit) {
-        return std::ranges::count_if(lengths,
-                                     [&](Index k) { return std::abs(last.fit.model.readings[k].factor) == unit; });
-    };
-    const auto rank = [&](double unit) {
-        const bool isGivenLength = std::abs(last.fit.model.mechanism.a * unit - given.a) < kTypedDifference * given.a;
-        return std::pair(columnsWith(unit), isGivenLength);
-    };
-    double mostFrequentUnit = 1.0;
-    for (const Index k : lengths) {
-        const double unit = std::abs(last.fit.model.readings[k].factor);
-        mostFrequentUnit = rank(unit) > rank(mostFrequentUnit) ? unit : mostFrequentUnit;
-    }
+    const double conversion = findConversionOfMostColumns(last, lengths, given);
     for (const Indices &columns : {lengths, sliderLine}) {
         for (const Index k : columns) {
-            last.fit.model.readings[k].factor /= mostFrequentUnit;
+            last.fit.model.readings[k].factor /= conversion;
         }
     }
     Parameters &mechanism = last.fit.model.mechanism;
     for (const Parameter length : kLengths) {
-        valueOf(mechanism, length) *= mostFrequentUnit;
-        scaleErrors(last, length, mostFrequentUnit);
+        valueOf(mechanism, length) *= conversion;
+        scaleErrors(last, length, conversion);
     }
 }
 
@@ -104,7 +108,7 @@ void compareWithGivenLengths(Findings &findings, const Observations &searched, c
 {
     const Fit &last = findings.lastFit.fit;
     const Fit best = fitModel(searched, last.model, last.columns, last.unknowns);
-    if (!best.isFinite() || !determineLengths(searched, best.columns)) {
+    if (!best.isFinite() || !areLengthsDetermined(searched, best.columns)) {
         return;
     }
     if (!explainsAsWell(searched, fitWithGivenLengths(searched, best, given), best)) {

@@ -51,7 +51,7 @@ Quotients computeQuotients(const Stencil &stencil, const Values &abscissa, const
     return quotients;
 }
 
-/// The values of a column, and the quotients of a lower one times the factor that suits all rows best.
+/// The values of a column, and the quotients of one of lower order times the factor that suits all rows best.
 struct ScaledQuotients {
     Values values;
     Values predictions;
@@ -95,7 +95,7 @@ bool arePrintedQuotients(const ScaledQuotients &quotients, const ObservedColumn 
     constexpr double kMaxError = 0.02; // fraction of the largest error that the rounding causes
     constexpr Index kMinRows = 6;      // with a free factor, fewer quotients may agree by chance
     // The half steps of values with all digits are overestimated, because they also allow for errors of the arithmetic.
-    const bool isRounded = lower.halfSteps.maxCoeff() > kArithmetic * lower.range;
+    const bool isRounded = lower.halfSteps.maxCoeff() > kArithmeticError * lower.range;
     return isRounded && quotients.values.size() >= kMinRows && quotients.areWithin(kMaxError * quotients.bounds);
 }
 

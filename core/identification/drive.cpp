@@ -63,7 +63,8 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
     const Values errors = fit.residuals.abs();
     // Half a rounding step of the angle, the motion of the crank during half a step of the time, and the arithmetic of
     // the program that printed all digits of the angle (of 1 rad).
-    const double bound = halfStep + std::abs(fit.coefficients[1]) / halfSpan * observations.time.halfStep + kArithmetic;
+    const double bound =
+        halfStep + std::abs(fit.coefficients[1]) / halfSpan * observations.time.halfStep + kArithmeticError;
     // As in the misfit (fit.h), not below the variance of rounding, even if a few residuals happen to be smaller. If
     // all errors are rounding, it counts twice, so that the standard errors become too large and not too small.
     const double variance = errors.square().mean() + bound * bound / 3.0;

@@ -255,8 +255,10 @@ bool isRowContradicted(const Identification &result, const ReferenceData &data, 
     constexpr double kFarInBounds = 4.0; // bounds of rounding: more than rounding and the error of a fit together
     ReferenceData corrected = applyAll(result.conventions, data);
     for (ReferenceSeries &series : corrected.series) {
-        for (std::size_t other = 0; series.channel != kCrankAngle && other < series.values.size(); ++other) {
-            series.values[other] = other == row ? series.values[other] : kNone;
+        if (series.channel != kCrankAngle) { // only the values of this row are compared
+            std::vector<double> valueOfRow(series.values.size(), kNone);
+            valueOfRow[row] = series.values[row];
+            series.values = std::move(valueOfRow);
         }
     }
     const FittedMechanism fitted = findings.lastFit.fit.fittedMechanism();

@@ -72,7 +72,7 @@ inline constexpr std::array kLengths{Parameter::A, Parameter::B, Parameter::C};
 double parameterSize(Parameter parameter, const Parameters &parameters);
 
 /// Rounding error of the computation of a fitted parameter, relative to its size.
-inline constexpr double kFitArithmetic = 1e-13;
+inline constexpr double kFitArithmeticError = 1e-13;
 
 /// A fitted model. Where a function has a parameter `place`, it is about the column fit.columns[place] and its
 /// residuals fit.residuals.col(place); a parameter `k` is the index of a column of the observations.

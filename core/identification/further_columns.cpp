@@ -32,16 +32,17 @@ bool isMotionOfOtherProportions(const Observations &observations, const Fit &fit
     if (observations.columns[k].isConstant()) {
         return false;
     }
-    const Fit alone =
+    const Fit fitOfColumn =
         fitModel(observations, fit.model, {k}, {Parameter::A, Parameter::B, Parameter::C, Parameter::Theta20});
-    if (!alone.isFinite() || alone.counts[0] < kMinValues || !isWithinRounding(observations, alone, 0)) {
+    if (!fitOfColumn.isFinite() || fitOfColumn.counts[0] < kMinValues ||
+        !isWithinRounding(observations, fitOfColumn, 0)) {
         return false;
     }
     const Parameters &found = fit.model.mechanism;
-    const Parameters &foundAlone = alone.model.mechanism;
-    const double changeOfProportions = std::max(std::abs(foundAlone.b / foundAlone.a - found.b / found.a),
-                                                std::abs(foundAlone.c / foundAlone.a - found.c / found.a));
-    return !hidesLengths(found) && !hidesLengths(foundAlone) &&
+    const Parameters &ofColumn = fitOfColumn.model.mechanism;
+    const double changeOfProportions = std::max(std::abs(ofColumn.b / ofColumn.a - found.b / found.a),
+                                                std::abs(ofColumn.c / ofColumn.a - found.c / found.a));
+    return !hidesLengths(found) && !hidesLengths(ofColumn) &&
            changeOfProportions > kMinChange * (found.b + std::abs(found.c)) / found.a;
 }
 
@@ -51,8 +52,8 @@ double deviationInPercentOfPeak(const Observations &observations, const Fit &fit
 {
     Model model = fit.model;
     model.readings[k] = {factor, 0.0};
-    const Fit alone = evaluateModel(observations, model, {k});
-    const double deviation = gapsAsZeros(alone.residuals.col(0)).abs().maxCoeff();
+    const Fit fitOfColumn = evaluateModel(observations, model, {k});
+    const double deviation = gapsAsZeros(fitOfColumn.residuals.col(0)).abs().maxCoeff();
     // The deviation may exceed each value, as in a column of zeros. Then it is 100 %.
     const double peak = std::max(gapsAsZeros(observations.columns[k].values).abs().maxCoeff(), deviation);
     return peak > 0.0 ? 100.0 * deviation / peak : kNone;

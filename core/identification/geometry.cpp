@@ -421,7 +421,7 @@ Indices higherShapeColumns(const Observations &observations)
     return columnsAtPlace(observations, std::array{Theta3, R4x}, kSecondLowestOrder);
 }
 
-bool determineLengths(const Observations &observations, const Indices &columns)
+bool areLengthsDetermined(const Observations &observations, const Indices &columns)
 {
     std::set<Order> ordersOfLengths;
     bool hasRateOfAngle = false;

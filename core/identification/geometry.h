@@ -21,7 +21,7 @@ Indices shapeColumns(const Observations &observations);
 Indices higherShapeColumns(const Observations &observations);
 
 /// Whether the columns determine lengths, and not only ratios of lengths or their products with powers of ω2.
-bool determineLengths(const Observations &observations, const Indices &columns);
+bool areLengthsDetermined(const Observations &observations, const Indices &columns);
 
 /// Fits a mechanism of the open assembly to `columns` of at most some hundred rows. The crank turns counter-clockwise
 /// with the time, or with the angle in the file. Lengths may have any scale and either sign; θ3 may be counted in

@@ -37,7 +37,8 @@ struct AlternativeMechanism {
 /// A column that the fit does not use.
 struct LeftOutColumn {
     enum class Reason {
-        FiniteDifferences, ///< it agrees with difference quotients of a lower column, but not with the derivative
+        FiniteDifferences, ///< it agrees with difference quotients of a column of lower order, but not with the
+                           ///< derivative
         UnevenSpeed,       ///< the speed of the crank changes, so that nothing predicts this derivative
         OpenSpeed, ///< ω2, or the unit in which it is counted, is not known; for θ2: it has gaps, or its rows are too
                    ///< far apart to show how many turns the crank makes
@@ -136,9 +137,9 @@ struct Identification {
     bool followsApproximateFormula = false;
 
     /// The possible magnitudes of ω2 (rad/s) if the derivatives in a table over the crank angle do not show in which
-    /// unit of angles they are: if "1/s" may mean rad/s or °/s, 360 rad/s and 360 °/s = 2π rad/s are possible. So are a
-    /// tenth of the given ω2 and that itself, if the values may be in cm although their heading says mm. Empty if ω2 is
-    /// determined or the table has no derivatives.
+    /// unit of angles they are: if "1/s" may mean rad/s or °/s, 360 rad/s and 360 °/s = 2π rad/s are possible. A
+    /// tenth of the given ω2 and the given ω2 are both possible if the values may be in cm although their heading says
+    /// mm. Empty if ω2 is determined or the table has no derivatives.
     std::vector<double> possibleSpeeds{};
 
     // These belong to Identified and Approximate only.

@@ -165,8 +165,8 @@ bool isBetter(const Identification &result, const Identification &other)
     return rank(result) < rank(other);
 }
 
-/// Identifies the mechanism of a table whose slider moves along y, after the axes are rotated: those of the positions
-/// only, and those of the angles, too. Returns the better result; nullopt if the slider moves along x.
+/// Identifies the mechanism of a table whose slider moves along y, after the axes are rotated: once those of lengths
+/// only, and once those of angles, too. Returns the better result; nullopt if the slider moves along x.
 std::optional<Identification> identifyRotated(const Task &task)
 {
     std::optional<Identification> best;
@@ -260,16 +260,16 @@ bool needsOrigin(const Identification &result)
 std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable &asInFile, const Task &task)
 {
     const LastFit &exactMotion = asInFile.findings.lastFit;
-    const bool isBetter = isApproximateFormulaBetter(exactMotion);
-    const bool maySaveOrigin = exactMotion.observations.hasAngle() && needsOrigin(asInFile.result);
-    if (!isBetter && !maySaveOrigin) {
+    const bool isFormulaBetter = isApproximateFormulaBetter(exactMotion);
+    const bool mayAvoidOrigin = exactMotion.observations.hasAngle() && needsOrigin(asInFile.result);
+    if (!isFormulaBetter && !mayAvoidOrigin) {
         return std::nullopt;
     }
     IdentifiedTable table = identifyTable(task, std::nullopt, findGeometryOfApproximateFormula);
     Identification &result = table.result;
     const bool explainsTable = result.outcome == Identification::Outcome::Approximate &&
                                table.findings.lastFit.isExact && result.leftOut.empty() && result.excludedRows.empty();
-    const bool isSimpler = isBetter || !needsOrigin(result);
+    const bool isSimpler = isFormulaBetter || !needsOrigin(result);
     const bool isEngine = result.parameters.branch == Branch::Open; // for the other assembly, nobody uses the formula
     if (!explainsTable || !isSimpler || !isEngine) {
         return std::nullopt;
@@ -289,21 +289,21 @@ Identification tryUnlikelyReadings(IdentifiedTable asInFile, const Task &task)
     }
     const std::vector<Convention> conventions = possibleTableConventions(task.table, asInFile.result);
     Identification best = asInFile.result;
-    const auto tryResult = [&](Identification result) {
+    const auto keepIfBetter = [&](Identification result) {
         if (explainsAll(result) && isBetter(result, best)) {
             best = std::move(result);
         }
     };
     if (!explainsAll(best)) {
         // Coarsely rounded positions may have been explained by a mechanism that contradicts their derivatives.
-        tryResult(identifyTable(task, std::nullopt, findGeometryOfHigherDerivatives).result);
+        keepIfBetter(identifyTable(task, std::nullopt, findGeometryOfHigherDerivatives).result);
     }
     for (const Convention &convention : conventions) {
-        tryResult(identifyTable(task, convention, findBestGeometry).result);
+        keepIfBetter(identifyTable(task, convention, findBestGeometry).result);
     }
     if (!explainsAll(best) || !best.conventions.empty() || best.drive) { // a wrong θ2 looks like an uneven speed
         if (auto result = identifyWithoutTypingErrors(std::move(asInFile), task)) {
-            tryResult(*std::move(result));
+            keepIfBetter(*std::move(result));
         }
     }
     return best;

@@ -16,14 +16,15 @@ namespace
 {
 
 /// Whether the last column of a fit, which was added to the others, is explained: rounding explains its residuals, or
-/// they are below the limits of both isExplained() and largestFurtherResidual(). `others`: the fit without this column.
+/// they are below the limits of both isExplained() and maxResidualOfFurtherColumn(). `others`: the fit without this
+/// column.
 bool isLastColumnExplained(const Observations &observations, const Fit &together, const Fit &others)
 {
     const Index place = std::ssize(together.columns) - 1;
     return isWithinRounding(observations, together, place) ||
            (isExplained(observations, together, place) &&
             together.rms.back() <
-                largestFurtherResidual(observations, others) * columnSize(observations, together, place));
+                maxResidualOfFurtherColumn(observations, others) * columnSize(observations, together, place));
 }
 
 /// The origin with which the motion times `factor` fits a column of positions best (the median); 0 for derivatives.

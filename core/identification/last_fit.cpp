@@ -48,27 +48,22 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
     return errors > limit && errors > harmless;
 }
 
-/// Replaces the values in rows with an outlier by gaps, and returns these rows. If they are too many, replaces nothing
-/// and returns no rows.
-Indices excludeOutliers(Observations &observations, const Fit &fit)
+/// The rows with an outlier in any column of the fit; none if they are too many.
+Indices findRowsWithOutliers(const Observations &observations, const Fit &fit)
 {
-    Eigen::ArrayX<bool> isFarOff = Eigen::ArrayX<bool>::Constant(observations.size(), false);
+    Eigen::ArrayX<bool> hasOutlier = Eigen::ArrayX<bool>::Constant(observations.size(), false);
     for (const Index place : fit.places()) {
-        isFarOff = isFarOff || findOutliers(observations, fit, place);
+        hasOutlier = hasOutlier || findOutliers(observations, fit, place);
     }
     Indices rows;
-    for (Index row = 0; row < isFarOff.size(); ++row) {
-        if (isFarOff[row]) {
+    for (Index row = 0; row < hasOutlier.size(); ++row) {
+        if (hasOutlier[row]) {
             rows.push_back(row);
         }
     }
-    if (static_cast<double>(rows.size()) > kMaxOutlierFraction * static_cast<double>(isFarOff.size())) {
-        return {};
-    }
-    for (ObservedColumn &column : observations.columns) {
-        column.values(rows) = kNone;
-    }
-    return rows;
+    const bool areTooMany =
+        static_cast<double>(rows.size()) > kMaxOutlierFraction * static_cast<double>(hasOutlier.size());
+    return areTooMany ? Indices() : rows;
 }
 
 /// The lowest order (position, velocity or acceleration) of the lengths that a fit uses; Position if there are none.
@@ -170,7 +165,7 @@ Parameters parametersAtTimeZero(const Model &model, const Observations &observat
     parameters.theta20 = -wrapToPi(-parameters.theta20); // -π becomes π
     for (const Parameter parameter : kAllParameters) {
         double &value = valueOf(parameters, parameter);
-        const bool isZero = std::abs(value) <= kFitArithmetic * parameterSize(parameter, parameters);
+        const bool isZero = std::abs(value) <= kFitArithmeticError * parameterSize(parameter, parameters);
         value = isZero ? 0.0 : value;
     }
     return parameters;
@@ -182,7 +177,10 @@ LastFit fitAllRows(Observations observations, const Fit &start, const ParameterE
     Fit fit = evaluateModel(observations, start.model, start.columns);
     Indices excludedRows;
     if (fit.isFinite()) {
-        excludedRows = excludeOutliers(observations, fit);
+        excludedRows = findRowsWithOutliers(observations, fit);
+        for (ObservedColumn &column : observations.columns) {
+            column.values(excludedRows) = kNone;
+        }
         fit = fitModel(observations, fit.model, start.columns, start.unknowns);
     }
     LastFit result{

@@ -194,7 +194,8 @@ bool areChosen(const Values &angle)
     const double distance = angle[1] - angle[0];
     const Values parts = angle * (kPartsOfDistance / distance);
     const Values advances = (angle.tail(angle.size() - 1) - angle.head(angle.size() - 1)) / distance;
-    return (parts - parts.round()).abs().maxCoeff() < kArithmetic && (advances - 1.0).abs().maxCoeff() < kArithmetic;
+    return (parts - parts.round()).abs().maxCoeff() < kArithmeticError &&
+           (advances - 1.0).abs().maxCoeff() < kArithmeticError;
 }
 
 /// Reads θ2 of a file over the time. It is not used if a row lacks it, or if the rows do not show how many turns the
@@ -212,7 +213,7 @@ void observeAngleColumn(Observations &observations, const ReferenceData &data)
         angle.halfStep = column.halfSteps.maxCoeff();
         if (areChosen(column.values)) { // exact, apart from the motion during half a rounding step of the time
             const double motionInHalfStep = observations.time.halfStep / observations.span() * column.range;
-            angle.halfStep = std::min(angle.halfStep, motionInHalfStep + kArithmetic * column.range);
+            angle.halfStep = std::min(angle.halfStep, motionInHalfStep + kArithmeticError * column.range);
         }
         countTurnsInGaps(angle.values, observations.time.values);
     }
@@ -309,7 +310,7 @@ double findLengthUnit(const ReferenceData &data)
             continue;
         }
         const double factor = series.rounding.unitFactor;
-        if (std::abs(factor / unit.value_or(factor) - 1.0) > kArithmetic) {
+        if (std::abs(factor / unit.value_or(factor) - 1.0) > kArithmeticError) {
             return 1.0;
         }
         unit = factor;

@@ -25,7 +25,7 @@ using Indices = std::vector<Index>; ///< indices of rows or columns of the obser
 inline constexpr Channel kSliderLine{R4y, Order::Position};
 
 /// Rounding errors of numbers that a program has computed and not rounded any further, relative to their size.
-inline constexpr double kArithmetic = 1e-9;
+inline constexpr double kArithmeticError = 1e-9;
 
 /// Fraction of the rows that may be outliers: more are no accidents.
 inline constexpr double kMaxOutlierFraction = 0.05;
@@ -44,7 +44,7 @@ struct ObservedColumn {
     bool isDifference = false; ///< it contains difference quotients of a column of lower order, or values that agree
                                ///< with them
     bool isPrintedDifference = false; ///< it certainly contains difference quotients: those of the printed values
-    bool isInterpolated = false; ///< its values were interpolated linearly between fewer ones, or repeat fewer ones
+    bool isInterpolated = false;      ///< its values were interpolated linearly between fewer ones, or repeat these
 
     bool containsAngles() const { return isAngle(channel.coordinate); } ///< angles, or derivatives of angles
     bool isDerivative() const { return channel.order != Order::Position; }

@@ -24,7 +24,7 @@ using LengthScale = Identification::LengthScale;
 
 /// A parameter is left open if its standard error is a larger fraction of its size (parameterSize()): a value that is
 /// less certain is of no use.
-constexpr double kMaxError = 0.2;
+constexpr double kMaxRelativeError = 0.2;
 
 /// The limit for the relative error of a, beyond which all lengths are left open. Standard errors are computed as if
 /// the motion were a linear function of the unknowns. If a is less certain than this, the motion is not linear within
@@ -72,7 +72,7 @@ double maxRelativeError(Parameter parameter, bool areResidualsSystematic)
     if (areResidualsSystematic) {
         return kMaxSystematicError;
     }
-    return parameter == Parameter::A ? kMaxErrorOfCrank : kMaxError;
+    return parameter == Parameter::A ? kMaxErrorOfCrank : kMaxRelativeError;
 }
 
 /// Whether all columns of the fit are those of one coordinate, such as R4_x and its derivatives.
@@ -216,7 +216,7 @@ LengthScale findLengthScale(const LastFit &lastFit)
 {
     const Observations &observations = lastFit.observations;
     const Indices &columns = lastFit.fit.columns;
-    if (determineLengths(observations, columns)) {
+    if (areLengthsDetermined(observations, columns)) {
         return LengthScale::Measured;
     }
     return observations.containOnlyAngles(columns) ? LengthScale::GivenCrank : LengthScale::GivenSpeed;
@@ -238,7 +238,7 @@ ParameterFlags identifiableParameters(const Findings &findings)
     const Fit &fit = findings.lastFit.fit;
     ParameterFlags identifiable{};
     for (const Parameter length : kLengths) {
-        identifiable[indexOf(length)] = determineLengths(findings.lastFit.observations, fit.columns);
+        identifiable[indexOf(length)] = areLengthsDetermined(findings.lastFit.observations, fit.columns);
     }
     identifiable[indexOf(Parameter::Omega2)] = fit.isFree(Parameter::Omega2) || findings.drive.hasChangingSpeed();
     identifiable[indexOf(Parameter::Theta20)] = !fit.model.followsAngle || findings.drive.kind == Drive::Kind::RunUp;

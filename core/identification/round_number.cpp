@@ -20,8 +20,8 @@ int placeOfFirstDigit(double magnitude)
     return static_cast<int>(std::floor(std::log10(magnitude)));
 }
 
-/// The nearest multiple of 10^decimalPlace. Divides if this is a fraction, so that the result is the double nearest to
-/// the decimal number.
+/// The nearest multiple of 10^decimalPlace. If this power is a fraction, divides by its inverse, so that the result is
+/// the double nearest to the decimal number.
 double roundedTo(int decimalPlace, double value)
 {
     const double power = std::pow(10.0, std::abs(decimalPlace));
@@ -85,8 +85,9 @@ RoundNumber findRoundNumber(double value, double standardError, std::span<const 
 
 RoundNumber roundLength(double value, double standardError, double unit)
 {
-    constexpr int kDigits = 15;                    // 6 in are 152.4 mm, and not 152.39999999999998 mm
-    if (std::fmod(std::log10(unit), 1.0) == 0.0) { // a round number of metres is one of millimetres, too
+    constexpr int kDigits = 15; // 6 in are 152.4 mm, and not 152.39999999999998 mm
+    const bool isPowerOfTen = std::fmod(std::log10(unit), 1.0) == 0.0;
+    if (isPowerOfTen) { // a round number of metres is one of millimetres, too
         return findRoundNumber(value, standardError, std::array{1.0});
     }
     RoundNumber rounded = findRoundNumber(value, standardError, std::array{unit});

@@ -58,7 +58,7 @@ struct Estimate {
     /// The standard error of an unknown, at least that of the arithmetic.
     double standardError(Index k) const
     {
-        return std::max(std::sqrt(std::max(covariance(k, k), 0.0)), kFitArithmetic * unknowns[k].size);
+        return std::max(std::sqrt(std::max(covariance(k, k), 0.0)), kFitArithmeticError * unknowns[k].size);
     }
 };
 

@@ -20,9 +20,9 @@ namespace
 
 /// Whether some columns over the angle of the crank contain lengths, but these are all velocities, which show only the
 /// product a ω2, or all accelerations, which show only a ω2², and no rate of an angle shows ω2.
-bool showOnlyProductWithSpeed(const Observations &observations, const Indices &columns)
+bool isOnlyProductWithSpeedShown(const Observations &observations, const Indices &columns)
 {
-    return !determineLengths(observations, columns) && !observations.containOnlyAngles(columns);
+    return !areLengthsDetermined(observations, columns) && !observations.containOnlyAngles(columns);
 }
 
 /// Multiplies the lengths of a mechanism by a factor.
@@ -100,12 +100,12 @@ Fit withSizeOfLengths(const Observations &observations, const Fit &fit, Drive::K
     return fit;
 }
 
-/// Determines ω2 of a table over the crank angle from derivatives whose size the fit predicts at a known speed. If
-/// these show a single speed, it becomes an unknown of result.fit. If they allow several, result.speeds are these.
+/// Sets result.speeds to the values of ω2 that the derivatives of a table over the crank angle allow, if the fit
+/// predicts the size of derivatives at a known speed. A single value becomes an unknown of result.fit.
 void addSpeedOfTable(FitWithSpeeds &result, const Observations &observations, double givenSpeed)
 {
     Fit &fit = result.fit;
-    if (fit.isFree(Parameter::Omega2) || showOnlyProductWithSpeed(observations, fit.columns)) {
+    if (fit.isFree(Parameter::Omega2) || isOnlyProductWithSpeedShown(observations, fit.columns)) {
         return;
     }
     result.speeds = findTableSpeeds(observations, fit, givenSpeed);
@@ -144,7 +144,7 @@ FitWithSpeeds withSpeedAndSize(const Observations &observations, const Fit &geom
         fit = withSizeOfLengths(observations, fit, drive);
     }
     const bool isSpeedOpen = drive == Drive::Kind::OverAngle && !fit.isFree(Parameter::Omega2);
-    if (isSpeedOpen && showOnlyProductWithSpeed(observations, fit.columns)) {
+    if (isSpeedOpen && isOnlyProductWithSpeedShown(observations, fit.columns)) {
         fit = withSpeedOfTwoOrders(observations, fit).value_or(fit);
     }
     return result;

@@ -171,17 +171,17 @@ Support countSupport(const Vote &candidate, const std::vector<Vote> &votes)
 }
 
 /// The speed that has the magnitude of the given one, with the sign of the given one; nullopt if there is none among
-/// those with the most votes. A wrong unit is likelier than a different speed, unless that is ten times as high or low:
-/// 60 rpm and 600 rpm are both usual. If such a speed has the best rank, the given one needs the best rank, too. (With
-/// the opposite sense of the crank, the velocities are counted in the opposite direction, which is reported then.)
-std::optional<double> findGivenSpeed(const std::vector<Support> &supports, std::pair<int, int> bestRank,
-                                     double givenSpeed)
+/// those with the most votes. `best`: a support with the best rank. A wrong unit is likelier than a different speed,
+/// unless that is ten times as high or low: 60 rpm and 600 rpm are both usual. If a speed ten times as high or low has
+/// the best rank, the given one needs the best rank, too. (With the opposite sense of the crank, the velocities are
+/// counted in the opposite direction, which is reported then.)
+std::optional<double> findGivenSpeed(const std::vector<Support> &supports, const Support &best, double givenSpeed)
 {
-    const bool isTenTimesGiven = std::ranges::any_of(supports, [&](const Support &support) {
-        return support.rank() == bestRank && haveRatioOfTen(support.speed, givenSpeed);
+    const bool isTenthOrTenfoldBest = std::ranges::any_of(supports, [&](const Support &support) {
+        return support.rank() == best.rank() && haveRatioOfTen(support.speed, givenSpeed);
     });
     for (const Support &support : supports) {
-        const bool mayBeGiven = isTenTimesGiven ? support.rank() == bestRank : support.columns == bestRank.first;
+        const bool mayBeGiven = isTenthOrTenfoldBest ? support.rank() == best.rank() : support.columns == best.columns;
         if (mayBeGiven && isGivenSpeed(support.speed, givenSpeed)) {
             return std::copysign(support.speed, givenSpeed);
         }
@@ -189,13 +189,13 @@ std::optional<double> findGivenSpeed(const std::vector<Support> &supports, std::
     return std::nullopt;
 }
 
-/// The speeds with the best rank: each magnitude once, although several columns vote for it.
-std::vector<double> findBestSpeeds(const std::vector<Support> &supports, std::pair<int, int> bestRank)
+/// The speeds with the best rank, that of `best`: each magnitude once, although several columns vote for it.
+std::vector<double> findBestSpeeds(const std::vector<Support> &supports, const Support &best)
 {
     std::vector<double> speeds;
     for (const Support &support : supports) {
         const auto isSame = [&](double speed) { return haveSameMagnitude(speed, support.speed); };
-        if (support.rank() == bestRank && std::ranges::none_of(speeds, isSame)) {
+        if (support.rank() == best.rank() && std::ranges::none_of(speeds, isSame)) {
             speeds.push_back(support.speed);
         }
     }
@@ -213,14 +213,14 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
     std::vector<Support> supports;
     std::ranges::transform(votes, std::back_inserter(supports),
                            [&](const Vote &vote) { return countSupport(vote, votes); });
-    const auto bestRank = std::ranges::max(supports, {}, &Support::rank).rank();
-    if (const std::optional<double> speed = findGivenSpeed(supports, bestRank, givenSpeed)) {
+    const Support best = std::ranges::max(supports, {}, &Support::rank);
+    if (const std::optional<double> speed = findGivenSpeed(supports, best, givenSpeed)) {
         return {*speed};
     }
-    std::vector<double> bestSpeeds = findBestSpeeds(supports, bestRank);
+    std::vector<double> bestSpeeds = findBestSpeeds(supports, best);
     const Vote &firstVote = votes.front();
     const bool isVelocityOfLength = firstVote.isVelocity && !observations.columns[firstVote.column].containsAngles();
-    if (bestSpeeds.size() == 1 && bestRank.first == 1 && isVelocityOfLength &&
+    if (bestSpeeds.size() == 1 && best.columns == 1 && isVelocityOfLength &&
         isGivenSpeed(10.0 * bestSpeeds[0], givenSpeed)) {
         bestSpeeds.push_back(10.0 * bestSpeeds[0]);
     }

@@ -81,9 +81,9 @@ SuspiciousValue findMostSuspicious(const ReferenceSeries &series)
     values[row] -= largest->error; // otherwise it would count as an error of its neighbours, too
     errors = estimateErrors(values);
     const auto magnitude = [](const PossibleError &possible) { return std::abs(possible.error); };
-    const auto median = errors.begin() + std::ssize(errors) / 2;
-    std::ranges::nth_element(errors, median, {}, magnitude);
-    const double usualError = std::max(magnitude(*median), kMinUsualError * step);
+    const auto middle = errors.begin() + std::ssize(errors) / 2;
+    std::ranges::nth_element(errors, middle, {}, magnitude);
+    const double usualError = std::max(magnitude(*middle), kMinUsualError * step);
     return {.row = row, .suspicion = error > 0.0 ? error / usualError : 0.0};
 }
 
@@ -123,12 +123,12 @@ std::optional<std::size_t> findRowWithLargestResidual(const LastFit &lastFit)
 std::optional<std::size_t> findSuspiciousRow(const ReferenceData &data)
 {
     constexpr double kMinSuspicion = 10.0; // few curves without an error reach it
-    SuspiciousValue worst;
+    SuspiciousValue mostSuspicious;
     for (const ReferenceSeries &series : data.series) {
         const SuspiciousValue value = findMostSuspicious(series);
-        worst = value.suspicion > worst.suspicion ? value : worst;
+        mostSuspicious = value.suspicion > mostSuspicious.suspicion ? value : mostSuspicious;
     }
-    return worst.suspicion > kMinSuspicion ? std::optional(worst.row) : std::nullopt;
+    return mostSuspicious.suspicion > kMinSuspicion ? std::optional(mostSuspicious.row) : std::nullopt;
 }
 
 ReferenceData withoutRow(ReferenceData data, std::size_t row)

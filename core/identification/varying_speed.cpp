@@ -30,12 +30,12 @@ Eigen::VectorXd derivativeOfPredictions(const Observations &observations, const 
 {
     constexpr double kRelativeStep = 1e-6;
     const double step = kRelativeStep * size;
-    Model more = fit.model;
-    add(more, step);
-    Model less = fit.model;
-    add(less, -step);
+    Model increased = fit.model;
+    add(increased, step);
+    Model decreased = fit.model;
+    add(decreased, -step);
     const Eigen::ArrayXXd difference =
-        predictValues(more, observations, fit.columns) - predictValues(less, observations, fit.columns);
+        predictValues(increased, observations, fit.columns) - predictValues(decreased, observations, fit.columns);
     return weightedColumn(observations, fit, difference / (2.0 * step));
 }
 

@@ -138,10 +138,10 @@ void appendLateStart(WholeFileConventions &result, const Parameters &given)
     const double angle = std::remainder(p.theta20 - given.theta20, kTurn);
     const double error = result.standardErrors[indexOf(Parameter::Theta20)];
     if (std::abs(angle) > toleranceOf(Parameter::Theta20, given, error)) {
-        const double late =
+        const double delay = // s
             findRoundNumber(angle / given.omega2, error / std::abs(given.omega2), std::array{1.0}).value;
-        result.conventions.push_back({{Kind::TimeShift, {}, late}});
-        p.theta20 = std::remainder(p.theta20 - late * p.omega2, kTurn);
+        result.conventions.push_back({{Kind::TimeShift, {}, delay}});
+        p.theta20 = std::remainder(p.theta20 - delay * p.omega2, kTurn);
     }
 }
 
@@ -153,12 +153,12 @@ WholeFileConventions findWholeFileConventions(const ReferenceData &data, const P
     // Several changes lead to the given mechanism by chance more often than one. A file with θ2 shows how the crank
     // turns and where it starts; it needs no second change.
     const std::size_t maxConventions = data.find(kCrankAngle) ? 1 : 2;
-    const WholeFileConventions none{.parameters = found, .standardErrors = standardErrors};
+    const WholeFileConventions unchanged{.parameters = found, .standardErrors = standardErrors};
     const WholeFileFactors factors = findFactorsTowards(given, found, data);
-    WholeFileConventions result = none;
+    WholeFileConventions result = unchanged;
     multiplyMechanism(result, factors);
     if (!haveSameLengthsAndSpeed(result.parameters, given, result.standardErrors)) {
-        return none;
+        return unchanged;
     }
     appendFactors(result.conventions, factors, data, found.branch);
     if (found.branch != given.branch) {
@@ -167,7 +167,7 @@ WholeFileConventions findWholeFileConventions(const ReferenceData &data, const P
     if (!data.crank) {
         appendLateStart(result, given);
     }
-    return result.conventions.size() <= maxConventions ? result : none;
+    return result.conventions.size() <= maxConventions ? result : unchanged;
 }
 
 } // namespace slidercrank
