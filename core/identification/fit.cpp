@@ -82,8 +82,8 @@ bool addTermsOfRow(std::vector<ColumnSums> &sums, const Model &model, const Obse
     const bool isAssembled =
         computeUnitSpeedMotion<Dual>(motion, m.branch, {variable(m.a, 0), variable(m.b, 1), variable(m.c, 2)},
                                      variable(model.crankAngle(observations, row), 3), model.isApproximateFormula);
-    for (std::size_t place = 0; place < columns.size(); ++place) {
-        const Index k = columns[place];
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const Index k = columns[i];
         if (!std::isfinite(observations.columns[k].values[row])) {
             continue;
         }
@@ -91,8 +91,8 @@ bool addTermsOfRow(std::vector<ColumnSums> &sums, const Model &model, const Obse
             return false;
         }
         const Terms terms = computeTerms(motion, model, observations, k, row);
-        sums[place].products.noalias() += terms * terms.transpose();
-        sums[place].count += 1.0;
+        sums[i].products.noalias() += terms * terms.transpose();
+        sums[i].count += 1.0;
     }
     return true;
 }
@@ -159,8 +159,8 @@ std::optional<LocalShape> shapeOfMisfit(const Observations &observations, const 
     }
     const Index size = std::ssize(unknowns);
     LocalShape shape{0.0, Eigen::VectorXd::Zero(size), Eigen::MatrixXd::Zero(size, size)};
-    for (std::size_t place = 0; place < columns.size(); ++place) {
-        addMisfitOfColumn(shape, sums[place], observations, columns[place], unknowns);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        addMisfitOfColumn(shape, sums[i], observations, columns[i], unknowns);
     }
     return std::isfinite(shape.value) ? std::optional(std::move(shape)) : std::nullopt;
 }
@@ -246,11 +246,11 @@ void Fit::replaceModel(const Fit &other)
     misfit = other.misfit;
 }
 
-Indices Fit::places() const
+Indices Fit::indicesInFit() const
 {
-    Indices places(static_cast<std::size_t>(residuals.cols()));
-    std::iota(places.begin(), places.end(), Index{0});
-    return places;
+    Indices indicesInFit(static_cast<std::size_t>(residuals.cols()));
+    std::iota(indicesInFit.begin(), indicesInFit.end(), Index{0});
+    return indicesInFit;
 }
 
 double Fit::valueCount() const
@@ -258,10 +258,10 @@ double Fit::valueCount() const
     return std::accumulate(counts.begin(), counts.end(), 0.0);
 }
 
-double columnMisfit(const Observations &observations, const Fit &fit, Index place)
+double columnMisfit(const Observations &observations, const Fit &fit, Index indexInFit)
 {
-    const double meanSquare = fit.rms[place] * fit.rms[place];
-    return columnMisfit(observations.columns[fit.columns[place]], meanSquare, fit.counts[place]);
+    const double meanSquare = fit.rms[indexInFit] * fit.rms[indexInFit];
+    return columnMisfit(observations.columns[fit.columns[indexInFit]], meanSquare, fit.counts[indexInFit]);
 }
 
 Fit evaluateModel(const Observations &observations, Model model, Indices columns)
@@ -269,13 +269,13 @@ Fit evaluateModel(const Observations &observations, Model model, Indices columns
     Fit fit{.model = std::move(model), .columns = std::move(columns)};
     fit.residuals = -predictValues(fit.model, observations, fit.columns);
     fit.misfit = hasPositiveLinks(fit.model.mechanism) ? 0.0 : kInfinity;
-    for (const Index place : fit.places()) {
-        const ObservedColumn &column = observations.columns[fit.columns[place]];
-        fit.residuals.col(place) += column.values;
+    for (const Index indexInFit : fit.indicesInFit()) {
+        const ObservedColumn &column = observations.columns[fit.columns[indexInFit]];
+        fit.residuals.col(indexInFit) += column.values;
         const double count = static_cast<double>(column.values.isFinite().count());
         // The predictions are NaN where the mechanism cannot be assembled.
-        const bool isAssembled = static_cast<double>(fit.residuals.col(place).isFinite().count()) == count;
-        const double meanSquare = gapsAsZeros(fit.residuals.col(place)).square().sum() / std::max(count, 1.0);
+        const bool isAssembled = static_cast<double>(fit.residuals.col(indexInFit).isFinite().count()) == count;
+        const double meanSquare = gapsAsZeros(fit.residuals.col(indexInFit)).square().sum() / std::max(count, 1.0);
         fit.counts.push_back(count);
         fit.rms.push_back(std::sqrt(meanSquare));
         fit.misfit += isAssembled ? columnMisfit(column, meanSquare, count) : kInfinity;
@@ -316,8 +316,8 @@ bool isShortArc(const Observations &observations, const Model &model)
 double dependence(const Fit &fit)
 {
     double largest = 1.0;
-    for (const Index place : fit.places()) {
-        largest = std::max(largest, dependence(fit.residuals.col(place)));
+    for (const Index indexInFit : fit.indicesInFit()) {
+        largest = std::max(largest, dependence(fit.residuals.col(indexInFit)));
     }
     return largest;
 }

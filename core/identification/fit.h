@@ -74,8 +74,8 @@ double parameterSize(Parameter parameter, const Parameters &parameters);
 /// Rounding error of the computation of a fitted parameter, relative to its size.
 inline constexpr double kFitArithmeticError = 1e-13;
 
-/// A fitted model. Where a function has a parameter `place`, it is about the column fit.columns[place] and its
-/// residuals fit.residuals.col(place); a parameter `k` is the index of a column of the observations.
+/// A fitted model. Where a function has a parameter `indexInFit`, it is about the column fit.columns[indexInFit] and
+/// its residuals fit.residuals.col(indexInFit); a parameter `k` is the index of a column of the observations.
 struct Fit {
     Model model;
     Indices columns;     ///< those of the observations to which the model was fitted
@@ -94,7 +94,7 @@ struct Fit {
     bool isFree(Unknown unknown) const;
     Index indexOf(Unknown unknown) const; ///< its index in `unknowns`; unknowns.size() if it is not free
     double valueCount() const;            ///< number of values in all columns
-    Indices places() const;               ///< 0, 1, …: the places of the columns; none if there are no residuals
+    Indices indicesInFit() const; ///< 0, 1, …: the indices of the columns in the fit; none if there are no residuals
 
     /// The unknowns and those of `more` that are not among them.
     Unknowns unknownsWith(const Unknowns &more) const;
@@ -114,8 +114,8 @@ struct Fit {
 /// Computes the residuals and the misfit of a model, without unknowns.
 Fit evaluateModel(const Observations &observations, Model model, Indices columns);
 
-/// The part of the misfit that fit.columns[place] contributes.
-double columnMisfit(const Observations &observations, const Fit &fit, Index place);
+/// The part of the misfit that fit.columns[indexInFit] contributes.
+double columnMisfit(const Observations &observations, const Fit &fit, Index indexInFit);
 
 /// Changes the unknowns of a model so that the misfit in `columns` is least, and returns this fit. The search starts at
 /// the values that the unknowns have in `start`, and tries at most `iterationLimit` steps. The fit is not finite if the

@@ -49,9 +49,9 @@ bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown u
     Model moved = fit.model;
     valueOf(moved, unknown) = value;
     const Eigen::ArrayXXd change = evaluateModel(observations, moved, fit.columns).residuals - fit.residuals;
-    return std::ranges::all_of(fit.places(), [&](Index place) {
-        const double squaredStep = 12.0 * observations.columns[fit.columns[place]].variance;
-        return gapsAsZeros(change.col(place)).square().sum() <= squaredStep * fit.counts[place];
+    return std::ranges::all_of(fit.indicesInFit(), [&](Index indexInFit) {
+        const double squaredStep = 12.0 * observations.columns[fit.columns[indexInFit]].variance;
+        return gapsAsZeros(change.col(indexInFit)).square().sum() <= squaredStep * fit.counts[indexInFit];
     });
 }
 
@@ -59,11 +59,11 @@ bool isBelowRounding(const Observations &observations, const Fit &fit, Unknown u
 bool hasSmallResiduals(const Observations &observations, const Fit &fit)
 {
     constexpr double kMaxFraction = 0.01; // of the size of a column (rms): a moving average of R4_x leaves that much
-    const auto isSmall = [&](Index place) {
-        return fit.rms[place] < kMaxFraction * columnSize(observations, fit, place) ||
-               isWithinRounding(observations, fit, place); // a constant column has the size 0
+    const auto isSmall = [&](Index indexInFit) {
+        return fit.rms[indexInFit] < kMaxFraction * columnSize(observations, fit, indexInFit) ||
+               isWithinRounding(observations, fit, indexInFit); // a constant column has the size 0
     };
-    return fit.isFinite() && std::ranges::all_of(fit.places(), isSmall);
+    return fit.isFinite() && std::ranges::all_of(fit.indicesInFit(), isSmall);
 }
 
 /// Whether an origin is so close to its usual value that a filter or an interpolation may have shifted the curve by as

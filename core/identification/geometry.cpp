@@ -372,18 +372,18 @@ Indices changingColumns(const Observations &observations, Coordinate coordinate)
     return columns;
 }
 
-/// Places in the result of changingColumns().
+/// Indices in the result of changingColumns().
 constexpr std::size_t kLowestOrder = 0;
 constexpr std::size_t kSecondLowestOrder = 1;
 
-/// The column at one place of changingColumns() for each of some coordinates, as far as it exists.
-Indices columnsAtPlace(const Observations &observations, std::span<const Coordinate> coordinates, std::size_t place)
+/// For each of some coordinates, the column at index n of changingColumns(), as far as it exists.
+Indices columnsOfNthOrder(const Observations &observations, std::span<const Coordinate> coordinates, std::size_t n)
 {
     Indices columns;
     for (const Coordinate coordinate : coordinates) {
         const Indices changing = changingColumns(observations, coordinate);
-        if (changing.size() > place) {
-            columns.push_back(changing[place]);
+        if (changing.size() > n) {
+            columns.push_back(changing[n]);
         }
     }
     return columns;
@@ -405,9 +405,9 @@ Model withUsualFactors(const Observations &observations, const Fit &geometry, co
 
 Indices shapeColumns(const Observations &observations)
 {
-    Indices columns = columnsAtPlace(observations, std::array{Theta3, R4x}, kLowestOrder);
+    Indices columns = columnsOfNthOrder(observations, std::array{Theta3, R4x}, kLowestOrder);
     if (columns.empty()) {
-        columns = columnsAtPlace(observations, std::array{R3x, R3y, R2x, R2y}, kLowestOrder);
+        columns = columnsOfNthOrder(observations, std::array{R3x, R3y, R2x, R2y}, kLowestOrder);
     }
     const auto isDerivative = [&](Index k) { return observations.columns[k].isDerivative(); };
     if (observations.hasAngle() && !std::ranges::all_of(columns, isDerivative)) {
@@ -418,7 +418,7 @@ Indices shapeColumns(const Observations &observations)
 
 Indices higherShapeColumns(const Observations &observations)
 {
-    return columnsAtPlace(observations, std::array{Theta3, R4x}, kSecondLowestOrder);
+    return columnsOfNthOrder(observations, std::array{Theta3, R4x}, kSecondLowestOrder);
 }
 
 bool areLengthsDetermined(const Observations &observations, const Indices &columns)

@@ -124,7 +124,7 @@ struct IdentifiedTable {
 };
 
 /// The arguments of identify(), with the table as it is in the file or without some of its rows.
-struct Task {
+struct IdentificationInput {
     const ReferenceData &table;
     const Parameters &given;
     const std::stop_token &stop;
@@ -133,12 +133,12 @@ struct Task {
 /// Identifies the mechanism of a table by running all steps once. `tableConvention`: the convention that is applied to
 /// the table before it is observed; nullopt if it is observed as it is. `findGeometry`: the step that finds the
 /// geometry.
-IdentifiedTable identifyTable(const Task &task, const std::optional<Convention> &tableConvention,
+IdentifiedTable identifyTable(const IdentificationInput &input, const std::optional<Convention> &tableConvention,
                               FindGeometry findGeometry)
 {
-    const Parameters &given = task.given;
-    const ReferenceData data = tableConvention ? applied(*tableConvention, task.table) : task.table;
-    Observations wholeFile = withComputedColumnsMarked(observe(data, task.stop));
+    const Parameters &given = input.given;
+    const ReferenceData data = tableConvention ? applied(*tableConvention, input.table) : input.table;
+    Observations wholeFile = withComputedColumnsMarked(observe(data, input.stop));
     if (const Identification::Lack lack = findLack(wholeFile); lack != Identification::Lack::Nothing) {
         return {
             {.outcome = Identification::Outcome::Insufficient, .parameters = given, .rounded = given, .lack = lack}};
@@ -147,8 +147,8 @@ IdentifiedTable identifyTable(const Task &task, const std::optional<Convention> 
     table.findings = findMechanism(data, std::move(wholeFile), findGeometry, given);
     table.result = judge(data, table.findings, given);
     if (table.result.hasMechanism()) {
-        addConventionsAndComparisons(table.result, task.table, tableConvention, table.findings, given);
-        if (!allAgree(table.result.channels)) { // the comparison, which the user can repeat, has the last word
+        addConventionsAndComparisons(table.result, input.table, tableConvention, table.findings, given);
+        if (!allAgree(table.result.channels)) { // the comparison, which the user can repeat, decides
             table.result.outcome = Identification::Outcome::Approximate;
         }
     }
@@ -167,12 +167,12 @@ bool isBetter(const Identification &result, const Identification &other)
 
 /// Identifies the mechanism of a table whose slider moves along y, after the axes are rotated: once those of lengths
 /// only, and once those of angles, too. Returns the better result; nullopt if the slider moves along x.
-std::optional<Identification> identifyRotated(const Task &task)
+std::optional<Identification> identifyRotated(const IdentificationInput &input)
 {
     std::optional<Identification> best;
     for (const bool rotatesAngles : {false, true}) {
-        if (const std::optional<Convention> rotation = findAxisRotation(task.table, rotatesAngles)) {
-            Identification result = identifyTable(task, rotation, findBestGeometry).result;
+        if (const std::optional<Convention> rotation = findAxisRotation(input.table, rotatesAngles)) {
+            Identification result = identifyTable(input, rotation, findBestGeometry).result;
             if (!best || isBetter(result, *best)) {
                 best = std::move(result);
             }
@@ -207,11 +207,11 @@ std::optional<Identification> withExcludedRows(IdentifiedTable table, const Refe
 /// other, until a mechanism explains the others exactly: the row of the most suspicious value or, if no value is
 /// suspicious, the row with the largest residual. Returns nullopt after maxTypingErrors() rows, if no row is left to
 /// suspect, or if the mechanism also explains a row that was left out. `table`: the result for all rows.
-std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table, const Task &task)
+std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table, const IdentificationInput &input)
 {
-    ReferenceData remaining = task.table;
+    ReferenceData remaining = input.table;
     std::vector<std::size_t> rows;
-    while (rows.size() < maxTypingErrors(task.table)) {
+    while (rows.size() < maxTypingErrors(input.table)) {
         std::optional<std::size_t> row = findSuspiciousRow(remaining);
         if (!row) {
             row = findRowWithLargestResidual(table.findings.lastFit);
@@ -221,9 +221,9 @@ std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table,
         }
         rows.push_back(*row);
         remaining = withoutRow(std::move(remaining), *row);
-        table = identifyTable({remaining, task.given, task.stop}, std::nullopt, findBestGeometry);
+        table = identifyTable({remaining, input.given, input.stop}, std::nullopt, findBestGeometry);
         if (explainsAll(table.result)) {
-            return withExcludedRows(std::move(table), task.table, rows);
+            return withExcludedRows(std::move(table), input.table, rows);
         }
     }
     return std::nullopt;
@@ -257,7 +257,8 @@ bool needsOrigin(const Identification &result)
 /// Identifies the mechanism with which the approximate formula of textbooks explains a table exactly; nullopt if there
 /// is none, if it has the crossed assembly, or if the exact motion explains the table as well and as simply.
 /// `asInFile`: the result with the exact motion, which may need an origin of R4_x where the formula needs none.
-std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable &asInFile, const Task &task)
+std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable &asInFile,
+                                                           const IdentificationInput &input)
 {
     const LastFit &exactMotion = asInFile.findings.lastFit;
     const bool isFormulaBetter = isApproximateFormulaBetter(exactMotion);
@@ -265,7 +266,7 @@ std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable
     if (!isFormulaBetter && !mayAvoidOrigin) {
         return std::nullopt;
     }
-    IdentifiedTable table = identifyTable(task, std::nullopt, findGeometryOfApproximateFormula);
+    IdentifiedTable table = identifyTable(input, std::nullopt, findGeometryOfApproximateFormula);
     Identification &result = table.result;
     const bool explainsTable = result.outcome == Identification::Outcome::Approximate &&
                                table.findings.lastFit.isExact && result.leftOut.empty() && result.excludedRows.empty();
@@ -282,12 +283,11 @@ std::optional<Identification> identifyByApproximateFormula(const IdentifiedTable
 /// conventions of the table, and typing errors. Returns the best result that explains everything exactly, or that of
 /// `asInFile`, the table as it is in the file, if none is better. The approximate formula, if it is accepted, comes
 /// first.
-Identification tryUnlikelyReadings(IdentifiedTable asInFile, const Task &task)
+Identification tryUnlikelyReadings(IdentifiedTable asInFile, const IdentificationInput &input)
 {
-    if (std::optional<Identification> result = identifyByApproximateFormula(asInFile, task)) {
+    if (std::optional<Identification> result = identifyByApproximateFormula(asInFile, input)) {
         return *std::move(result);
     }
-    const std::vector<Convention> conventions = possibleTableConventions(task.table, asInFile.result);
     Identification best = asInFile.result;
     const auto keepIfBetter = [&](Identification result) {
         if (explainsAll(result) && isBetter(result, best)) {
@@ -296,13 +296,15 @@ Identification tryUnlikelyReadings(IdentifiedTable asInFile, const Task &task)
     };
     if (!explainsAll(best)) {
         // Coarsely rounded positions may have been explained by a mechanism that contradicts their derivatives.
-        keepIfBetter(identifyTable(task, std::nullopt, findGeometryOfHigherDerivatives).result);
+        keepIfBetter(identifyTable(input, std::nullopt, findGeometryOfHigherDerivatives).result);
     }
-    for (const Convention &convention : conventions) {
-        keepIfBetter(identifyTable(task, convention, findBestGeometry).result);
+    for (const Convention &convention : possibleTableConventions(input.table, asInFile.result)) {
+        keepIfBetter(identifyTable(input, convention, findBestGeometry).result);
     }
-    if (!explainsAll(best) || !best.conventions.empty() || best.drive) { // a wrong θ2 looks like an uneven speed
-        if (auto result = identifyWithoutTypingErrors(std::move(asInFile), task)) {
+    // A typing error may look like a convention or, in θ2, like an uneven speed.
+    const bool mayContainTypingErrors = !explainsAll(best) || !best.conventions.empty() || best.drive;
+    if (mayContainTypingErrors) {
+        if (auto result = identifyWithoutTypingErrors(std::move(asInFile), input)) {
             keepIfBetter(*std::move(result));
         }
     }
@@ -314,10 +316,10 @@ Identification tryUnlikelyReadings(IdentifiedTable asInFile, const Task &task)
 Identification identify(const ReferenceData &data, const Mechanism &given, std::stop_token stop)
 {
     const Parameters &parameters = given.parameters();
-    const Task task{.table = data, .given = parameters, .stop = stop};
-    std::optional<Identification> result = identifyRotated(task);
+    const IdentificationInput input{.table = data, .given = parameters, .stop = stop};
+    std::optional<Identification> result = identifyRotated(input);
     if (!result) {
-        result = tryUnlikelyReadings(identifyTable(task, std::nullopt, findBestGeometry), task);
+        result = tryUnlikelyReadings(identifyTable(input, std::nullopt, findBestGeometry), input);
     }
     if (stop.stop_requested()) {
         Identification stopped{.parameters = parameters, .rounded = parameters};

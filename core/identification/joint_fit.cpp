@@ -20,11 +20,11 @@ namespace
 /// column.
 bool isLastColumnExplained(const Observations &observations, const Fit &together, const Fit &others)
 {
-    const Index place = std::ssize(together.columns) - 1;
-    return isWithinRounding(observations, together, place) ||
-           (isExplained(observations, together, place) &&
+    const Index indexInFit = std::ssize(together.columns) - 1;
+    return isWithinRounding(observations, together, indexInFit) ||
+           (isExplained(observations, together, indexInFit) &&
             together.rms.back() <
-                maxResidualOfFurtherColumn(observations, others) * columnSize(observations, together, place));
+                maxResidualOfFurtherColumn(observations, others) * columnSize(observations, together, indexInFit));
 }
 
 /// The origin with which the motion times `factor` fits a column of positions best (the median); 0 for derivatives.
@@ -73,9 +73,9 @@ std::vector<ColumnReading> simpleReadings(const Observations &observations, cons
 /// rounding.
 bool mayUseLastColumn(const Observations &observations, const Fit &fit)
 {
-    const Index place = std::ssize(fit.columns) - 1;
-    const ObservedColumn &column = observations.columns[fit.columns[place]];
-    return !column.isPrintedDifference && (!column.isDifference || isNearRounding(observations, fit, place));
+    const Index indexInFit = std::ssize(fit.columns) - 1;
+    const ObservedColumn &column = observations.columns[fit.columns[indexInFit]];
+    return !column.isPrintedDifference && (!column.isDifference || isNearRounding(observations, fit, indexInFit));
 }
 
 /// Fits column k together with the columns of a fit, in the simplest reading with which a mechanism explains them all:

@@ -27,14 +27,14 @@ Values largestChangeToNeighbours(const Values &values)
     return largest;
 }
 
-/// Which rows have an outlier in fit.columns[place], see fitAllRows().
-Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fit, Index place)
+/// Which rows have an outlier in fit.columns[indexInFit], see fitAllRows().
+Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fit, Index indexInFit)
 {
     constexpr double kMaxDeviations = 8.0;         // robust standard deviations: noise does not reach them in any file
     constexpr double kDeviationPerMedian = 1.4826; // standard deviation of noise over the median of its magnitudes
     constexpr double kMaxLateness = 0.2;           // intervals between rows by which a row may be late or early
-    const ObservedColumn &column = observations.columns[fit.columns[place]];
-    const Values residuals = fit.residuals.col(place);
+    const ObservedColumn &column = observations.columns[fit.columns[indexInFit]];
+    const Values residuals = fit.residuals.col(indexInFit);
     const Values errors = residuals.abs();
     const double limit = kMaxDeviations * std::max(kDeviationPerMedian * median(errors), std::sqrt(column.variance));
     // Residuals from row to row jump at outliers. Systematic residuals may be as large, but rise and fall slowly.
@@ -42,8 +42,8 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
     if (!(gapsAsZeros(residuals.tail(pairs) - residuals.head(pairs)).abs() > limit).any()) {
         return Eigen::ArrayX<bool>::Constant(residuals.size(), false);
     }
-    const Values predictions = predictValues(fit.model, observations, {fit.columns[place]}).col(0);
-    const Values harmless = (kMaxResidualInBounds * roundingBounds(observations, fit, place))
+    const Values predictions = predictValues(fit.model, observations, {fit.columns[indexInFit]}).col(0);
+    const Values harmless = (kMaxResidualInBounds * roundingBounds(observations, fit, indexInFit))
                                 .max(kMaxLateness * largestChangeToNeighbours(predictions));
     return errors > limit && errors > harmless;
 }
@@ -52,8 +52,8 @@ Eigen::ArrayX<bool> findOutliers(const Observations &observations, const Fit &fi
 Indices findRowsWithOutliers(const Observations &observations, const Fit &fit)
 {
     Eigen::ArrayX<bool> hasOutlier = Eigen::ArrayX<bool>::Constant(observations.size(), false);
-    for (const Index place : fit.places()) {
-        hasOutlier = hasOutlier || findOutliers(observations, fit, place);
+    for (const Index indexInFit : fit.indicesInFit()) {
+        hasOutlier = hasOutlier || findOutliers(observations, fit, indexInFit);
     }
     Indices rows;
     for (Index row = 0; row < hasOutlier.size(); ++row) {

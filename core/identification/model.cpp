@@ -16,9 +16,9 @@ Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observatio
         }
         const double speed = model.crankSpeed(observations, row);
         const double acceleration = model.crankAcceleration(observations, row);
-        for (Index place = 0; place < result.cols(); ++place) {
-            const Channel channel = observations.columns[columns[place]].channel;
-            result(row, place) = motionAtSpeed(motion, channel, speed, acceleration);
+        for (Index i = 0; i < result.cols(); ++i) {
+            const Channel channel = observations.columns[columns[i]].channel;
+            result(row, i) = motionAtSpeed(motion, channel, speed, acceleration);
         }
     }
     return result;
@@ -27,9 +27,9 @@ Eigen::ArrayXXd computeMotion(const Model &model, const Observations &observatio
 Eigen::ArrayXXd predictValues(const Model &model, const Observations &observations, const Indices &columns)
 {
     Eigen::ArrayXXd result = computeMotion(model, observations, columns);
-    for (Index place = 0; place < result.cols(); ++place) {
-        const ColumnReading &reading = model.readings[columns[place]];
-        result.col(place) = reading.factor * result.col(place) + reading.origin;
+    for (Index i = 0; i < result.cols(); ++i) {
+        const ColumnReading &reading = model.readings[columns[i]];
+        result.col(i) = reading.factor * result.col(i) + reading.origin;
     }
     return result;
 }

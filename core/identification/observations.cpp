@@ -53,7 +53,9 @@ Values computeHalfSteps(const std::vector<double> &values, const Rounding &round
         halfSteps[i] = 0.5 * rounding.stepAt(values[rows[i]]) * unit;
     }
     // Finer digits mean nothing beside the coarsest ones of the column, or are errors of the arithmetic of a program.
-    return halfSteps.max(std::max(kSmallestFractionOfLargestStep * halfSteps.maxCoeff(), 0.5 * kArithmeticStep * size));
+    const double leastBesideCoarsest = kSmallestFractionOfLargestStep * halfSteps.maxCoeff();
+    const double leastOfArithmetic = 0.5 * kArithmeticStep * size;
+    return halfSteps.max(std::max(leastBesideCoarsest, leastOfArithmetic));
 }
 
 /// Reads a column in mm or rad, without jumps by whole turns.

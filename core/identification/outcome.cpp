@@ -39,14 +39,14 @@ constexpr double kMaxSystematicError = 0.1;
 /// explains the residuals as well (see changesByRipple()).
 constexpr double kMaxChangeByRipple = 0.03;
 
-/// The residual of fit.columns[place] in the units of files.
-ColumnResidual describeResidual(const Observations &observations, const Fit &fit, Index place)
+/// The residual of fit.columns[indexInFit] in the units of files.
+ColumnResidual describeResidual(const Observations &observations, const Fit &fit, Index indexInFit)
 {
-    const ObservedColumn &column = observations.columns[fit.columns[place]];
-    const double largest = gapsAsZeros(fit.residuals.col(place)).abs().maxCoeff();
+    const ObservedColumn &column = observations.columns[fit.columns[indexInFit]];
+    const double largest = gapsAsZeros(fit.residuals.col(indexInFit)).abs().maxCoeff();
     const bool hasRange = !column.isConstant() && column.channel != kSliderLine; // R4_y is constant apart from noise
     return {.channel = column.channel,
-            .rms = toFileUnit(column.channel, fit.rms[place]),
+            .rms = toFileUnit(column.channel, fit.rms[indexInFit]),
             .max = toFileUnit(column.channel, largest),
             .percentOfRange = hasRange ? 100.0 * largest / column.range : 0.0};
 }
@@ -118,9 +118,9 @@ ParameterFlags findOpenParameters(const LastFit &lastFit, const ParameterErrors 
             const std::size_t i = indexOf(*parameter);
             const double size = parameterSize(*parameter, m);
             const bool isCouplerOrOffset = parameter == Parameter::B || parameter == Parameter::C;
-            open[i] = isEverythingOpen || (isCouplerOpen && isCouplerOrOffset) ||
-                      changes[i] > kMaxChangeByRipple * size ||
-                      errors[i] > maxRelativeError(*parameter, areResidualsSystematic) * size;
+            const bool dependsOnRipple = changes[i] > kMaxChangeByRipple * size;
+            const bool isUncertain = errors[i] > maxRelativeError(*parameter, areResidualsSystematic) * size;
+            open[i] = isEverythingOpen || (isCouplerOpen && isCouplerOrOffset) || dependsOnRipple || isUncertain;
         }
     }
     if (open[indexOf(Parameter::A)]) {
@@ -158,8 +158,10 @@ std::optional<Rejection> findRejection(const Findings &findings)
         return Rejection::SliderLine;
     }
     const LastFit &lastFit = findings.lastFit;
-    const auto isColumnExplained = [&](Index place) { return isExplained(lastFit.observations, lastFit.fit, place); };
-    const bool areExplained = std::ranges::all_of(lastFit.fit.places(), isColumnExplained);
+    const auto isColumnExplained = [&](Index indexInFit) {
+        return isExplained(lastFit.observations, lastFit.fit, indexInFit);
+    };
+    const bool areExplained = std::ranges::all_of(lastFit.fit.indicesInFit(), isColumnExplained);
     return areExplained ? std::nullopt : std::optional(Rejection::LargeResiduals);
 }
 
@@ -303,10 +305,10 @@ void setFindings(Identification &result, const ReferenceData &data, const Findin
 Identification::Lack findLack(const Observations &observations)
 {
     constexpr Index kMinRows = 4; // no fit has fewer unknowns than three
-    if (observations.size() >= kMinRows && !shapeColumns(observations).empty()) {
-        return Lack::Nothing;
+    if (observations.size() < kMinRows) {
+        return Lack::FewValues;
     }
-    return observations.size() >= kMinRows ? Lack::NothingMoves : Lack::FewValues;
+    return shapeColumns(observations).empty() ? Lack::NothingMoves : Lack::Nothing;
 }
 
 Identification judge(const ReferenceData &data, const Findings &findings, const Parameters &given)
@@ -319,8 +321,8 @@ Identification judge(const ReferenceData &data, const Findings &findings, const 
         result.rejection = Rejection::CannotBeAssembled;
         return result;
     }
-    for (const Index place : fit.places()) {
-        result.residuals.push_back(describeResidual(observations, fit, place));
+    for (const Index indexInFit : fit.indicesInFit()) {
+        result.residuals.push_back(describeResidual(observations, fit, indexInFit));
     }
     result.iterations = fit.iterations;
     result.conditionNumber = conditionNumber(fit);

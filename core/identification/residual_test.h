@@ -23,27 +23,27 @@ inline constexpr double kMaxMisfitIncrease = 20.0;
 /// the fit, which is seldom larger.
 inline constexpr double kMaxResidualInBounds = 2.0;
 
-/// How far the values of fit.columns[place] may be from the motion because of rounding: half a rounding step of the
-/// value, plus the motion during half a rounding step of the abscissa.
-Values roundingBounds(const Observations &observations, const Fit &fit, Index place);
+/// How far the values of fit.columns[indexInFit] may be from the motion because of rounding: half a rounding step of
+/// the value, plus the motion during half a rounding step of the abscissa.
+Values roundingBounds(const Observations &observations, const Fit &fit, Index indexInFit);
 
-/// The size with which the residuals of fit.columns[place] are compared: the range of the column. R4_y is constant; its
-/// size is twice the length of the crank, about the range of R4_x.
-double columnSize(const Observations &observations, const Fit &fit, Index place);
+/// The size with which the residuals of fit.columns[indexInFit] are compared: the range of the column. R4_y is
+/// constant; its size is twice the length of the crank, about the range of R4_x.
+double columnSize(const Observations &observations, const Fit &fit, Index indexInFit);
 
-/// Whether at least 95 % of the residuals of fit.columns[place] are within a bound, none is beyond ten bounds, and none
-/// exceeds the bound by more than 0.5 % of half the range (in a constant column, none exceeds it). The bound is that of
-/// rounding, plus the error of the fit itself (see FittedMechanism).
-bool isWithinRounding(const Observations &observations, const Fit &fit, Index place);
+/// Whether at least 95 % of the residuals of fit.columns[indexInFit] are within a bound, none is beyond ten bounds, and
+/// none exceeds the bound by more than 0.5 % of half the range (in a constant column, none exceeds it). The bound is
+/// that of rounding, plus the error of the fit itself (see FittedMechanism).
+bool isWithinRounding(const Observations &observations, const Fit &fit, Index indexInFit);
 
-/// Whether the residuals of fit.columns[place] are as small as rounding, although the fit has errors, too: their rms is
-/// at most kMaxResidualInBounds times that of the bounds. Difference quotients of rounded values have far larger
+/// Whether the residuals of fit.columns[indexInFit] are as small as rounding, although the fit has errors, too: their
+/// rms is at most kMaxResidualInBounds times that of the bounds. Difference quotients of rounded values have far larger
 /// residuals.
-bool isNearRounding(const Observations &observations, const Fit &fit, Index place);
+bool isNearRounding(const Observations &observations, const Fit &fit, Index indexInFit);
 
-/// Whether rounding explains the residuals of fit.columns[place], or their rms, relative to columnSize(), is below
+/// Whether rounding explains the residuals of fit.columns[indexInFit], or their rms, relative to columnSize(), is below
 /// kLargestNoise if their signs change like those of noise, or below kLargestSystematicResidual if not.
-bool isExplained(const Observations &observations, const Fit &fit, Index place);
+bool isExplained(const Observations &observations, const Fit &fit, Index indexInFit);
 
 /// Whether rounding explains the residuals of all columns of the fit; false if the fit is not finite.
 bool isExact(const Observations &observations, const Fit &fit);

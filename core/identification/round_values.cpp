@@ -195,13 +195,14 @@ Model withParameters(Model model, const Parameters &parameters, const Observatio
     return model;
 }
 
-/// Whether 95 % of the residuals of fit.columns[place] are within the bounds of rounding. Unlike isWithinRounding(),
-/// does not enlarge the bounds by the error of the fit, because rounded parameters are no fit.
-bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit, Index place)
+/// Whether 95 % of the residuals of fit.columns[indexInFit] are within the bounds of rounding. Unlike
+/// isWithinRounding(), does not enlarge the bounds by the error of the fit, because rounded parameters are no fit.
+bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit, Index indexInFit)
 {
-    const Values errors = gapsAsZeros(fit.residuals.col(place)).abs();
-    const auto beyond = static_cast<double>((errors > roundingBounds(observations, fit, place)).count());
-    return 100.0 * (fit.counts[place] - beyond) >= static_cast<double>(kPercentWithinBound) * fit.counts[place];
+    const Values errors = gapsAsZeros(fit.residuals.col(indexInFit)).abs();
+    const auto beyond = static_cast<double>((errors > roundingBounds(observations, fit, indexInFit)).count());
+    return 100.0 * (fit.counts[indexInFit] - beyond) >=
+           static_cast<double>(kPercentWithinBound) * fit.counts[indexInFit];
 }
 
 /// Whether rounded parameters still explain what the fit from which they were rounded explains: each column that was
@@ -212,11 +213,11 @@ bool areStillExplained(const Observations &observations, const Fit &rounded, con
     // The misfit of the true values of five parameters is higher than that of the fit by 5 on average, and seldom
     // by 10.
     constexpr double kMaxGrowth = 10.0;
-    const auto isStillWithinRounding = [&](Index place) {
-        return !areNearlyAllWithinRounding(observations, fit, place) ||
-               areNearlyAllWithinRounding(observations, rounded, place);
+    const auto isStillWithinRounding = [&](Index indexInFit) {
+        return !areNearlyAllWithinRounding(observations, fit, indexInFit) ||
+               areNearlyAllWithinRounding(observations, rounded, indexInFit);
     };
-    return rounded.misfit - fit.misfit < kMaxGrowth && std::ranges::all_of(fit.places(), isStillWithinRounding);
+    return rounded.misfit - fit.misfit < kMaxGrowth && std::ranges::all_of(fit.indicesInFit(), isStillWithinRounding);
 }
 
 } // namespace

@@ -206,6 +206,7 @@ std::vector<double> findBestSpeeds(const std::vector<Support> &supports, const S
 
 std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed)
 {
+    constexpr double kMillimetresPerCentimetre = 10.0;
     const std::vector<Vote> votes = collectVotes(observations, fit);
     if (votes.empty()) {
         return {};
@@ -220,9 +221,9 @@ std::vector<double> findTableSpeeds(const Observations &observations, const Fit 
     std::vector<double> bestSpeeds = findBestSpeeds(supports, best);
     const Vote &firstVote = votes.front();
     const bool isVelocityOfLength = firstVote.isVelocity && !observations.columns[firstVote.column].containsAngles();
-    if (bestSpeeds.size() == 1 && best.columns == 1 && isVelocityOfLength &&
-        isGivenSpeed(10.0 * bestSpeeds[0], givenSpeed)) {
-        bestSpeeds.push_back(10.0 * bestSpeeds[0]);
+    const bool isSingleVelocityOfLength = bestSpeeds.size() == 1 && best.columns == 1 && isVelocityOfLength;
+    if (isSingleVelocityOfLength && isGivenSpeed(kMillimetresPerCentimetre * bestSpeeds[0], givenSpeed)) {
+        bestSpeeds.push_back(kMillimetresPerCentimetre * bestSpeeds[0]); // the values may be in cm/s (rule 5)
     }
     return bestSpeeds;
 }

@@ -32,17 +32,17 @@ PossibleError estimateError(const std::vector<double> &values, std::size_t row)
 {
     double sum = 0.0;
     double weight = 0.0;
-    for (std::size_t place = 0; place < kFourthDifference.size(); ++place) { // where the value is in the difference
-        if (row < place || row - place + kFourthDifference.size() > values.size()) {
+    for (std::size_t term = 0; term < kFourthDifference.size(); ++term) { // the one that contains the value
+        if (row < term || row - term + kFourthDifference.size() > values.size()) {
             continue;
         }
         double difference = 0.0;
         for (std::size_t i = 0; i < kFourthDifference.size(); ++i) {
-            difference += kFourthDifference[i] * values[row - place + i];
+            difference += kFourthDifference[i] * values[row - term + i];
         }
         if (std::isfinite(difference)) {
-            sum += kFourthDifference[place] * difference;
-            weight += kFourthDifference[place] * kFourthDifference[place];
+            sum += kFourthDifference[term] * difference;
+            weight += kFourthDifference[term] * kFourthDifference[term];
         }
     }
     return weight > 0.0 ? PossibleError{sum / weight, sum * sum / weight} : PossibleError{};
@@ -107,10 +107,10 @@ std::optional<std::size_t> findRowWithLargestResidual(const LastFit &lastFit)
     }
     constexpr double kMinResidual = 8.0; // times the median of the column: noise of 400 values seldom reaches five
     Values largest = Values::Zero(lastFit.observations.size());
-    for (const Index place : fit.places()) {
-        const double usual = median(fit.residuals.col(place).abs());
+    for (const Index indexInFit : fit.indicesInFit()) {
+        const double usual = median(fit.residuals.col(indexInFit).abs());
         if (usual > 0.0) {
-            largest = largest.max(gapsAsZeros(fit.residuals.col(place)).abs() / usual);
+            largest = largest.max(gapsAsZeros(fit.residuals.col(indexInFit)).abs() / usual);
         }
     }
     Index row = 0;

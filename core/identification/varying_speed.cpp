@@ -16,9 +16,9 @@ namespace
 Eigen::VectorXd weightedColumn(const Observations &observations, const Fit &fit, const Eigen::ArrayXXd &values)
 {
     Eigen::ArrayXXd weighted = fit.residuals.isFinite().select(values, 0.0);
-    for (Index place = 0; place < weighted.cols(); ++place) {
-        const double variance = observations.columns[fit.columns[place]].variance;
-        weighted.col(place) /= std::sqrt(fit.rms[place] * fit.rms[place] + variance);
+    for (Index indexInFit = 0; indexInFit < weighted.cols(); ++indexInFit) {
+        const double variance = observations.columns[fit.columns[indexInFit]].variance;
+        weighted.col(indexInFit) /= std::sqrt(fit.rms[indexInFit] * fit.rms[indexInFit] + variance);
     }
     return weighted.reshaped();
 }
