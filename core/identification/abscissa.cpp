@@ -43,8 +43,8 @@ void followTime(const Observations &observations, Fit &fit, const Drive &drive)
     fit.unknowns = fit.unknownsWith({Parameter::Theta20, Parameter::Omega2, originOf(column)});
 }
 
-/// Makes the angle of the crank in the file a column like the others, because a constant speed predicts it, and fits it
-/// together with them over the time.
+/// Makes the angle of the crank in the file a column of the observations, because a constant speed predicts it, and
+/// fits it together with the columns of the fit over the time.
 ObservedFit withAngleAsColumn(ObservedFit observed, const Drive &drive)
 {
     appendAngle(observed.wholeFile);

@@ -47,9 +47,10 @@ ConstrainedFit findConstrainedGeometry(const Observations &wholeFile, const Obse
 
 /// Whether `higher`, the geometry of the higher orders, is better than `lowest`, that of the lowest ones. `columns`:
 /// the columns of both. Over the time, it is better if its misfit in these columns is lower. But if rounding explains
-/// the columns of `lowest`, and the others are difference quotients of them, `lowest` explains everything, so that
-/// rounding has to explain all columns by `higher`, too. In a file with θ2, derivatives depend on a speed that is not
-/// known yet, so that the misfits cannot be compared; there, `higher` is better if rounding explains its own columns.
+/// the columns of `lowest`, and those of `higher` are difference quotients of them, `lowest` explains everything, so
+/// that rounding has to explain all columns by `higher`, too. In a file with θ2, derivatives depend on a speed that is
+/// not known yet, so that the misfits cannot be compared; there, `higher` is better if rounding explains its own
+/// columns.
 bool isHigherBetter(const Observations &searched, const Fit &higher, const Fit &lowest, const Indices &columns)
 {
     if (searched.hasAngle()) {

@@ -13,8 +13,9 @@ namespace slidercrank
 
 double maxResidualOfFurtherColumn(const Observations &observations, const Fit &fit)
 {
-    constexpr double kLargestBesideExactColumns = 1e-3; // of the range: a program may compute derivatives less exactly
-    return isExact(observations, fit) ? kLargestBesideExactColumns : kLargestNoise;
+    constexpr double kMaxBesideExactColumns =
+        1e-3; // fraction of the range: a program may compute derivatives less exactly
+    return isExact(observations, fit) ? kMaxBesideExactColumns : kLargestNoise;
 }
 
 std::span<const double> unitFactors(Channel channel)

@@ -12,11 +12,12 @@ namespace
 {
 
 /// A quotient needs this number of rows before and after its own one.
-constexpr Index kReach = 2;
+constexpr Index kRowsOnEachSide = 2;
 
-/// A difference quotient: the factors of the values from kReach rows before a row to kReach rows after it.
+/// A difference quotient: the factors of the values from kRowsOnEachSide rows before a row to kRowsOnEachSide rows
+/// after it.
 struct Stencil {
-    std::array<double, 2 * kReach + 1> factors;
+    std::array<double, 2 * kRowsOnEachSide + 1> factors;
     int order; ///< order of the derivative that the quotient approximates
 };
 constexpr Stencil kSecondDifference{{0.0, 1.0, -2.0, 1.0, 0.0}, 2};
@@ -29,9 +30,9 @@ constexpr std::array<Stencil, 7> kStencils{
      {{0.0, 0.0, 1.0, -2.0, 1.0}, 2},   // forward quotient of forward quotients
      {{1.0, -2.0, 1.0, 0.0, 0.0}, 2}}}; // backward quotient of backward quotients
 
-/// Quotients in all rows but the first and the last kReach ones. Their divisor is half the distance between both
-/// neighbours of the row, to the power of the order. (For forward and backward quotients, this requires evenly spaced
-/// rows.)
+/// Quotients in all rows but the first and the last kRowsOnEachSide ones. Their divisor is half the distance between
+/// both neighbours of the row, to the power of the order. (For forward and backward quotients, this requires evenly
+/// spaced rows.)
 struct Quotients {
     Values values;
     Values bounds; ///< the largest errors of the quotients because of the rounding of the column
@@ -39,8 +40,9 @@ struct Quotients {
 
 Quotients computeQuotients(const Stencil &stencil, const Values &abscissa, const ObservedColumn &column)
 {
-    const Index rows = abscissa.size() - 2 * kReach;
-    const Values widths = 0.5 * (abscissa.segment(kReach + 1, rows) - abscissa.segment(kReach - 1, rows)).abs();
+    const Index rows = abscissa.size() - 2 * kRowsOnEachSide;
+    const Values widths =
+        0.5 * (abscissa.segment(kRowsOnEachSide + 1, rows) - abscissa.segment(kRowsOnEachSide - 1, rows)).abs();
     Quotients quotients{Values::Zero(rows), Values::Zero(rows)};
     for (Index k = 0; k < std::ssize(stencil.factors); ++k) {
         if (const double factor = stencil.factors[k]; factor != 0.0) { // otherwise a gap, which is NaN, would count
@@ -57,7 +59,8 @@ struct ScaledQuotients {
     Values predictions;
     Values bounds; ///< the largest errors of the predictions because of the rounding of the lower column
 
-    /// Whether most values are predicted within some bounds and are not zero within them, which would prove nothing.
+    /// Whether most values are predicted within some bounds, and enough of these are not zero within them: zeros would
+    /// prove nothing.
     bool areWithin(const Values &largestErrors) const
     {
         constexpr double kMinFraction = 0.8;       // of the rows: the others may lie beside gaps or jumps
@@ -72,7 +75,7 @@ ScaledQuotients scaleQuotients(const Stencil &stencil, const Values &abscissa, c
                                const ObservedColumn &lower)
 {
     const Quotients quotients = computeQuotients(stencil, abscissa, lower);
-    const Values values = column.values.segment(kReach, quotients.values.size());
+    const Values values = column.values.segment(kRowsOnEachSide, quotients.values.size());
     const Values products = gapsAsZeros(quotients.values * values);
     // By least squares, without gaps and without values that are zero, which prove nothing.
     const double factor = products.sum() / (products != 0.0).select(quotients.values.square(), 0.0).sum();
@@ -84,7 +87,7 @@ bool agreeWithinRounding(const ScaledQuotients &quotients, const ObservedColumn 
 {
     // Fraction of the range of the column. Agreement within a larger bound would prove nothing.
     constexpr double kMaxBound = 0.05;
-    const Values bounds = column.halfSteps.segment(kReach, quotients.values.size()) + quotients.bounds;
+    const Values bounds = column.halfSteps.segment(kRowsOnEachSide, quotients.values.size()) + quotients.bounds;
     return quotients.areWithin((bounds < kMaxBound * column.range).select(bounds, kNone));
 }
 
@@ -120,12 +123,12 @@ void markDifferences(const Observations &observations, ObservedColumn &column)
 /// at the other values.
 bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn &column)
 {
-    constexpr double kMinFraction = 0.45; // of the rows: at least every second one is computed
+    constexpr double kMinFraction = 0.45; // of the rows: nearly every second one
     constexpr double kMinCurvature = 3.0; // at the other rows (median), relative to what rounding can simulate
     const Quotients curvature = computeQuotients(kSecondDifference, observations.abscissa(), column);
     const Index rows = curvature.values.size();
     const Eigen::ArrayX<bool> isRepeated =
-        column.values.segment(kReach, rows) == column.values.segment(kReach - 1, rows);
+        column.values.segment(kRowsOnEachSide, rows) == column.values.segment(kRowsOnEachSide - 1, rows);
     const Eigen::ArrayX<bool> isOnLineOrRepeated = curvature.values.abs() <= curvature.bounds || isRepeated;
     const Values curvatureOfOthers = isOnLineOrRepeated.select(kNone, curvature.values.abs() / curvature.bounds);
     return isOnLineOrRepeated.cast<double>().mean() > kMinFraction && median(curvatureOfOthers) > kMinCurvature;
@@ -135,7 +138,7 @@ bool isInterpolatedOrHeld(const Observations &observations, const ObservedColumn
 
 Observations withComputedColumnsMarked(Observations observations)
 {
-    constexpr Index kMinRows = 2 * kReach + 1;
+    constexpr Index kMinRows = 2 * kRowsOnEachSide + 1;
     for (ObservedColumn &column : observations.columns) {
         if (observations.size() >= kMinRows && !column.isConstant()) {
             markDifferences(observations, column);

@@ -252,7 +252,7 @@ void compareWithBothMechanisms(Identification &result, const ReferenceData &corr
 bool isRowContradicted(const Identification &result, const ReferenceData &data, std::size_t row,
                        const Findings &findings)
 {
-    constexpr double kFarInBounds = 4.0; // bounds of rounding: more than rounding and the error of a fit together
+    constexpr double kMaxErrorInBounds = 4.0; // bounds of rounding: more than rounding and the error of a fit together
     ReferenceData corrected = applyAll(result.conventions, data);
     for (ReferenceSeries &series : corrected.series) {
         if (series.channel != kCrankAngle) { // only the values of this row are compared
@@ -265,7 +265,7 @@ bool isRowContradicted(const Identification &result, const ReferenceData &data, 
     const std::vector<ChannelComparison> channels =
         compareCorrectedFile(result.parameters, corrected, findings, fitted);
     return std::ranges::any_of(
-        channels, [](const ChannelComparison &channel) { return channel.largestErrorInBounds > kFarInBounds; });
+        channels, [](const ChannelComparison &channel) { return channel.largestErrorInBounds > kMaxErrorInBounds; });
 }
 
 bool allAgree(const std::vector<ChannelComparison> &channels)

@@ -112,8 +112,6 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
 Fit withUsualSign(const Observations &observations, Fit fit)
 {
     Model start = fit.model;
-    start.mechanism.omega2 = -start.mechanism.omega2;
-    start.mechanism.theta20 = kHalfTurn - start.mechanism.theta20;
     bool isNegated = false;
     for (const Index k : fit.columns) {
         double &factor = start.readings[k].factor;
@@ -125,6 +123,8 @@ Fit withUsualSign(const Observations &observations, Fit fit)
     if (!isNegated || fit.model.followsAngle) {
         return fit;
     }
+    start.mechanism.omega2 = -start.mechanism.omega2;
+    start.mechanism.theta20 = kHalfTurn - start.mechanism.theta20;
     Fit next = fitModel(observations, std::move(start), fit.columns, fit.unknowns);
     return isExact(observations, next) ? next : fit;
 }

@@ -22,9 +22,9 @@ struct FurtherColumns {
 };
 
 /// Adds columns to a fit, positions first. A column is added in its usual reading, or else in a different unit, with a
-/// different sign or with a free origin, if it is explained together with the columns of the fit: its residuals are
-/// rounding or small, and the others are explained as well as without it (explainsAsWell()). `drive`: that of the model
-/// of the fit. `given`: chooses among the speeds that the units of a table leave open, and is the speed if no
+/// different sign or with a free origin, if a mechanism explains it together with the columns of the fit: its residuals
+/// are rounding or small, and those columns are explained as well as without it (explainsAsWell()). `drive`: that of
+/// the model of the fit. `given`: chooses among the speeds that the units of a table leave open, and is the speed if no
 /// derivative of a table is used.
 FurtherColumns withFurtherColumns(const Observations &observations, const Fit &fit, const Drive &drive,
                                   const Parameters &given);

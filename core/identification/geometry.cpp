@@ -148,7 +148,7 @@ SizeAndSpeed sizeAndSpeedOfColumns(const Observations &observations, const Indic
 }
 
 /// The reading of a column after the mechanism has got its true size and speed: of the factor of a length, or of a
-/// derivative over the angle, only the sign remains, because size and speed replace the rest. θ3 keeps its factor,
+/// derivative over the angle, only the sign remains, because size and speed replace the magnitude. θ3 keeps its factor,
 /// which is a unit conversion. `fitted`: the reading before, from fitColumn(). `speed`: ω2, rad/s.
 ColumnReading readingAfterScaling(const ObservedColumn &column, const ColumnReading &fitted, const Model &model,
                                   double speed)
@@ -228,10 +228,10 @@ void replaceIfBetter(Candidate &best, Candidate candidate)
 /// Removes all candidates but those with the lowest misfits, and sorts these.
 void keepBest(std::vector<Candidate> &candidates)
 {
-    constexpr std::size_t kCandidates = 6; // the right one is not always the best on a coarse grid; each costs a fit
+    constexpr std::size_t kMaxCandidates = 6; // the right one is not always the best on a coarse grid; each costs a fit
     std::erase_if(candidates, [](const Candidate &candidate) { return !std::isfinite(candidate.misfit); });
     std::ranges::sort(candidates, {}, &Candidate::misfit);
-    candidates.resize(std::min(kCandidates, candidates.size()));
+    candidates.resize(std::min(kMaxCandidates, candidates.size()));
 }
 
 /// Tries a mechanism with a = 1 mm with several values of θ20, and appends the best candidate of these to each list of
@@ -239,10 +239,10 @@ void keepBest(std::vector<Candidate> &candidates)
 void addBestCandidates(GridResult &result, Model model, const Observations &observations, const Indices &columns,
                        const Parameters &given)
 {
-    constexpr int kAngles = 16; // every 22.5°
+    constexpr int kAngleCount = 16; // every 22.5°
     Candidate usual, any;
-    for (int i = 0; i < kAngles; ++i) {
-        model.mechanism.theta20 = kTurn * i / kAngles;
+    for (int i = 0; i < kAngleCount; ++i) {
+        model.mechanism.theta20 = kTurn * i / kAngleCount;
         const Eigen::ArrayXXd motion = computeMotion(model, observations, columns);
         std::vector<Moments> moments;
         for (Index k = 0; k < motion.cols(); ++k) {
@@ -308,10 +308,10 @@ Unknowns geometryUnknowns(const Observations &observations, const Indices &colum
 std::vector<Fit> fitCandidates(const Observations &observations, const Indices &columns,
                                const std::vector<Candidate> &candidates, const Unknowns &unknowns)
 {
-    constexpr int kIterations = 20; // enough to see which candidates are worth a complete fit
+    constexpr int kIterationLimit = 20; // enough to see which candidates are worth a complete fit
     std::vector<Fit> fits;
     for (const Candidate &candidate : candidates) {
-        fits.push_back(fitModel(observations, candidate.model, columns, unknowns, kIterations));
+        fits.push_back(fitModel(observations, candidate.model, columns, unknowns, kIterationLimit));
         if (isExact(observations, fits.back())) {
             break;
         }

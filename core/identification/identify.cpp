@@ -204,8 +204,8 @@ std::optional<Identification> withExcludedRows(IdentifiedTable table, const Refe
 }
 
 /// Identifies the mechanism of a table without the rows that may contain typing errors. Leaves rows out, one after the
-/// other, until a mechanism explains the others exactly: the row of the most suspicious value or, if no value is
-/// suspicious, the row with the largest residual. Returns nullopt after maxTypingErrors() rows, if no row is left to
+/// other, until a mechanism explains the remaining rows exactly: the row of the most suspicious value or, if no value
+/// is suspicious, the row with the largest residual. Returns nullopt after maxTypingErrors() rows, if no row is left to
 /// suspect, or if the mechanism also explains a row that was left out. `table`: the result for all rows.
 std::optional<Identification> identifyWithoutTypingErrors(IdentifiedTable table, const IdentificationInput &input)
 {

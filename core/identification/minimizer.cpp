@@ -27,8 +27,8 @@ Eigen::VectorXd dampedStep(const LocalShape &shape, double damping)
 
 Eigen::VectorXd diagonalScale(const Eigen::MatrixXd &matrix)
 {
-    constexpr double kSmallest = 1e-300; // an unknown without influence has a zero on the diagonal
-    return matrix.diagonal().array().max(kSmallest).sqrt().inverse();
+    constexpr double kSmallestElement = 1e-300; // an unknown without influence has a zero on the diagonal
+    return matrix.diagonal().array().max(kSmallestElement).sqrt().inverse();
 }
 
 std::optional<Minimum> minimize(const Objective &function, Eigen::VectorXd start, const MinimizerOptions &options)

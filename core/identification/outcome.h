@@ -12,7 +12,7 @@ namespace slidercrank
 Identification::Lack findLack(const Observations &observations);
 
 /// The outcome without conventions and comparisons. Insufficient: the file has too few values, or leaves parameters
-/// open of the mechanism that explains it. None: no mechanism explains it. `data`: the file from which `findings` were
+/// of the mechanism that explains it open. None: no mechanism explains it. `data`: the file from which `findings` were
 /// made. `given`: supplies the parameters that the file does not determine.
 Identification judge(const ReferenceData &data, const Findings &findings, const Parameters &given);
 

@@ -26,9 +26,10 @@ struct FitWithSpeeds {
     std::vector<double> speeds{};
 };
 
-/// Adds the columns to a fit of the geometry that show what it leaves open: in a table over the crank angle the speed,
-/// and beside angles, which show only ratios of lengths, the size. `drive`: the kind of the drive. `givenSpeed`
-/// (rad/s): preferred among the speeds that a table allows if it does not show the unit of its derivatives.
+/// Adds columns to a fit of the geometry that show what this fit leaves open: the speed in a table over the crank
+/// angle, and the size if the fit contains only angles, which show only ratios of lengths. `drive`: the kind of the
+/// drive. `givenSpeed` (rad/s): preferred among the speeds that a table allows if it does not show the unit of its
+/// derivatives.
 FitWithSpeeds withSpeedAndSize(const Observations &observations, const Fit &geometry, Drive::Kind drive,
                                double givenSpeed);
 

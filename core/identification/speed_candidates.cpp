@@ -18,7 +18,7 @@ namespace
 /// How often the column goes from clearly below the middle of its range to clearly above it, or back.
 int countMiddleCrossings(const ObservedColumn &column)
 {
-    constexpr double kHysteresis = 0.15;          // of the range: noise crosses nothing
+    constexpr double kHysteresis = 0.15;          // fraction of the range: noise crosses nothing
     constexpr std::size_t kValuesPerOutlier = 50; // one value in 50, at either end of the range, may be an outlier
     std::vector<double> sorted;
     sorted.reserve(static_cast<std::size_t>(column.values.size()));
@@ -191,7 +191,7 @@ std::vector<double> arcSpeeds(const Observations &observations)
 
 std::vector<double> findSpeedCandidates(const Observations &observations, const Indices &columns)
 {
-    constexpr std::size_t kCandidates = 4; // each costs a search of the geometry
+    constexpr std::size_t kMaxCandidates = 4; // each costs a search of the geometry
     constexpr int kCrossingsOfOneTurn = 2;
     const int crossings = countMaxCrossings(observations, columns);
     const bool mayBeArc = crossings <= kCrossingsOfOneTurn;
@@ -205,7 +205,7 @@ std::vector<double> findSpeedCandidates(const Observations &observations, const 
     }
     std::ranges::stable_sort(best, {}, &Trial::misfit);
     std::vector<double> speeds;
-    for (std::size_t i = 0; i < std::min(kCandidates, best.size()); ++i) {
+    for (std::size_t i = 0; i < std::min(kMaxCandidates, best.size()); ++i) {
         speeds.push_back(best[i].speed);
     }
     if (mayBeArc) {

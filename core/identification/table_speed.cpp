@@ -115,8 +115,8 @@ std::vector<Vote> votesOfColumn(const ObservedColumn &column, Index k, const Mod
 
 /// The votes of the derivatives that the fit does not use and the mechanism explains. Derivatives of lengths do not
 /// vote if the fit contains only angles, which do not show the size of the mechanism. If the residuals of some
-/// derivatives are as small as rounding, only these vote: the others may be difference quotients, whose speed is too
-/// low.
+/// derivatives are as small as rounding, only these vote, because other derivatives may be difference quotients, whose
+/// speed is too low.
 std::vector<Vote> collectVotes(const Observations &observations, const Fit &fit)
 {
     const bool isSizeOpen = observations.containOnlyAngles(fit.columns);
@@ -202,6 +202,17 @@ std::vector<double> findBestSpeeds(const std::vector<Support> &supports, const S
     return speeds;
 }
 
+/// Repeats a fit over the time from a start at `factor` times its speed, with the same angle of the crank in the first
+/// row.
+Fit fitAtScaledSpeed(const Observations &observations, const Fit &fit, double factor)
+{
+    const Parameters &before = fit.model.mechanism;
+    Model start = fit.model;
+    start.mechanism.omega2 *= factor;
+    start.mechanism.theta20 += (before.omega2 - start.mechanism.omega2) * observations.time.values[0];
+    return fitModel(observations, std::move(start), fit.columns, fit.unknowns);
+}
+
 } // namespace
 
 std::vector<double> findTableSpeeds(const Observations &observations, const Fit &fit, double givenSpeed)
@@ -243,15 +254,9 @@ Fit withSpeedOfVelocities(const Observations &observations, const Fit &fit)
         if (!scale.isExplained || isInOtherUnit) {
             continue;
         }
-        Parameters changed = fit.model.mechanism;
-        changed.omega2 *= scale.factor;
-        // The angle of the crank in the first row remains.
-        changed.theta20 += (fit.model.mechanism.omega2 - changed.omega2) * observations.time.values[0];
-        Model model = fit.model;
-        model.mechanism = changed;
-        Fit other = fitModel(observations, model, fit.columns, fit.unknowns);
-        if (explainsAsWell(observations, other, fit)) {
-            return other;
+        Fit atOtherSpeed = fitAtScaledSpeed(observations, fit, scale.factor);
+        if (explainsAsWell(observations, atOtherSpeed, fit)) {
+            return atOtherSpeed;
         }
     }
     return fit;

@@ -13,7 +13,7 @@ namespace slidercrank
 /// In a table over the crank angle, a derivative of order n is the derivative by the angle times ω2ⁿ times a unit.
 /// Returns the speeds (rad/s) that the derivatives show: several if their units leave several open, none if no
 /// derivative shows one.
-///   1. Each derivative that the fit does not use, and the mechanism of the fit explains up to a factor, votes for the
+///   1. Each derivative that the fit does not use, and that its mechanism explains up to a factor, votes for the
 ///      speeds that follow from this factor, one for each unit. If that mechanism does not explain it, but one that is
 ///      fitted to it together with the columns of the fit does, the derivative votes for the speeds of that mechanism.
 ///      Derivatives of lengths do not vote if the fit contains only angles. If the residuals of some voting derivatives
