@@ -62,7 +62,7 @@ void convertToUnitOfMostColumns(LastFit &last, const Parameters &given)
 
 /// Replaces the model of the last fit by a mirror image of it. Its parameters are as certain as before, but the
 /// covariances of c, ω2 and θ20 with the others change their signs with these parameters (θ20 is negated with ω2).
-void replaceByImage(LastFit &lastFit, const Model &image)
+void replaceByMirrorImage(LastFit &lastFit, const Model &image)
 {
     const Parameters &before = lastFit.fit.model.mechanism;
     const double signOfC = before.c * image.mechanism.c < 0.0 ? -1.0 : 1.0;
@@ -73,14 +73,14 @@ void replaceByImage(LastFit &lastFit, const Model &image)
     lastFit.fit.model = image;
 }
 
-/// Replaces the model of the last fit by its mirror image with the simplest reading. Sets findings.otherImages to the
-/// other images that need the same reading.
-void chooseImage(Findings &findings, const Parameters &given)
+/// Replaces the model of the last fit by its mirror image with the simplest reading. Sets findings.otherMirrorImages to
+/// the other images that need the same reading.
+void chooseMirrorImage(Findings &findings, const Parameters &given)
 {
     LastFit &last = findings.lastFit;
     const std::vector<Model> images = findSimplestMirrorImages(last.observations, last.fit, given);
-    replaceByImage(last, images.front());
-    findings.otherImages.assign(images.begin() + 1, images.end());
+    replaceByMirrorImage(last, images.front());
+    findings.otherMirrorImages.assign(images.begin() + 1, images.end());
     if (findings.drive.kind == Drive::Kind::RunUp) { // the image may have negated its angle, speed and acceleration
         findings.drive = findDrive(last.observations, last.fit.model);
     }
@@ -88,7 +88,7 @@ void chooseImage(Findings &findings, const Parameters &given)
 
 /// Fits the drive and the origins with the given lengths to all rows, and takes this fit if it explains them as well as
 /// the last one. (compareWithGivenLengths() has tested only the searched rows; all rows can show a difference that
-/// those do not.) Then chooses the mirror image again, because findings.otherImages have the old lengths.
+/// those do not.) Then chooses the mirror image again, because findings.otherMirrorImages have the old lengths.
 void moveToGivenLengths(Findings &findings, const Parameters &given)
 {
     const Observations &allRows = findings.lastFit.observations;
@@ -96,7 +96,7 @@ void moveToGivenLengths(Findings &findings, const Parameters &given)
     const Fit moved = fitWithGivenLengths(allRows, last, given);
     if (explainsAsWell(allRows, moved, last)) {
         last.replaceModel(moved);
-        chooseImage(findings, given);
+        chooseMirrorImage(findings, given);
     }
 }
 
@@ -129,7 +129,7 @@ void chooseExpectedDescription(Findings &findings, const Observations &searched,
     convertToUnitOfMostColumns(last, given);
     const Parameters unrounded = parametersAtTimeZero(last.fit.model, last.observations, findings.drive);
     moveToChosenNumbers(last, unrounded);
-    chooseImage(findings, given);
+    chooseMirrorImage(findings, given);
     compareWithGivenLengths(findings, searched, given);
 }
 

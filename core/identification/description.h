@@ -10,8 +10,8 @@ namespace slidercrank
 
 /// Several units, numbers, mirror images and origins explain the file equally well. Changes findings.lastFit to those
 /// that a person expects: the unit of most columns, round numbers, the mirror image with the simplest reading and the
-/// lengths of the given mechanism. Also sets findings.otherImages and findings.change. Requires that the last fit is
-/// finite. `searched`: the selected rows in which the steps before the last fit have searched.
+/// lengths of the given mechanism. Also sets findings.otherMirrorImages and findings.change. Requires that the last fit
+/// is finite. `searched`: the selected rows in which the steps before the last fit have searched.
 void chooseExpectedDescription(Findings &findings, const Observations &searched, const Parameters &given);
 
 } // namespace slidercrank

@@ -15,9 +15,9 @@ struct Findings {
     Drive drive;
     LastFit lastFit; ///< not finite if no mechanism can be assembled
     std::vector<LeftOutColumn> leftOut;
-    std::vector<double> speeds;         ///< the values of ω2 that a table over the crank angle allows, rad/s
-    std::vector<Model> otherImages;     ///< mirror images of the last fit that need the same reading of the file
-    std::optional<LengthChange> change; ///< the one wrong length of the given mechanism, if there is one
+    std::vector<double> speeds;           ///< the values of ω2 that a table over the crank angle allows, rad/s
+    std::vector<Model> otherMirrorImages; ///< mirror images of the last fit that need the same reading of the file
+    std::optional<LengthChange> change;   ///< the one wrong length of the given mechanism, if there is one
 };
 
 } // namespace slidercrank

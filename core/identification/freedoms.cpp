@@ -77,6 +77,17 @@ bool isSmallOrigin(const Observations &observations, const Model &model, Unknown
     return change < (unknown.isOrigin() ? kMaxOriginFraction * observations.columns[unknown.column].range : kMaxAngle);
 }
 
+/// Repeats a fit with θ3, column k, in its usual unit. `scaleOfC`: the factor by which c is multiplied at the start.
+Fit fitInUsualUnit(const Observations &observations, const Fit &fit, Index k, double scaleOfC)
+{
+    const double unit = std::abs(fit.model.readings[k].factor);
+    Model start = fit.model;
+    start.readings[k].factor /= unit;
+    start.mechanism.b /= unit;
+    start.mechanism.c *= scaleOfC;
+    return fitModel(observations, std::move(start), fit.columns, fit.unknowns);
+}
+
 /// Where sin θ3 ≈ θ3, a different unit of θ3 looks like a different length of the coupler. Returns the fit with θ3 in
 /// its usual unit, or the same fit if the file needs the other unit.
 Fit withUsualUnits(const Observations &observations, Fit fit)
@@ -91,11 +102,7 @@ Fit withUsualUnits(const Observations &observations, Fit fit)
         // origin, its mean c / b is multiplied, too, and c remains. If its origin is free, it takes up the mean; then c
         // is divided as well, so that the mean remains.
         for (const double scaleOfC : {1.0, 1.0 / unit}) {
-            Model start = fit.model;
-            start.readings[k].factor /= unit;
-            start.mechanism.b /= unit;
-            start.mechanism.c *= scaleOfC;
-            Fit next = fitModel(observations, std::move(start), fit.columns, fit.unknowns);
+            Fit next = fitInUsualUnit(observations, fit, k, scaleOfC);
             if (explainsAsWell(observations, next, fit)) {
                 fit = std::move(next);
                 break;

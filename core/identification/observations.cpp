@@ -209,16 +209,17 @@ void observeAngleColumn(Observations &observations, const ReferenceData &data)
         return;
     }
     const ObservedColumn column = readColumn(data, *crank, observations.rows);
-    if (column.values.isFinite().all() && !hidesTurns(column.values)) {
-        Abscissa &angle = observations.angle;
-        angle.values = column.values;
-        angle.halfStep = column.halfSteps.maxCoeff();
-        if (areChosen(column.values)) { // exact, apart from the motion during half a rounding step of the time
-            const double motionInHalfStep = observations.time.halfStep / observations.span() * column.range;
-            angle.halfStep = std::min(angle.halfStep, motionInHalfStep + kArithmeticError * column.range);
-        }
-        countTurnsInGaps(angle.values, observations.time.values);
+    if (!column.values.isFinite().all() || hidesTurns(column.values)) {
+        return;
     }
+    Abscissa &angle = observations.angle;
+    angle.values = column.values;
+    angle.halfStep = column.halfSteps.maxCoeff();
+    if (areChosen(column.values)) { // exact, apart from the motion during half a rounding step of the time
+        const double motionInHalfStep = observations.time.halfStep / observations.span() * column.range;
+        angle.halfStep = std::min(angle.halfStep, motionInHalfStep + kArithmeticError * column.range);
+    }
+    countTurnsInGaps(angle.values, observations.time.values);
 }
 
 /// The observations in some of their rows.

@@ -256,7 +256,7 @@ void addAlternatives(Identification &result, const Findings &findings, const Par
     const Observations &observations = findings.lastFit.observations;
     const bool areAngles = observations.containOnlyAngles(findings.lastFit.fit.columns);
     const Symmetry symmetryOfSameAssembly = areAngles ? Symmetry::ReversedCrank : Symmetry::MirrorImage;
-    for (const Model &image : findings.otherImages) {
+    for (const Model &image : findings.otherMirrorImages) {
         const Parameters parameters =
             completedByGiven(parametersAtTimeZero(image, observations, findings.drive), isFromFit, given);
         const bool hasSameAssembly = parameters.branch == result.parameters.branch;

@@ -16,17 +16,18 @@ Values roundingBounds(const Observations &observations, const Fit &fit, Index in
     const ObservedColumn &column = observations.columns[fit.columns[indexInFit]];
     const double shift = fit.model.followsAngle ? std::abs(fit.model.angleFactor) * observations.angle.halfStep
                                                 : std::abs(fit.model.mechanism.omega2) * observations.time.halfStep;
+    const Values halfSteps = kTieFactor * column.halfSteps;
+    if (shift == 0.0) { // the abscissa is exact
+        return halfSteps;
+    }
     Values motion = Values::Zero(column.values.size()); // during half a rounding step of the abscissa
     for (const double side : {-shift, shift}) {
-        if (side == 0.0) {
-            continue;
-        }
         Model shifted = fit.model;
         shifted.mechanism.theta20 += side;
         const Values residuals = column.values - predictValues(shifted, observations, {fit.columns[indexInFit]}).col(0);
         motion = motion.max(gapsAsZeros((residuals - fit.residuals.col(indexInFit)).abs()));
     }
-    return kTieFactor * column.halfSteps + motion;
+    return halfSteps + motion;
 }
 
 double columnSize(const Observations &observations, const Fit &fit, Index indexInFit)

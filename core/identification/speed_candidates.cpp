@@ -27,9 +27,9 @@ int countMiddleCrossings(const ObservedColumn &column)
         return 0;
     }
     std::ranges::sort(sorted);
-    const std::size_t tail = sorted.size() / kValuesPerOutlier;
-    const double low = sorted[tail];
-    const double high = sorted[sorted.size() - 1 - tail];
+    const std::size_t outliers = sorted.size() / kValuesPerOutlier; // at either end
+    const double low = sorted[outliers];
+    const double high = sorted[sorted.size() - 1 - outliers];
     const double middle = 0.5 * (low + high);
     int side = 0; // where the last value lay that was clearly off the middle: -1 below, 1 above
     int count = 0;

@@ -30,8 +30,8 @@ struct PossibleError {
 /// squares. Differences that contain a gap do not count.
 PossibleError estimateError(const std::vector<double> &values, std::size_t row)
 {
-    double sum = 0.0;
-    double weight = 0.0;
+    double sumOfProducts = 0.0;
+    double sumOfSquares = 0.0;
     for (std::size_t term = 0; term < kFourthDifference.size(); ++term) { // the one that contains the value
         if (row < term || row - term + kFourthDifference.size() > values.size()) {
             continue;
@@ -41,11 +41,13 @@ PossibleError estimateError(const std::vector<double> &values, std::size_t row)
             difference += kFourthDifference[i] * values[row - term + i];
         }
         if (std::isfinite(difference)) {
-            sum += kFourthDifference[term] * difference;
-            weight += kFourthDifference[term] * kFourthDifference[term];
+            sumOfProducts += kFourthDifference[term] * difference;
+            sumOfSquares += kFourthDifference[term] * kFourthDifference[term];
         }
     }
-    return weight > 0.0 ? PossibleError{sum / weight, sum * sum / weight} : PossibleError{};
+    return sumOfSquares > 0.0
+               ? PossibleError{sumOfProducts / sumOfSquares, sumOfProducts * sumOfProducts / sumOfSquares}
+               : PossibleError{};
 }
 
 /// The result of estimateError() for each value.
