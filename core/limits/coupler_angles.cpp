@@ -6,12 +6,13 @@
 #include <cmath>
 #include <utility>
 
-// With g = ±1, the sign of c, the angle φ = asin(g h/b) is θ3 for c >= 0 on the open branch. Here g h = C - a x varies
-// between C - a (x = 1) and C + a (x = -1), unless the motion ends before, at g h = ±b. With √(b² - h²), which is
+// With the names of motion_constants.h, the elevation φ = asin(g h/b) of the coupler is θ3 for c >= 0 on the open
+// branch. g h = C - a x varies between C - a (x = 1) and C + a (x = -1), unless the motion of a rocker ends before, at
+// g h = ±b. φ = atan2(g h, √(b² - h²)) is accurate also near 90°. The root is
 //
 //     s = √(ε L) at g h = C + a        t = √(β γ) at g h = C - a
 //
-// the angle is φ = atan2(g h, √(b² - h²)), accurate also where it is near 90°. The transmission angle is 90° - |φ|.
+// The transmission angle is 90° - |φ|.
 
 namespace slidercrank
 {
@@ -20,14 +21,14 @@ namespace
 {
 
 /// The extremes of φ.
-struct Elevation {
-    AngleExtreme maximum; ///< its magnitude is the largest one, too: |C - a| <= C + a
+struct ElevationExtremes {
+    AngleExtreme maximum; ///< also the largest |φ|, because |C - a| <= C + a
     AngleExtreme minimum;
     bool reachesBothEnds = false; ///< a rocker with two arcs, each of which leads from φ = -90° to φ = 90°
 };
 
 /// Returns the extremes of φ, with the crank angles at which they occur. `s` and `t`: the roots defined above.
-Elevation elevationExtremes(const MotionConstants &k, double s, double t, const std::vector<CrankEnd> &ends)
+ElevationExtremes elevationExtremes(const MotionConstants &k, double s, double t, const std::vector<ArcEnd> &ends)
 {
     const double towardsOffset = k.side * kQuarterTurn; // the crank angle with x = 1
     const AngleExtreme smallest{std::atan2(k.C - k.a, t), {towardsOffset}};
@@ -35,11 +36,11 @@ Elevation elevationExtremes(const MotionConstants &k, double s, double t, const 
         return {.maximum = {std::atan2(k.C + k.a, s), {-towardsOffset}}, .minimum = smallest};
     }
     // The coupler is perpendicular to the slider's line at the ends.
-    Elevation elevation{.maximum = {.angle = kQuarterTurn}, .minimum = {.angle = -kQuarterTurn}};
-    for (const CrankEnd &end : ends) {
-        (end.isBeyondPin ? elevation.maximum : elevation.minimum).places.push_back(end.theta2);
+    ElevationExtremes elevation{.maximum = {.angle = kQuarterTurn}, .minimum = {.angle = -kQuarterTurn}};
+    for (const ArcEnd &end : ends) {
+        (end.isBOnOffsetSide ? elevation.maximum : elevation.minimum).crankAngles.push_back(end.theta2);
     }
-    elevation.reachesBothEnds = !elevation.minimum.places.empty();
+    elevation.reachesBothEnds = !elevation.minimum.crankAngles.empty();
     if (!elevation.reachesBothEnds) {
         elevation.minimum = smallest;
     }
@@ -48,21 +49,23 @@ Elevation elevationExtremes(const MotionConstants &k, double s, double t, const 
 
 /// Returns the minimum of 90° - |φ|. It occurs at the largest φ, and also at the smallest φ if that has the same
 /// magnitude. `s`: the root defined above.
-AngleExtreme minimumTransmissionAngle(const MotionConstants &k, double s, bool isFullTurn, const Elevation &elevation)
+AngleExtreme minimumTransmissionAngle(const MotionConstants &k, double s, bool isFullTurn,
+                                      const ElevationExtremes &elevation)
 {
-    AngleExtreme minimum{isFullTurn ? std::atan2(s, k.C + k.a) : 0.0, elevation.maximum.places};
+    AngleExtreme minimum{isFullTurn ? std::atan2(s, k.C + k.a) : 0.0, elevation.maximum.crankAngles};
     const bool isSymmetric = isFullTurn ? k.C == 0.0 : elevation.reachesBothEnds;
     if (isSymmetric) {
-        minimum.places.insert(minimum.places.end(), elevation.minimum.places.begin(), elevation.minimum.places.end());
+        minimum.crankAngles.insert(minimum.crankAngles.end(), elevation.minimum.crankAngles.begin(),
+                                   elevation.minimum.crankAngles.end());
     }
     return minimum;
 }
 
 /// Returns the maximum of 90° - |φ|. `t`: the root defined above.
-AngleExtreme maximumTransmissionAngle(const MotionConstants &k, double t, const Elevation &elevation)
+AngleExtreme maximumTransmissionAngle(const MotionConstants &k, double t, const ElevationExtremes &elevation)
 {
     if (k.C >= k.a) {
-        return {std::atan2(t, k.C - k.a), elevation.minimum.places};
+        return {std::atan2(t, k.C - k.a), elevation.minimum.crankAngles};
     }
     // The coupler becomes parallel to the slider's line, where a sin θ2 = c.
     const double theta2 = std::atan2(k.side * k.C, std::sqrt((k.a - k.C) * (k.a + k.C)));
@@ -75,7 +78,7 @@ AngleExtreme maximumTransmissionAngle(const MotionConstants &k, double t, const 
 ///     b² sin(swing) = (C + a) t - (C - a) s = 4a C²/(s + t) + a (s + t)        b² cos(swing) = s t + C² - a²
 ///
 /// A rocker with one arc swings from φ = atan2(C - a, t) to 90°, one with two arcs from -90° to 90°.
-double swing(const MotionConstants &k, double s, double t, bool isFullTurn, const Elevation &elevation)
+double swing(const MotionConstants &k, double s, double t, bool isFullTurn, const ElevationExtremes &elevation)
 {
     if (elevation.reachesBothEnds) {
         return std::numbers::pi;
@@ -104,12 +107,12 @@ AngleExtreme forCrossedBranch(AngleExtreme extreme)
 
 } // namespace
 
-CouplerAngles couplerAngles(const MotionConstants &k, const std::vector<CrankEnd> &ends)
+CouplerAngles couplerAngles(const MotionConstants &k, const std::vector<ArcEnd> &ends)
 {
     const bool isFullTurn = ends.empty();
     const double s = isFullTurn ? std::sqrt(k.epsilon * k.reach) : 0.0;
     const double t = k.beta > 0.0 ? std::sqrt(k.betaGamma) : 0.0;
-    Elevation elevation = elevationExtremes(k, s, t, ends);
+    ElevationExtremes elevation = elevationExtremes(k, s, t, ends);
     CouplerAngles angles;
     angles.minimumTransmissionAngle = minimumTransmissionAngle(k, s, isFullTurn, elevation);
     angles.maximumTransmissionAngle = maximumTransmissionAngle(k, t, elevation);

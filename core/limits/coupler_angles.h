@@ -16,7 +16,7 @@ namespace slidercrank
 /// The smallest or largest value of an angle, and the crank angles at which it occurs, within [-π, π).
 struct AngleExtreme {
     double angle = 0.0;
-    std::vector<double> places = {};
+    std::vector<double> crankAngles = {};
 };
 
 struct CouplerAngles {
@@ -30,14 +30,14 @@ struct CouplerAngles {
     double swing = 0.0; ///< maximum minus minimum θ3
 };
 
-/// A crank angle within [-π, π) at which the crank of a rocker can go no further, because the coupler is perpendicular
-/// to the slider's line.
-struct CrankEnd {
-    double theta2 = 0.0;
-    bool isBeyondPin = true; ///< B is above A for c >= 0, or below A for c < 0
+/// An end of an arc within which the crank of a rocker oscillates. There the coupler is perpendicular to the slider's
+/// line.
+struct ArcEnd {
+    double theta2 = 0.0;         ///< within [-π, π)
+    bool isBOnOffsetSide = true; ///< B is above A for c >= 0, or below A for c < 0
 };
 
-/// Computes the angles of a mechanism that can be assembled. `ends`: empty if the crank makes full turns.
-CouplerAngles couplerAngles(const MotionConstants &constants, const std::vector<CrankEnd> &ends);
+/// Requires that the mechanism can be assembled. `ends`: the ends of all arcs; empty if the crank makes full turns.
+CouplerAngles couplerAngles(const MotionConstants &constants, const std::vector<ArcEnd> &ends);
 
 } // namespace slidercrank

@@ -42,11 +42,11 @@ std::optional<Motion> crankLimitMotionAt(const Mechanism &mechanism, const Motio
     // The pin A is exactly below or above B.
     const bool isBAboveA = mechanism.c() > mechanism.a() * std::sin(theta2);
     const double pinHeight = isBAboveA ? mechanism.c() - mechanism.b() : mechanism.c() + mechanism.b();
-    const double downwards = mechanism.branch() == Branch::Open ? -kQuarterTurn : 3.0 * kQuarterTurn;
+    const double theta3Downwards = mechanism.branch() == Branch::Open ? -kQuarterTurn : 3.0 * kQuarterTurn;
     Motion motion{.theta2 = theta2,
                   .crank = {.sin = pinHeight / mechanism.a(), .cos = limit->R4x / mechanism.a()},
                   .s = 0.0,
-                  .theta3 = isBAboveA ? kQuarterTurn : downwards,
+                  .theta3 = isBAboveA ? kQuarterTurn : theta3Downwards,
                   .R4x = limit->R4x,
                   .status = Status::Singular};
     if (mechanism.omega2() == 0.0 && alpha2 == 0.0) {

@@ -23,6 +23,7 @@ struct ScaledFunction {
     double constant = 0.0;
 };
 
+/// Returns nullopt for the crank angle and for coordinates that are constant.
 std::optional<ScaledFunction> scaledFunction(const Mechanism &mechanism, Coordinate coordinate)
 {
     switch (coordinate) {
@@ -131,9 +132,9 @@ public:
             const CriticalPoint next = i + 1 < points.size() ? points[i + 1] : turned(points.front(), kTurn);
             const double difference = differenceAt(point.value);
             if (difference == 0.0) {
-                const bool isWithinArc = isKeptBetween(previous, point) && isKeptBetween(point, next);
-                if (!isWithinArc) {
-                    solutions.push_back(insideMotion(point));
+                const bool isInsideConstantArc = isKeptBetween(previous, point) && isKeptBetween(point, next);
+                if (!isInsideConstantArc) {
+                    solutions.push_back(angleInsideMotion(point));
                 }
             } else if (point.kind != CriticalPoint::Kind::End && difference * differenceAt(next.value) < 0.0) {
                 solutions.push_back(wrapToPi(bisect(point, next)));
@@ -192,7 +193,7 @@ private:
 
     /// Returns the crank angle of the point. At a limit of the motion, where the rounded angle may be impossible to
     /// assemble, returns the nearest one within the motion.
-    double insideMotion(const CriticalPoint &point) const
+    double angleInsideMotion(const CriticalPoint &point) const
     {
         constexpr double kStep = 2.0 * kEpsilon; // rad: the last place of an angle near π
         constexpr int kMaxSteps = 16;            // the rounding error of the angle is smaller
@@ -285,14 +286,15 @@ std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, con
 {
     const Order order = orderOf(channel);
     const double omega2 = mechanism.omega2();
-    if (omega2 == 0.0 && order == Order::Acceleration && alpha2 != 0.0) { // f'' ω2² + f' α2 is a velocity for ω2 = α2
+    if (omega2 == 0.0 && order == Order::Acceleration &&
+        alpha2 != 0.0) { // f'' ω2² + f' α2 is α2 times the velocity f' at 1 rad/s
         return solutionsAtUnitSpeed(mechanism, withOrder(channel, Order::Velocity), value / alpha2, 0.0);
     }
-    const double unit = std::pow(omega2, static_cast<int>(order));
-    if (unit == 0.0) {
+    const double speedFactor = std::pow(omega2, static_cast<int>(order));
+    if (speedFactor == 0.0) {
         return std::nullopt;
     }
-    return solutionsAtUnitSpeed(mechanism, channel, value / unit,
+    return solutionsAtUnitSpeed(mechanism, channel, value / speedFactor,
                                 order == Order::Acceleration ? alpha2 / (omega2 * omega2) : 0.0);
 }
 
@@ -303,8 +305,8 @@ std::optional<ChannelRange> rangeOf(const Mechanism &mechanism, const OutputChan
     const double omega2 = mechanism.omega2();
     // If ω2 = 0, the acceleration f'' ω2² + f' α2 is α2 times f', so that the critical points are those of a velocity.
     const bool isAtRest = omega2 == 0.0 && order == Order::Acceleration;
-    const double unit = isAtRest ? alpha2 : std::pow(omega2, static_cast<int>(order));
-    if (!scaled || unit == 0.0) {
+    const double speedFactor = isAtRest ? alpha2 : std::pow(omega2, static_cast<int>(order));
+    if (!scaled || speedFactor == 0.0) {
         return std::nullopt;
     }
     const CriticalPoints points =
@@ -314,7 +316,7 @@ std::optional<ChannelRange> rangeOf(const Mechanism &mechanism, const OutputChan
         return std::nullopt;
     }
     const auto [least, greatest] = std::ranges::minmax(points, {}, &CriticalPoint::value);
-    const auto [low, high] = std::minmax({unit * least.value, unit * greatest.value});
+    const auto [low, high] = std::minmax({speedFactor * least.value, speedFactor * greatest.value});
     return ChannelRange{low, high};
 }
 

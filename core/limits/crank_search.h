@@ -18,9 +18,9 @@ namespace slidercrank
 
 /// Returns all crank angles within [-π, π), ascending, at which the channel has the value (mm, rad, s) if the crank has
 /// the acceleration alpha2 (rad/s²) there. An angle is compared modulo a turn, as a direction. A value that equals an
-/// extremum except for rounding has the single solution there; a value that is kept over an arc, such as x = 0 for
-/// a = b and c = 0, has the two ends of the arc. Returns nullopt if the channel does not depend on the
-/// crank angle, such as R4_y, or a velocity for ω2 = 0.
+/// extremum except for rounding has the single solution there. A value that the channel keeps over an arc, such as
+/// x = 0 for a = b and c = 0, has the two ends of the arc as solutions. Returns nullopt if the channel does not depend
+/// on the crank angle, such as R4_y, or a velocity for ω2 = 0.
 std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, const OutputChannel &channel, double value,
                                                  double alpha2 = 0.0);
 
@@ -37,9 +37,9 @@ struct ChannelRange {
     }
 };
 
-/// Returns the range of a channel if the crank has the acceleration alpha2 (rad/s²). It is infinite where a derivative
-/// is, at a limit position of a rocker. Returns nullopt where crankAnglesAt() does, if there is no motion, and for the
-/// crank angle and the transmission angle.
+/// Returns the range of a channel if the crank has the acceleration alpha2 (rad/s²). A bound is infinite if
+/// a derivative is, at a limit position of a rocker. Returns nullopt where crankAnglesAt() does, if there is no motion,
+/// and for the crank angle and the transmission angle.
 std::optional<ChannelRange> rangeOf(const Mechanism &mechanism, const OutputChannel &channel, double alpha2 = 0.0);
 
 /// Returns the crank speed (rad/s) at which a first derivative has the value at the crank angle theta2 (rad), or

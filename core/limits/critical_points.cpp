@@ -14,14 +14,14 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kBesideToggle = 1e-15; // rad: the motion just beside a toggle is examined at this distance from it
+constexpr double kBesideToggle = 1e-15; // rad: distance from a toggle at which the motion just beside it is examined
 
 /// A function and its first three derivatives by the crank angle.
 using Derivatives = std::array<double, 4>;
 
-/// All functions at one crank angle, by CrankFunction.
-struct Rates {
-    std::array<Derivatives, kCrankFunctionCount> functions;
+/// All functions at one crank angle, with their derivatives.
+struct FunctionValues {
+    std::array<Derivatives, kCrankFunctionCount> functions; ///< indexed by CrankFunction
 
     double value(const CrankCurve &curve) const { return valueAt(curve, static_cast<std::size_t>(curve.order)); }
     double slope(const CrankCurve &curve) const { return valueAt(curve, static_cast<std::size_t>(curve.order) + 1); }
@@ -35,15 +35,16 @@ private:
     }
 };
 
-/// The motion near a crank angle of ±90°, at which the coupler is steepest, as a function of u. The gap is the excess
-/// of the coupler length over the length required to pass the angle, in units of a; so b cos θ3 ∝ √(gap + φ²/2) at the
-/// distance φ from the angle. If the mechanism passes the angle, φ = w sinh u with w = √(2·gap): then every feature of
-/// the motion has a width of about one unit of u, however small the gap is. If the mechanism does not pass the angle,
-/// it comes as near as φ₀, with cos φ₀ = 1 + gap, and φ = ±φ₀ cosh u has the same effect.
-class SteepPlace
+/// The motion near the centre, a crank angle of ±90°, at which the coupler is steepest. The gap is the excess of the
+/// coupler length over the length required to pass the centre, divided by a; so b cos θ3 ∝ √(gap + φ²/2) at the
+/// distance φ (rad) from the centre. The variable u stretches the motion there. If the mechanism passes the centre,
+/// φ = w sinh u with w = √(2·gap), at most 1: then every feature of the motion has a width of about one unit of u,
+/// however small the gap is. If the mechanism does not pass the centre, it comes as near as φ₀, with cos φ₀ = 1 + gap,
+/// and φ = ±φ₀ cosh u has the same effect. At an exact toggle, where the gap is 0, w = 1.
+class SteepRegion
 {
 public:
-    SteepPlace(const Mechanism &mechanism, double centre, double gap)
+    SteepRegion(const Mechanism &mechanism, double centre, double gap)
         : m_a(mechanism.a())
         , m_c(mechanism.c())
         , m_centre(centre)
@@ -54,7 +55,7 @@ public:
     }
 
     /// Returns the smallest |φ| that the motion reaches.
-    double nearest() const { return m_gap < 0.0 ? m_width : 0.0; }
+    double smallestDistance() const { return m_gap < 0.0 ? m_width : 0.0; }
 
     bool isPassed() const { return m_gap > 0.0; }
     bool isToggle() const { return m_gap == 0.0; }
@@ -69,7 +70,7 @@ public:
     // With s = b cos θ3, h = c - a sin θ2 and ' for d/dθ2:
     //     s θ3' = -a cos θ2             s' θ3' + s θ3'' = a sin θ2        s'' θ3' + 2 s' θ3'' + s θ3''' = a cos θ2
     //     s s'  = a h cos θ2            s s''' + 3 s' s'' = a cos θ2 (3 a sin θ2 - h)
-    Rates at(double u) const
+    FunctionValues functionsAt(double u) const
     {
         const Motion motion = m_motion.motionAt(phi(u)); // ω2 = 1: the angle is the time
         const double aSin = m_a * motion.crank.sin;
@@ -85,7 +86,7 @@ public:
             {theta3, slider, coupler, Derivatives{aCos, -aSin, -aCos, aSin}, Derivatives{aSin, aCos, -aSin, -aCos}}};
     }
 
-    /// Returns the curve at φ = φ₀ for u > 0, or at φ = -φ₀, if the mechanism does not pass the angle. There the
+    /// Returns the value of the curve at φ = φ₀ for u > 0, or at φ = -φ₀ for u < 0. Requires a negative gap. There the
     /// coupler is perpendicular to the slider's line: A, B and the middle of the coupler have the same x, and the
     /// derivatives of the coupler and of the slider are infinite, with the sign that they have at u.
     double valueAtLimit(const CrankCurve &curve, double u) const
@@ -96,15 +97,15 @@ public:
         const double pinX = -m_a * sinCentre * sinPhi;
         const double pinY = m_a * sinCentre * cosPhi;
         const double theta3 = kQuarterTurn * std::round(m_motion.motionAt(phi(u)).theta3 / kQuarterTurn);
-        const Rates atLimit{{Derivatives{theta3}, Derivatives{pinX}, Derivatives{pinX},
-                             Derivatives{pinX, -pinY, -pinX, pinY}, Derivatives{pinY, pinX, -pinY, -pinX}}};
+        const FunctionValues atLimit{{Derivatives{theta3}, Derivatives{pinX}, Derivatives{pinX},
+                                      Derivatives{pinX, -pinY, -pinX, pinY}, Derivatives{pinY, pinX, -pinY, -pinX}}};
         const bool isOfCrank = curve.function == CrankFunction::PinX || curve.function == CrankFunction::PinY;
         const bool isFinite = isOfCrank || curve.order == Order::Position;
-        return isFinite ? atLimit.value(curve) : std::copysign(kInfinity, at(u).value(curve));
+        return isFinite ? atLimit.value(curve) : std::copysign(kInfinity, functionsAt(u).value(curve));
     }
 
 private:
-    /// Returns w, or φ₀ if the mechanism does not pass the angle.
+    /// Returns w, or φ₀ if the mechanism does not pass the centre.
     static double widthFor(double gap)
     {
         if (gap > 0.0) {
@@ -132,20 +133,21 @@ public:
     }
 
     /// Adds all critical points with |φ| <= reach.
-    void addPoints(const SteepPlace &place, double reach)
+    void addPoints(const SteepRegion &region, double reach)
     {
-        const double end = place.uAt(reach);
-        if (place.isPassed()) {
-            addExtrema(place, -end, end);
+        const double end = region.uAt(reach);
+        if (region.isPassed()) {
+            addExtrema(region, -end, end);
             return;
         }
-        // The search begins at this distance: nearer to the limit the crank angle has too few digits.
+        // The search begins at this |u|: nearer to the limit the crank angle has too few digits.
         constexpr double kBesideLimit = 1e-6;
-        const double start =
-            place.isToggle() ? kBesideToggle : std::max(kBesideLimit, std::sqrt(4.0 * kBesideToggle / place.nearest()));
+        const double start = region.isToggle()
+                                 ? kBesideToggle
+                                 : std::max(kBesideLimit, std::sqrt(4.0 * kBesideToggle / region.smallestDistance()));
         for (const double side : {-1.0, 1.0}) {
-            addOneSidedLimits(place, side * start);
-            addExtrema(place, std::min(side * start, side * end), std::max(side * start, side * end));
+            addOneSidedLimits(region, side * start);
+            addExtrema(region, std::min(side * start, side * end), std::max(side * start, side * end));
         }
     }
 
@@ -161,19 +163,19 @@ public:
 private:
     /// Adds the extrema between two values of u, by bisecting each cell in which a slope changes its sign. A cell is so
     /// short that it contains at most one extremum of a curve: every feature of the motion is about one unit of u wide.
-    void addExtrema(const SteepPlace &place, double from, double to)
+    void addExtrema(const SteepRegion &region, double from, double to)
     {
         constexpr double kCellLength = 0.1; // units of u
         constexpr int kMinCells = 16;
         const int cells = std::max(kMinCells, static_cast<int>(std::ceil((to - from) / kCellLength)));
         double left = from;
-        Rates atLeft = place.at(left);
+        FunctionValues atLeft = region.functionsAt(left);
         for (int i = 1; i <= cells; ++i) {
             const double right = from + (to - from) * i / cells;
-            const Rates atRight = place.at(right);
+            const FunctionValues atRight = region.functionsAt(right);
             for (std::size_t k = 0; k < m_curves.size(); ++k) {
                 if ((atLeft.slope(m_curves[k]) < 0.0) != (atRight.slope(m_curves[k]) < 0.0)) {
-                    addExtremum(place, left, right, k);
+                    addExtremum(region, left, right, k);
                 }
             }
             left = right;
@@ -182,29 +184,29 @@ private:
     }
 
     /// Adds the extremum between two values of u at which the slope of the curve has opposite signs.
-    void addExtremum(const SteepPlace &place, double low, double high, std::size_t curve)
+    void addExtremum(const SteepRegion &region, double low, double high, std::size_t curve)
     {
-        const auto fallsAt = [&](double u) { return place.at(u).slope(m_curves[curve]) < 0.0; };
+        const auto fallsAt = [&](double u) { return region.functionsAt(u).slope(m_curves[curve]) < 0.0; };
         const bool fallsAtLow = fallsAt(low);
         for (double u = std::midpoint(low, high); low < u && u < high; u = std::midpoint(low, high)) {
             (fallsAt(u) == fallsAtLow ? low : high) = u;
         }
-        const double value = place.at(high).value(m_curves[curve]);
+        const double value = region.functionsAt(high).value(m_curves[curve]);
         if (std::isfinite(value)) {
             m_points[curve].push_back(
-                {.theta2 = place.theta2(high), .value = value, .kind = CriticalPoint::Kind::Extremum});
+                {.theta2 = region.theta2(high), .value = value, .kind = CriticalPoint::Kind::Extremum});
         }
     }
 
-    /// Adds the limits of all curves on one side of an angle that the mechanism does not pass.
-    void addOneSidedLimits(const SteepPlace &place, double u)
+    /// Adds the points at which the curves begin (u > 0) or end (u < 0), at an exact toggle or a limit of a rocker.
+    void addOneSidedLimits(const SteepRegion &region, double u)
     {
-        const double theta2 = place.theta2(place.isToggle() ? u : std::copysign(0.0, u));
+        const double theta2 = region.theta2(region.isToggle() ? u : std::copysign(0.0, u));
         for (std::size_t k = 0; k < m_curves.size(); ++k) {
-            m_points[k].push_back(
-                {.theta2 = theta2,
-                 .value = place.isToggle() ? place.at(u).value(m_curves[k]) : place.valueAtLimit(m_curves[k], u),
-                 .kind = u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End});
+            m_points[k].push_back({.theta2 = theta2,
+                                   .value = region.isToggle() ? region.functionsAt(u).value(m_curves[k])
+                                                              : region.valueAtLimit(m_curves[k], u),
+                                   .kind = u > 0.0 ? CriticalPoint::Kind::Begin : CriticalPoint::Kind::End});
         }
     }
 
@@ -218,16 +220,18 @@ std::vector<CriticalPoints> findCriticalPoints(const Mechanism &mechanism, std::
 {
     PointSearch search(curves);
     const MotionConstants k(mechanism);
-    const double below = -k.side * kQuarterTurn; // p = ε there, and m = β opposite (motion_constants.h)
-    const SteepPlace placeBelow(mechanism, below, k.epsilon / k.a);
-    const SteepPlace placeAbove(mechanism, -below, k.beta / k.a);
-    // The two searches meet half way and overlap a little, so that no extremum is missed, although some are found
-    // twice.
-    const double half = 0.5 * (0.5 * kTurn - placeBelow.nearest() - placeAbove.nearest());
+    // The crank angle at which A is farthest from the slider's line: p = ε there, and m = β at the opposite angle
+    // (motion_constants.h).
+    const double farthest = -k.side * kQuarterTurn;
+    const SteepRegion farRegion(mechanism, farthest, k.epsilon / k.a);
+    const SteepRegion nearRegion(mechanism, -farthest, k.beta / k.a);
+    // The searches in the two regions meet half way and overlap a little, so that no extremum is missed, although some
+    // are found twice.
+    const double half = 0.5 * (0.5 * kTurn - farRegion.smallestDistance() - nearRegion.smallestDistance());
     if (half > 0.0) { // otherwise the mechanism cannot be assembled, or is locked
         const double overlap = std::min(0.1, 0.1 * half);
-        search.addPoints(placeBelow, placeBelow.nearest() + half + overlap);
-        search.addPoints(placeAbove, placeAbove.nearest() + half + overlap);
+        search.addPoints(farRegion, farRegion.smallestDistance() + half + overlap);
+        search.addPoints(nearRegion, nearRegion.smallestDistance() + half + overlap);
     }
     return search.sorted();
 }

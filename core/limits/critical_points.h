@@ -5,8 +5,9 @@
 // motion. Between two of them a function is monotone, so that its extremes over any time span are among them and the
 // values at the start and at the end of that time span. Lengths in mm, angles in rad, time in s.
 //
-// Extrema are found as the zeros of the next derivative, not as the largest of some samples. Near a toggle the search
-// resolves the width of the peaks there, √(ε/a) rad.
+// Extrema are found as the zeros of the next derivative, not as the largest of some samples. Near a
+// toggle, where the coupler is perpendicular to the slider's line, the search resolves the width of the peaks there,
+// √(ε/a) rad with ε = b - a - |c|.
 
 #include "core/mechanism/channel.h"
 #include "core/mechanism/enum_table.h"
@@ -19,7 +20,7 @@ namespace slidercrank
 {
 
 struct CriticalPoint {
-    /// As the crank angle increases, a channel begins and ends at the limit positions of a rocker. At an exact toggle,
+    /// As the crank angle increases, a curve begins or ends at each limit position of a rocker. At an exact toggle,
     /// where the velocities jump, it ends and begins again.
     enum class Kind { End, Begin, Extremum };
 
@@ -32,7 +33,8 @@ struct CriticalPoint {
 /// occur twice, with angles that differ by rounding only.
 using CriticalPoints = std::vector<CriticalPoint>;
 
-/// The functions of the crank angle of which every channel is a multiple, except for a constant.
+/// Functions of the crank angle. Every channel except the crank angle and the transmission angle is a multiple of one
+/// of them plus a constant.
 enum class CrankFunction {
     CouplerAngle,   ///< θ3
     SliderPosition, ///< R4x
@@ -55,7 +57,7 @@ struct CrankCurve {
 /// Returns the critical points of each curve, with values for ω2 = 1 rad/s.
 std::vector<CriticalPoints> findCriticalPoints(const Mechanism &mechanism, std::span<const CrankCurve> curves);
 
-/// Returns the critical points of each channel, in the order of kPlottedChannels.
+/// Returns the critical points of each plotted channel, in the order of kPlottedChannels.
 std::array<CriticalPoints, kPlottedChannels.size()> findCriticalPoints(const Mechanism &mechanism);
 
 } // namespace slidercrank

@@ -40,7 +40,7 @@ namespace slidercrank
 namespace
 {
 
-/// Returns p = α/2. A time ratio and its reciprocal have the same.
+/// Returns p = α/2, which is the same for a time ratio and its reciprocal.
 double halfDeadCentreAngle(double timeRatio)
 {
     return 0.5 * std::numbers::pi * std::abs(timeRatio - 1.0) / (timeRatio + 1.0);
@@ -145,7 +145,7 @@ std::variant<Lengths, DesignFault> design(const DesignRequest &request)
                                .bound = transmissionAngleBound(p),
                                .timeRatioBound = largestTimeRatio(wanted)};
         }
-        // Only a coupler longer than kLargestProposedRatio is sufficient. For p = 0, cos μ = 1/r.
+        // Only a ratio b/a above kLargestProposedRatio is sufficient. For p = 0, cos μ = 1/r.
         ratio = p > 0.0 ? findBestRatio(p) : std::nextafter(1.0 / std::cos(wanted), kInfinity);
     }
     return findLengths(request.stroke, request.timeRatio, ratio);

@@ -45,9 +45,9 @@ std::optional<DesignRange> findDesignRange(double timeRatio);
 Lengths findLengths(double stroke, double timeRatio, double couplerRatio);
 
 struct DesignRequest {
-    double stroke = 0.0;
+    double stroke = 0.0; ///< mm
     double timeRatio = 1.0;
-    std::optional<double> transmissionAngle = {}; ///< the smallest acceptable minimum transmission angle
+    std::optional<double> transmissionAngle = {}; ///< rad, the smallest acceptable minimum transmission angle
 };
 
 /// Why a request cannot be met.
@@ -60,13 +60,13 @@ struct DesignFault {
         TimeRatioTooLarge          ///< with given a and b: `bound` is the upper bound of the time ratio
     };
     Reason reason = Reason::StrokeNotPositive;
-    double bound = 0.0; ///< of the reason; 0 if it has none
+    double bound = 0.0; ///< the bound that the reason mentions; 0 if it mentions none
 
-    /// The largest time ratio that allows the requested transmission angle, if that is the reason.
+    /// The largest time ratio that allows the requested transmission angle, if that is too large.
     double timeRatioBound = kTimeRatioBound;
 };
 
-/// Returns the mechanism with the largest minimum transmission angle. Its coupler is longer than kLargestProposedRatio
+/// Returns the mechanism with the largest minimum transmission angle. Its ratio b/a exceeds kLargestProposedRatio
 /// only if the requested transmission angle needs it.
 std::variant<Lengths, DesignFault> design(const DesignRequest &request);
 

@@ -13,21 +13,22 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the points at which the magnitude is `largest` except for rounding.
-std::vector<PeakPlace> largestPlaces(const CriticalPoints &points, double largest)
+/// Returns the candidates whose magnitude is `largest` except for rounding.
+std::vector<PeakPoint> findPeakPoints(const CriticalPoints &candidates, double largest)
 {
     constexpr double kValueTolerance = 1e-12; // relative
     constexpr double kAngleTolerance = 1e-10; // rad
-    std::vector<PeakPlace> places;
-    for (const CriticalPoint &point : points) {
-        const auto isNear = [&point](const PeakPlace &place) {
-            return std::abs(std::remainder(place.theta2 - point.theta2, kTurn)) < kAngleTolerance;
+    std::vector<PeakPoint> peakPoints;
+    for (const CriticalPoint &candidate : candidates) {
+        const auto isNear = [&candidate](const PeakPoint &point) {
+            return std::abs(std::remainder(point.theta2 - candidate.theta2, kTurn)) < kAngleTolerance;
         };
-        if (std::abs(point.value) >= largest * (1.0 - kValueTolerance) && std::ranges::none_of(places, isNear)) {
-            places.push_back({.theta2 = point.theta2, .value = point.value});
+        if (std::abs(candidate.value) >= largest * (1.0 - kValueTolerance) &&
+            std::ranges::none_of(peakPoints, isNear)) {
+            peakPoints.push_back({.theta2 = candidate.theta2, .value = candidate.value});
         }
     }
-    return places;
+    return peakPoints;
 }
 
 } // namespace
@@ -36,7 +37,7 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
 {
     std::vector<Peak> peaks;
     std::array<CriticalPoints, kPlottedChannels.size()> points = findCriticalPoints(mechanism);
-    const bool turnsUniformly = mechanism.a() == mechanism.b() && mechanism.c() == 0.0; // θ3 is ±θ2 or differs by π/2
+    const bool turnsUniformly = mechanism.a() == mechanism.b() && mechanism.c() == 0.0; // θ3 = ±θ2 + n π
     for (const Channel channel : kPeakChannels) {
         CriticalPoints &channelPoints = points[plottedIndexOf(channel)];
         if (channelPoints.empty()) {
@@ -44,7 +45,8 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
         }
         Peak peak{.channel = channel};
         for (CriticalPoint &point : channelPoints) {
-            const bool isLimitOfMotion = point.kind != CriticalPoint::Kind::Extremum; // there the velocity jumps
+            const bool isLimitOfMotion =
+                point.kind != CriticalPoint::Kind::Extremum; // there the velocity jumps or is infinite
             const bool isUnbounded = isLimitOfMotion && channel.order == Order::Acceleration;
             point.value = isUnbounded || std::isinf(point.value) ? kInfinity : point.value;
             peak.magnitude = std::max(peak.magnitude, std::abs(point.value));
@@ -53,7 +55,7 @@ std::vector<Peak> motionPeaks(const Mechanism &mechanism)
         if (isConstant || mechanism.omega2() == 0.0) {
             peak.magnitude = std::abs(mechanism.omega2());
         } else {
-            peak.places = largestPlaces(channelPoints, peak.magnitude);
+            peak.points = findPeakPoints(channelPoints, peak.magnitude);
         }
         peaks.push_back(peak);
     }

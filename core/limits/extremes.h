@@ -17,7 +17,7 @@ inline constexpr std::array<Channel, 4> kPeakChannels{
     {{R4x, Order::Velocity}, {R4x, Order::Acceleration}, {Theta3, Order::Velocity}, {Theta3, Order::Acceleration}}};
 
 /// A crank angle at which a peak occurs.
-struct PeakPlace {
+struct PeakPoint {
     double theta2 = 0.0; ///< within [-π, π)
     double value = 0.0;  ///< with its sign; +∞ if the peak is unbounded
 };
@@ -25,14 +25,14 @@ struct PeakPlace {
 struct Peak {
     Channel channel = {};
 
-    /// The largest |value|. Infinite if the motion reaches a limit position of a rocker; for accelerations also if it
-    /// passes an exact toggle, where the velocity jumps.
+    /// The largest |value|. Infinite if the motion reaches a limit position of a rocker; for accelerations also if the
+    /// motion passes an exact toggle, where the velocity jumps.
     double magnitude = 0.0;
 
     /// All crank angles at which the peak occurs or the value is unbounded, ascending. Symmetric motions have several.
     /// A velocity that is largest next to an exact toggle attains its peak only in the limit. Empty if the value is
     /// constant: zero for ω2 = 0, and |ω2| for the coupler of a = b, c = 0.
-    std::vector<PeakPlace> places = {};
+    std::vector<PeakPoint> points = {};
 };
 
 /// Returns the peaks, in the order of kPeakChannels; empty if the mechanism cannot move (locked, impossible).

@@ -13,8 +13,8 @@ std::optional<InstantCentre> instantCentre(const Mechanism &mechanism, double t)
     const double beyondA = motion.s / motion.crank.cos; // mm, signed distance from A in the direction O2-A
     centre.position = {motion.R4x, (mechanism.a() + beyondA) * motion.crank.sin};
     centre.omega3 = motion.theta3Dot;
-    centre.toA = std::abs(beyondA);
-    centre.toB = std::abs(centre.position.y - mechanism.c());
+    centre.distanceToA = std::abs(beyondA);
+    centre.distanceToB = std::abs(centre.position.y - mechanism.c());
     return std::isnan(beyondA) ? std::nullopt : std::optional(centre);
 }
 

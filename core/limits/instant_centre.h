@@ -19,10 +19,10 @@ namespace slidercrank
 {
 
 struct InstantCentre {
-    PlaneVector position; ///< y may be infinite
-    double omega3 = 0.0;  ///< rad/s; NaN if velocities do not exist
-    double toA = 0.0;     ///< distance P-A
-    double toB = 0.0;     ///< distance P-B
+    PlaneVector position;     ///< y may be infinite
+    double omega3 = 0.0;      ///< rad/s; NaN if velocities do not exist
+    double distanceToA = 0.0; ///< mm
+    double distanceToB = 0.0; ///< mm
 };
 
 /// Returns nullopt if the mechanism cannot be assembled at time t (s), or if crank and coupler are both perpendicular

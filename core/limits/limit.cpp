@@ -31,7 +31,7 @@ public:
 
     void add(LimitKind kind, const AngleExtreme &extreme)
     {
-        for (const double theta2 : extreme.places) {
+        for (const double theta2 : extreme.crankAngles) {
             add(kind, extreme.angle, theta2);
         }
     }
@@ -66,11 +66,11 @@ void addPeaks(LimitList &limits, const Mechanism &mechanism)
 {
     for (const Peak &peak : motionPeaks(mechanism)) {
         const LimitKind kind = std::ranges::find(kPeakKinds, peak.channel, &PeakKind::channel)->kind;
-        if (peak.places.empty()) {
+        if (peak.points.empty()) {
             limits.add(kind, peak.magnitude);
         }
-        for (const PeakPlace &place : peak.places) {
-            limits.add(kind, place.value, place.theta2);
+        for (const PeakPoint &point : peak.points) {
+            limits.add(kind, point.value, point.theta2);
         }
     }
 }
@@ -82,7 +82,7 @@ std::vector<Limit> findLimits(const Mechanism &mechanism, const MotionLimits &mo
     using enum LimitKind;
     LimitList limits;
     for (const auto &[kind, centre] :
-         {std::pair(OuterDeadCentre, motion.outer), std::pair(InnerDeadCentre, motion.inner)}) {
+         {std::pair(OuterDeadCentre, motion.outerDeadCentre), std::pair(InnerDeadCentre, motion.innerDeadCentre)}) {
         if (centre) {
             limits.add(kind, centre->R4x, centre->theta2);
         }

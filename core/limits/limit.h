@@ -99,22 +99,22 @@ inline constexpr std::array kPeakKinds{PeakKind{LimitKind::PeakSliderSpeed, {R4x
                                        PeakKind{LimitKind::PeakCouplerSpeed, {Theta3, Order::Velocity}},
                                        PeakKind{LimitKind::PeakCouplerAcceleration, {Theta3, Order::Acceleration}}};
 
-/// Returns the channel of a peak, or nullopt for the other kinds.
+/// Returns the channel of a peak, or nullopt if the limit is not a peak.
 constexpr std::optional<Channel> peakChannel(LimitKind kind)
 {
     const auto *const peak = std::ranges::find(kPeakKinds, kind, &PeakKind::kind);
     return peak == kPeakKinds.end() ? std::nullopt : std::optional(peak->channel);
 }
 
-/// A limit that the motion has, at one of the places where it occurs.
+/// A limit that the motion has, at one of the crank angles at which it occurs.
 struct Limit {
     LimitKind kind = LimitKind::Stroke;
     double value = 0.0;                ///< mm, rad, s; a peak has its sign, and is infinite if it is unbounded
-    std::optional<double> theta2 = {}; ///< crank angle where it occurs; nullopt if it belongs to no single place
+    std::optional<double> theta2 = {}; ///< rad, where it occurs; nullopt if that is no single crank angle
 };
 
-/// Returns the limits that exist, in the order of LimitKind: one element for each place of a limit, ascending by the
-/// crank angle from 0 to 2π. `motion`: motionLimits(mechanism).
+/// Returns the limits that exist, in the order of LimitKind: one element for each crank angle of a limit,
+/// ascending from 0 to 2π. `motion`: motionLimits(mechanism).
 std::vector<Limit> findLimits(const Mechanism &mechanism, const MotionLimits &motion);
 
 /// Returns the value of the first limit of that kind, or NaN if the motion has none.

@@ -48,7 +48,7 @@ std::vector<CrankRange> findRanges(Mobility mobility, const MotionConstants &k)
     if (mobility == Mobility::FullTurn) {
         return {{-std::numbers::pi, std::numbers::pi}};
     }
-    // asin((C - b)/a) from 1 + sin = -ε/a and 1 - sin = γ/a; asin((C + b)/a) likewise
+    // asin((C - b)/a), whose cosine follows from 1 + sin = -ε/a and 1 - sin = γ/a; asin((C + b)/a) likewise
     const double lowest = std::atan2(k.C - k.b, std::sqrt(-k.epsilon * k.gamma));
     std::vector<CrankRange> ranges{{lowest, std::numbers::pi - lowest}};
     if (k.beta < 0.0) {
@@ -77,31 +77,32 @@ SliderPosition positionAt(DeadCentre deadCentre, const Mechanism &mechanism, dou
 }
 
 /// Returns the ends of the ranges, once each. With x = sin θ2 (-sin θ2 for c < 0), the ends are at x = (C - b)/a, where
-/// CrankEnd::isBeyondPin is true, and if there are two arcs also at x = (C + b)/a. Which of the two an end of an arc is
-/// follows from whether x rises along the arc: with a very short coupler the two angles are equal except for rounding.
-std::vector<CrankEnd> findCrankEnds(const MotionConstants &k, Mobility mobility, const std::vector<CrankRange> &ranges)
+/// ArcEnd::isBOnOffsetSide is true, and if there are two arcs also at x = (C + b)/a. Whether x rises along
+/// an arc decides which of the two an end is. The value of x at the end does not, because with a very short coupler the
+/// two are equal except for rounding.
+std::vector<ArcEnd> findArcEnds(const MotionConstants &k, Mobility mobility, const std::vector<CrankRange> &ranges)
 {
-    std::vector<CrankEnd> ends;
+    std::vector<ArcEnd> ends;
     for (const CrankRange &range : mobility == Mobility::FullTurn ? std::vector<CrankRange>() : ranges) {
         const bool hasOneArc = k.beta >= 0.0;
         const bool rises = k.side * std::cos(0.5 * (range.from + range.to)) > 0.0;
-        ends.push_back({.theta2 = wrapToPi(range.from), .isBeyondPin = hasOneArc || rises});
-        ends.push_back({.theta2 = wrapToPi(range.to), .isBeyondPin = hasOneArc || !rises});
+        ends.push_back({.theta2 = wrapToPi(range.from), .isBOnOffsetSide = hasOneArc || rises});
+        ends.push_back({.theta2 = wrapToPi(range.to), .isBOnOffsetSide = hasOneArc || !rises});
     }
     if (mobility == Mobility::Locked) {
-        ends.pop_back(); // both limits are the only position
+        ends.pop_back(); // both ends are the same position
     }
     return ends;
 }
 
 /// Returns the positions at the ends of the ranges. There the coupler is perpendicular to the slider's line, so that
-/// R4x = a cos θ2. With the sums of lengths of motion_constants.h, a |cos θ2| is √(-ε γ) where CrankEnd::isBeyondPin is
-/// true, and √(-β L) at the other ends.
-std::vector<SliderPosition> findCrankLimits(const MotionConstants &k, const std::vector<CrankEnd> &ends)
+/// R4x = a cos θ2. With the sums of lengths of motion_constants.h, a |cos θ2| is √(-ε γ) where ArcEnd::isBOnOffsetSide
+/// is true, and √(-β L) at the other ends.
+std::vector<SliderPosition> findCrankLimits(const MotionConstants &k, const std::vector<ArcEnd> &ends)
 {
     std::vector<SliderPosition> limits;
-    for (const CrankEnd &end : ends) {
-        const double distance = std::sqrt(end.isBeyondPin ? -k.epsilon * k.gamma : -k.beta * k.reach);
+    for (const ArcEnd &end : ends) {
+        const double distance = std::sqrt(end.isBOnOffsetSide ? -k.epsilon * k.gamma : -k.beta * k.reach);
         limits.push_back({.theta2 = end.theta2, .R4x = std::copysign(distance, std::cos(end.theta2))});
     }
     return limits;
@@ -111,7 +112,7 @@ std::vector<SliderPosition> findCrankLimits(const MotionConstants &k, const std:
 std::vector<SliderPosition> findReversals(const MotionLimits &limits)
 {
     std::vector<SliderPosition> reversals = limits.crankLimits;
-    for (const std::optional<SliderPosition> &centre : {limits.outer, limits.inner}) {
+    for (const std::optional<SliderPosition> &centre : {limits.outerDeadCentre, limits.innerDeadCentre}) {
         if (centre) {
             reversals.push_back(*centre);
         }
@@ -147,16 +148,16 @@ MotionLimits motionLimits(const Mechanism &mechanism)
     if (limits.mobility == Mobility::Impossible) {
         return limits;
     }
-    limits.outer = positionAt(DeadCentre::Outer, mechanism, std::sqrt(k.reach * k.gamma));
+    limits.outerDeadCentre = positionAt(DeadCentre::Outer, mechanism, std::sqrt(k.reach * k.gamma));
     if (k.epsilon * k.beta >= 0.0) {
-        limits.inner = positionAt(DeadCentre::Inner, mechanism, std::sqrt(k.epsilon * k.beta));
+        limits.innerDeadCentre = positionAt(DeadCentre::Inner, mechanism, std::sqrt(k.epsilon * k.beta));
     }
-    const std::vector<CrankEnd> ends = findCrankEnds(k, limits.mobility, limits.ranges);
+    const std::vector<ArcEnd> ends = findArcEnds(k, limits.mobility, limits.ranges);
     limits.crankLimits = findCrankLimits(k, ends);
     limits.stroke = findStroke(k, limits.mobility);
     limits.coupler = couplerAngles(k, ends);
     if (limits.mobility == Mobility::FullTurn) {
-        const double counterClockwise = wrapToTwoPi(limits.outer->theta2 - limits.inner->theta2);
+        const double counterClockwise = wrapToTwoPi(limits.outerDeadCentre->theta2 - limits.innerDeadCentre->theta2);
         const double outwards = mechanism.omega2() < 0.0 ? kTurn - counterClockwise : counterClockwise;
         limits.angleOutwards = outwards;
         limits.angleInwards = kTurn - outwards;
@@ -197,15 +198,15 @@ std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double thet
     constexpr double kEndTolerance = 1e-9; // rad: an angle this near to the end of a stroke is considered to be there
     const double inside =
         direction == CrankDirection::CounterClockwise ? theta2 + kEndTolerance : theta2 - kEndTolerance;
-    std::vector<SliderPosition> ends = findReversals(limits);
-    if (ends.empty()) {
+    std::vector<SliderPosition> reversals = findReversals(limits);
+    if (reversals.empty()) {
         return std::nullopt;
     }
-    for (SliderPosition &end : ends) { // its crank angle within the revolution that begins at `inside`
-        end.theta2 = inside + wrapToTwoPi(end.theta2 - inside);
+    for (SliderPosition &reversal : reversals) { // within the revolution that begins at `inside`
+        reversal.theta2 = inside + wrapToTwoPi(reversal.theta2 - inside);
     }
-    auto [to, from] = std::ranges::minmax(ends, {}, &SliderPosition::theta2); // the first and the last one
-    from.theta2 -= kTurn;                                                     // a revolution earlier, before `inside`
+    auto [to, from] = std::ranges::minmax(reversals, {}, &SliderPosition::theta2); // the first and the last one
+    from.theta2 -= kTurn; // a revolution earlier, before `inside`
     const auto containsMiddle = [middle = 0.5 * (from.theta2 + to.theta2)](const CrankRange &range) {
         return contains(range, middle);
     };
@@ -229,7 +230,7 @@ double crankAngleAt(const Mechanism &mechanism, const SliderStroke &stroke, doub
 
 bool velocitiesJumpAt(const Mechanism &mechanism, double theta2)
 {
-    constexpr double kMaxCosine = 1e-9; // of a right angle: no double is exactly 90°
+    constexpr double kMaxCosine = 1e-9; // |cos θ2| up to it counts as 0: no double is exactly 90°
     const double side = mechanism.c() == 0.0 ? 0.0 : std::copysign(1.0, mechanism.c());
     return mechanism.b() == shortestCouplerForFullTurn(mechanism) && std::abs(std::cos(theta2)) <= kMaxCosine &&
            side * std::sin(theta2) <= 0.0;

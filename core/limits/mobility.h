@@ -48,8 +48,8 @@ struct MotionLimits {
 
     /// The dead centres of this branch, where crank and coupler are collinear and the velocity of the slider is zero: B
     /// farthest from O2 (extended, b + a) and nearest to it (folded, |b - a|). θ2 is within [-π, π).
-    std::optional<SliderPosition> outer;
-    std::optional<SliderPosition> inner;
+    std::optional<SliderPosition> outerDeadCentre;
+    std::optional<SliderPosition> innerDeadCentre;
 
     /// Largest minus smallest R4x that the slider reaches (in the arc with the larger stroke); nullopt if Impossible.
     std::optional<double> stroke;
@@ -61,7 +61,7 @@ struct MotionLimits {
     std::optional<double> angleInwards;
     std::optional<double> timeRatio;
 
-    CouplerAngles coupler; ///< not valid if Impossible
+    CouplerAngles coupler; ///< not valid if the mobility is Impossible
 };
 
 /// Computes mobility, ranges, dead centres, strokes and coupler angles.
@@ -84,8 +84,8 @@ struct SliderStroke {
 
 enum class CrankDirection { Clockwise, CounterClockwise };
 
-/// Returns the stroke that contains the crank angle. At the end of a stroke, returns the one that a crank enters which
-/// turns in this direction. Returns nullopt if the mechanism cannot be assembled at the angle.
+/// Returns the stroke that contains the crank angle. Where two strokes meet, returns the one that the crank enters when
+/// it turns in `direction`. Returns nullopt if the mechanism cannot be assembled at the angle.
 std::optional<SliderStroke> strokeAround(const MotionLimits &limits, double theta2, CrankDirection direction);
 
 /// Returns the crank angle within the stroke at which the slider is at R4x; for R4x beyond the stroke, that of the

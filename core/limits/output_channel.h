@@ -46,7 +46,7 @@ constexpr std::size_t indexOf(DerivedChannel channel)
 /// Everything that `solve` and the tables can show: one of the 36 channels, or a quantity derived from them.
 using OutputChannel = std::variant<Channel, DerivedChannel>;
 
-/// Returns all output channels: positions, first derivatives, second derivatives; of each, the coordinates come first.
+/// Returns all output channels: positions, then first, then second derivatives; within each order, coordinates first.
 std::vector<OutputChannel> allOutputChannels();
 
 /// Returns the name of the channel in files: "R4_x_diff", "transmission_angle", "displacement_diff2".

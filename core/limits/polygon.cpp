@@ -28,7 +28,7 @@ struct NamedVector {
 };
 
 /// Places the vectors of the chain one after the other, and their sum at the pole.
-std::vector<PlacedVector> placed(const std::vector<NamedVector> &chain, const NamedVector &sum)
+std::vector<PlacedVector> placeVectors(const std::vector<NamedVector> &chain, const NamedVector &sum)
 {
     std::vector<PlacedVector> polygon;
     PlaneVector end;
@@ -56,14 +56,14 @@ Polygons polygonsAt(const Mechanism &mechanism, double t, double alpha2)
     const double alpha3 = state.qDDot[Theta3];
     const PlaneVector pin{output.derived.pinX.position, output.derived.pinY.position};
     const PlaneVector coupler{mechanism.b() * std::cos(state.q[Theta3]), mechanism.b() * std::sin(state.q[Theta3])};
-    return {.velocity =
-                placed({{PinVelocity, crossProduct(omega2, pin)}, {CouplerVelocity, crossProduct(omega3, coupler)}},
-                       {SliderVelocity, {state.qDot[R4x], 0.0}}),
-            .acceleration = placed({{PinNormal, scaled(-omega2 * omega2, pin)},
-                                    {PinTangential, crossProduct(alpha2, pin)},
-                                    {CouplerNormal, scaled(-omega3 * omega3, coupler)},
-                                    {CouplerTangential, crossProduct(alpha3, coupler)}},
-                                   {SliderAcceleration, {state.qDDot[R4x], 0.0}})};
+    return {.velocity = placeVectors(
+                {{PinVelocity, crossProduct(omega2, pin)}, {CouplerVelocity, crossProduct(omega3, coupler)}},
+                {SliderVelocity, {state.qDot[R4x], 0.0}}),
+            .acceleration = placeVectors({{PinNormal, scaled(-omega2 * omega2, pin)},
+                                          {PinTangential, crossProduct(alpha2, pin)},
+                                          {CouplerNormal, scaled(-omega3 * omega3, coupler)},
+                                          {CouplerTangential, crossProduct(alpha3, coupler)}},
+                                         {SliderAcceleration, {state.qDDot[R4x], 0.0}})};
 }
 
 } // namespace slidercrank

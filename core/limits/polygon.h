@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The velocity polygon and the acceleration polygon of the graphical method. With the pole O and the vectors of the
-// coupler from A to B:
+// The velocity polygon and the acceleration polygon of the graphical method. A and B are the vectors from the crank
+// pivot to the pins, so that B - A is that of the coupler:
 //
 //     v_B = v_A + v_BA                        v_A = ω2 × A                  v_BA = ω3 × (B - A)
 //     a_B = a_Aⁿ + a_Aᵗ + a_BAⁿ + a_BAᵗ       a_Aⁿ = -ω2² A                 a_BAⁿ = -ω3² (B - A)
@@ -30,7 +30,7 @@ enum class PolygonVector {
     SliderAcceleration, ///< a_B
 };
 
-/// A vector with its place in the polygon (mm/s or mm/s²); the pole is at the origin.
+/// A vector of a polygon, from its start to its end (mm/s or mm/s²). The pole is at the origin.
 struct PlacedVector {
     PolygonVector vector = PolygonVector::PinVelocity;
     PlaneVector from;
@@ -42,8 +42,8 @@ struct Polygons {
     std::vector<PlacedVector> acceleration;
 };
 
-/// Returns the polygons at time t (s) of a crank with the speed ω2 and the acceleration alpha2 (rad/s²); both are empty
-/// if velocities do not exist.
+/// Returns the polygons at time t (s), at which the crank has the acceleration alpha2 (rad/s²); both are empty if
+/// velocities do not exist.
 Polygons polygonsAt(const Mechanism &mechanism, double t, double alpha2);
 
 } // namespace slidercrank

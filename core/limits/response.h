@@ -32,8 +32,9 @@ struct ParameterRanges {
     ParameterRange fullTurn;  ///< the crank makes full turns: b >= a + |c|
 };
 
-/// Returns the ranges of one parameter within the largest possible values, with all others fixed. If the mechanism
-/// cannot be assembled for any crank speed or initial angle, they are not meaningful for these two.
+/// Returns the ranges of one parameter within ±kLargestParameter, with the other parameters fixed. Whether the
+/// mechanism can be assembled does not depend on ω2 and θ20: `assembled` contains all of their values even if it
+/// cannot.
 ParameterRanges parameterRanges(const Parameters &parameters, Parameter parameter);
 
 } // namespace slidercrank

@@ -4,8 +4,8 @@
 // Computes how much the limits of a motion change while the lengths vary within their tolerances. Lengths in mm.
 //
 // To first order the change of a limit f is ±(|∂f/∂a| δa + |∂f/∂b| δb + |∂f/∂c| δc). This estimate fails where f is
-// stationary, such as the time ratio at c = 0, which can only grow. Therefore the range is the exact one: almost always
-// f is largest and smallest at corners of the box of lengths. Otherwise it is at c = 0 or at an extremum along one of
+// stationary: the time ratio, for example, can only grow from c = 0. Therefore the exact range is computed. Almost
+// always, f is largest and smallest at corners of the box of lengths, otherwise at c = 0 or at an extremum along one of
 // the lengths, which is searched.
 
 #include "core/limits/limit.h"

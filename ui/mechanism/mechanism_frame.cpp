@@ -46,7 +46,7 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
     Interval x{-a, a};
     // The slider's extreme positions are its dead centres. The ends of a rocker's arcs need no space of their own:
     // there the slider is at x = a cos θ2, within [-a, a].
-    for (const std::optional<SliderPosition> &centre : {limits.outer, limits.inner}) {
+    for (const std::optional<SliderPosition> &centre : {limits.outerDeadCentre, limits.innerDeadCentre}) {
         if (centre) {
             x.include(centre->R4x);
         }
@@ -56,8 +56,8 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
 
 Interval sliderTravel(const Mechanism &mechanism, const MotionLimits &limits)
 {
-    if (limits.mobility == Mobility::FullTurn && limits.inner && limits.outer) {
-        const auto [left, right] = std::minmax(limits.inner->R4x, limits.outer->R4x);
+    if (limits.mobility == Mobility::FullTurn && limits.innerDeadCentre && limits.outerDeadCentre) {
+        const auto [left, right] = std::minmax(limits.innerDeadCentre->R4x, limits.outerDeadCentre->R4x);
         return {left, right};
     }
     const QRectF bounds = motionBounds(mechanism, limits);

@@ -134,7 +134,8 @@ void MechanismView::mouseReleaseEvent(QMouseEvent *event)
     endDrag();
     if (isClick && (m_pointed == DrawnPart::OuterDeadCentre || m_pointed == DrawnPart::InnerDeadCentre)) {
         const MotionLimits &limits = m_scene.result->limits;
-        goToCrankAngle((m_pointed == DrawnPart::OuterDeadCentre ? limits.outer : limits.inner)->theta2);
+        goToCrankAngle(
+            (m_pointed == DrawnPart::OuterDeadCentre ? limits.outerDeadCentre : limits.innerDeadCentre)->theta2);
     }
     const bool isInside = rect().contains(event->position().toPoint());
     pointAt(isInside ? partUnder(event->position()) : DrawnPart::Background, event->modifiers());

@@ -58,7 +58,7 @@ QString angleText(double angle)
 bool isAtInfinity(const InstantCentre &centre, const Mechanism &mechanism)
 {
     constexpr double kFarInSizes = 1e4; // times the size of the mechanism
-    return !(centre.toA <= kFarInSizes * (mechanism.a() + mechanism.b() + std::abs(mechanism.c())));
+    return !(centre.distanceToA <= kFarInSizes * (mechanism.a() + mechanism.b() + std::abs(mechanism.c())));
 }
 
 /// Returns the text of the legend about the instant centre, in two lines, since one would be too long for a narrow
@@ -73,8 +73,9 @@ QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanis
                      .arg(shownText(Measure::Speed, mechanism.a() * std::abs(mechanism.omega2())))
                : MechanismSketch::tr("Instant centre P: %1 = %2 rad/s = %3 °/s\nPA = %4, PB = %5")
                      .arg(symbolText(Channel{Theta3, Order::Velocity}), shortNumber(centre.omega3),
-                          shortNumber(kDegreesPerRadian * centre.omega3), shownText(Measure::Length, centre.toA),
-                          shownText(Measure::Length, centre.toB));
+                          shortNumber(kDegreesPerRadian * centre.omega3),
+                          shownText(Measure::Length, centre.distanceToA),
+                          shownText(Measure::Length, centre.distanceToB));
 }
 
 } // namespace

@@ -129,7 +129,8 @@ std::vector<MechanismSketch::DeadCentreMark> MechanismSketch::deadCentreMarks() 
 {
     constexpr double kAboveLine = 20.0; // px
     std::vector<DeadCentreMark> marks;
-    for (const auto &[centre, part] : {std::pair(limits().outer, OuterDeadCentre), {limits().inner, InnerDeadCentre}}) {
+    for (const auto &[centre, part] :
+         {std::pair(limits().outerDeadCentre, OuterDeadCentre), {limits().innerDeadCentre, InnerDeadCentre}}) {
         if (centre) {
             const QPointF place = toPixels({centre->R4x, mechanism().c()});
             marks.push_back({part, QLineF(place - QPointF(0.0, kAboveLine), place + QPointF(0.0, kBelowLine))});
@@ -158,7 +159,8 @@ std::vector<MechanismSketch::Caption> MechanismSketch::deadCentreCaptions() cons
     }
     const auto makeCaptions = [this](const QString &outer, const QString &inner) {
         std::vector<Caption> made;
-        for (const auto &[centre, name] : {std::pair(limits().outer, outer), {limits().inner, inner}}) {
+        for (const auto &[centre, name] :
+             {std::pair(limits().outerDeadCentre, outer), {limits().innerDeadCentre, inner}}) {
             if (centre) {
                 const QPointF mark = toPixels({centre->R4x, mechanism().c()});
                 QRectF box(QPointF(), textSize(name, TextSize::Small));

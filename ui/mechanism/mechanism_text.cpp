@@ -125,8 +125,8 @@ QStringList partLines(const MechanismScene &scene, DrawnPart part)
     case Guide:
         return {MechanismText::tr("The slider's line, %1: drag up or down to change c.")
                     .arg(lengthText(mechanism, Parameter::C))};
-    case OuterDeadCentre: return deadCentreLines(MechanismText::tr("Outer dead centre"), limits.outer);
-    case InnerDeadCentre: return deadCentreLines(MechanismText::tr("Inner dead centre"), limits.inner);
+    case OuterDeadCentre: return deadCentreLines(MechanismText::tr("Outer dead centre"), limits.outerDeadCentre);
+    case InnerDeadCentre: return deadCentreLines(MechanismText::tr("Inner dead centre"), limits.innerDeadCentre);
     case ForbiddenArc: return {mobilitySentence(mechanism, limits)};
     }
     return {};

@@ -116,12 +116,13 @@ private slots:
                 const double up = factor * v[y] - omega3 * (factor * q[x] - centre->position.x);
                 QVERIFY(std::max(std::abs(across), std::abs(up)) <= 1e-9 * far * size);
             }
-            QVERIFY(std::abs(std::abs(omega3) * centre->toA - size) <= 1e-9 * size);
-            QVERIFY(std::abs(std::abs(omega3) * centre->toB - std::abs(v[R4x])) <= 1e-9 * size);
+            QVERIFY(std::abs(std::abs(omega3) * centre->distanceToA - size) <= 1e-9 * size);
+            QVERIFY(std::abs(std::abs(omega3) * centre->distanceToB - std::abs(v[R4x])) <= 1e-9 * size);
         }
         constexpr double kQuarter = 0.5 * std::numbers::pi;
-        QVERIFY(instantCentre(Mechanism({.theta20 = kQuarter}), 0.0)->toA > 1e15); // infinite, except for rounding of π
-        QVERIFY(!instantCentre(Mechanism({.b = 5.0}), 0.0));                       // cannot be assembled
+        QVERIFY(instantCentre(Mechanism({.theta20 = kQuarter}), 0.0)->distanceToA >
+                1e15);                                       // infinite, except for rounding of π
+        QVERIFY(!instantCentre(Mechanism({.b = 5.0}), 0.0)); // cannot be assembled
     }
 };
 

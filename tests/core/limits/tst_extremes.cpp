@@ -141,10 +141,10 @@ private slots:
             const double fromSteepest = std::abs(std::abs(static_cast<double>(exact.theta2)) - 0.5 * kPi);
             const double tolerance = 1e-11 * toggleWidth(p) + 1e-14 * fromSteepest + 2.3e-16;
             double nearest = kTurn;
-            for (const PeakPlace &place : peak.places) {
-                const double off = static_cast<double>(ManyDigits(place.theta2) - exact.theta2);
+            for (const PeakPoint &point : peak.points) {
+                const double off = static_cast<double>(ManyDigits(point.theta2) - exact.theta2);
                 nearest = std::min(nearest, std::abs(std::remainder(off, kTurn)));
-                QVERIFY(place.theta2 >= -kPi && place.theta2 < kPi);
+                QVERIFY(point.theta2 >= -kPi && point.theta2 < kPi);
             }
             QVERIFY2(nearest <= tolerance, describe(p).c_str());
         }
@@ -152,7 +152,7 @@ private slots:
 
     /// θ3 depends only on sin θ2, so its derivatives have two equal peaks; without an offset, so does the slider's
     /// speed.
-    void everyPlaceHasThePeaksValue()
+    void everyPeakPointHasThePeaksValue()
     {
         RandomMechanisms random(72);
         for (int i = 0; i < 100; ++i) {
@@ -160,18 +160,18 @@ private slots:
             p.c = i % 5 == 0 ? 0.0 : p.c;
             const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
             for (const Peak &peak : peaks) {
-                QVERIFY(!peak.places.empty());
-                for (const PeakPlace &place : peak.places) {
-                    const double exact = static_cast<double>(exactAt(p, place.theta2).values[indexOf(peak.channel)]);
-                    QVERIFY2(std::abs(place.value - exact) <= 1e-13 * peak.magnitude, describe(p).c_str());
+                QVERIFY(!peak.points.empty());
+                for (const PeakPoint &point : peak.points) {
+                    const double exact = static_cast<double>(exactAt(p, point.theta2).values[indexOf(peak.channel)]);
+                    QVERIFY2(std::abs(point.value - exact) <= 1e-13 * peak.magnitude, describe(p).c_str());
                     QVERIFY2(std::abs(std::abs(exact) - peak.magnitude) <= 1e-11 * peak.magnitude, describe(p).c_str());
                 }
             }
-            const std::vector<PeakPlace> &places = peaks[2].places;
-            QVERIFY2(places.size() == 2, describe(p).c_str());
-            QVERIFY(std::abs(std::remainder(places[0].theta2 - (kPi - places[1].theta2), kTurn)) < 1e-12);
-            QVERIFY(std::signbit(places[0].value) != std::signbit(places[1].value));
-            QCOMPARE(peaks[0].places.size(), std::size_t(p.c == 0.0 ? 2 : 1));
+            const std::vector<PeakPoint> &points = peaks[2].points;
+            QVERIFY2(points.size() == 2, describe(p).c_str());
+            QVERIFY(std::abs(std::remainder(points[0].theta2 - (kPi - points[1].theta2), kTurn)) < 1e-12);
+            QVERIFY(std::signbit(points[0].value) != std::signbit(points[1].value));
+            QCOMPARE(peaks[0].points.size(), std::size_t(p.c == 0.0 ? 2 : 1));
         }
     }
 
@@ -182,8 +182,8 @@ private slots:
     {
         struct Row {
             Parameters parameters;
-            std::array<double, 4> magnitudes;  ///< in the order of motionPeaks()
-            std::array<std::size_t, 4> places; ///< number of places of each peak
+            std::array<double, 4> magnitudes;       ///< in the order of motionPeaks()
+            std::array<std::size_t, 4> pointCounts; ///< number of points of each peak
         };
         constexpr std::array<double, 4> kAllUnbounded{kInfinity, kInfinity, kInfinity, kInfinity};
         const std::array<double, 4> toggle{150.0, kInfinity, 3.0 * std::sqrt(20.0 / 45.0), kInfinity};
@@ -199,7 +199,7 @@ private slots:
             {{.b = 45.0, .omega2 = 0.0}, {}, {}},
             {{.b = 40.0, .omega2 = 0.0}, {}, {}},
         };
-        for (const auto &[p, magnitudes, places] : rows) {
+        for (const auto &[p, magnitudes, pointCounts] : rows) {
             const std::vector<Peak> peaks = motionPeaks(Mechanism(p));
             QCOMPARE(peaks.size(), magnitudes.size());
             for (std::size_t i = 0; i < peaks.size(); ++i) {
@@ -207,11 +207,11 @@ private slots:
                 QVERIFY2(peak.magnitude == magnitudes[i] ||
                              std::abs(peak.magnitude - magnitudes[i]) < 6e-15 * magnitudes[i],
                          describe(p).c_str());
-                QVERIFY2(peak.places.size() == places[i], describe(p).c_str());
-                for (const PeakPlace &place : peak.places) {
-                    const double height = std::abs(p.c - p.a * std::sin(place.theta2));
+                QVERIFY2(peak.points.size() == pointCounts[i], describe(p).c_str());
+                for (const PeakPoint &point : peak.points) {
+                    const double height = std::abs(p.c - p.a * std::sin(point.theta2));
                     const bool isToggle = p.b == p.a + std::abs(p.c);
-                    QVERIFY(isToggle ? std::abs(std::cos(place.theta2)) < 1e-14 : std::abs(height - p.b) < 1e-12);
+                    QVERIFY(isToggle ? std::abs(std::cos(point.theta2)) < 1e-14 : std::abs(height - p.b) < 1e-12);
                 }
             }
         }

@@ -167,7 +167,8 @@ private slots:
             VERIFY_FOR(p, ranges.size() == rangeCount(p, limits.mobility));
             VERIFY_FOR(p,
                        limits.mobility != Mobility::FullTurn || near(ranges[0].to - ranges[0].from, kTurn, kTolerance));
-            VERIFY_FOR(p, limits.mobility != Mobility::Locked || (ranges[0].from == ranges[0].to && !limits.inner));
+            VERIFY_FOR(p, limits.mobility != Mobility::Locked ||
+                              (ranges[0].from == ranges[0].to && !limits.innerDeadCentre));
             for (std::size_t i = 0; i < ranges.size(); ++i) {
                 VERIFY_FOR(p, ranges[i].from >= -pi && ranges[i].from < pi && ranges[i].from <= ranges[i].to);
                 VERIFY_FOR(p, (i == 0 || ranges[i - 1].to < ranges[i].from) && ranges[i].to <= ranges[0].from + kTurn);
@@ -191,12 +192,13 @@ private slots:
     void velocityIsZeroAtDeadCentres()
     {
         for (const auto &[p, limits] : subjects()) {
-            VERIFY_FOR(p, limits.outer.has_value() == (limits.mobility != Mobility::Impossible));
+            VERIFY_FOR(p, limits.outerDeadCentre.has_value() == (limits.mobility != Mobility::Impossible));
             const bool folds =
                 abs(ManyDigits(p.b) - ManyDigits(p.a)) >= std::abs(p.c) && limits.mobility != Mobility::Impossible;
-            VERIFY_FOR(p, limits.inner.has_value() == folds);
+            VERIFY_FOR(p, limits.innerDeadCentre.has_value() == folds);
             for (const bool stretched : {true, false}) {
-                const std::optional<SliderPosition> &centre = stretched ? limits.outer : limits.inner;
+                const std::optional<SliderPosition> &centre =
+                    stretched ? limits.outerDeadCentre : limits.innerDeadCentre;
                 if (!centre) {
                     continue;
                 }
@@ -267,14 +269,16 @@ private slots:
             const double inwards = *limits.angleInwards;
             const double sense = p.omega2 < 0.0 ? -1.0 : 1.0;
             VERIFY_FOR(p, outwards > 0.0 && inwards > 0.0 && near(outwards + inwards, kTurn, kTolerance));
-            VERIFY_FOR(p, near(std::remainder(limits.inner->theta2 + sense * outwards - limits.outer->theta2, kTurn),
-                               0.0, kTolerance));
+            VERIFY_FOR(
+                p, near(std::remainder(
+                            limits.innerDeadCentre->theta2 + sense * outwards - limits.outerDeadCentre->theta2, kTurn),
+                        0.0, kTolerance));
             VERIFY_FOR(p,
                        near(*limits.timeRatio, std::max(outwards, inwards) / std::min(outwards, inwards), kTolerance));
-            const double away = limits.outer->R4x > limits.inner->R4x ? 1.0 : -1.0;
-            double last = limits.inner->R4x;
+            const double away = limits.outerDeadCentre->R4x > limits.innerDeadCentre->R4x ? 1.0 : -1.0;
+            double last = limits.innerDeadCentre->R4x;
             for (int i = 1; i <= 50; ++i) {
-                const double theta2 = limits.inner->theta2 + sense * outwards * i / 50.0;
+                const double theta2 = limits.innerDeadCentre->theta2 + sense * outwards * i / 50.0;
                 const double R4 = sliderMotion(exactStateAt(p, theta2));
                 VERIFY_FOR(p, away * (R4 - last) >= -kTolerance * characteristicLength(p));
                 last = R4;
@@ -295,7 +299,7 @@ private slots:
                                           : ManyDigits(1);
             const auto exact = static_cast<double>(acos(cosine));
             VERIFY_FOR(p, near(minimum.angle, exact, 1e-15 * exact));
-            for (const double theta2 : minimum.places) {
+            for (const double theta2 : minimum.crankAngles) {
                 const double height = std::abs(p.c - p.a * std::sin(theta2));
                 VERIFY_FOR(p, near(std::cos(minimum.angle), height / p.b, kTolerance * characteristicLength(p) / p.b));
             }

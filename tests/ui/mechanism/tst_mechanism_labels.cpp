@@ -92,7 +92,8 @@ private slots:
               Parameters{.a = 3.0, .b = 90.0}, Parameters{.a = 10.0, .b = 120.0, .c = -25.0}, Parameters{.c = 0.0}}) {
             const MotionLimits limits = Drawn(parameters, 0.0, settings).scene.result->limits;
             for (const auto &[name, own, other] :
-                 {std::tuple("outer", *limits.outer, *limits.inner), {"inner", *limits.inner, *limits.outer}}) {
+                 {std::tuple("outer", *limits.outerDeadCentre, *limits.innerDeadCentre),
+                  {"inner", *limits.innerDeadCentre, *limits.outerDeadCentre}}) {
                 const QRectF box = Drawn(parameters, 0.0, settings).label(name);
                 if (box.isNull()) {
                     continue; // left out
@@ -253,7 +254,7 @@ private slots:
                                              Parameters{.branch = Branch::Crossed}}) {
             Session session;
             session.setParameters(parameters);
-            const SliderPosition outer = *session.result()->limits.outer;
+            const SliderPosition outer = *session.result()->limits.outerDeadCentre;
             MechanismView view;
             view.setResult(session.result());
             view.setPose(poseAt(parameters, outer.theta2 / parameters.omega2));

@@ -240,8 +240,8 @@ private slots:
                                                         {{-15.0, 25.0}, Guide},
                                                         {{0.0, -2.0}, Ground},
                                                         {{60.0, -20.0}, Background},
-                                                        {{limits.inner->R4x, 26.5}, InnerDeadCentre},
-                                                        {{limits.outer->R4x, 26.5}, OuterDeadCentre}};
+                                                        {{limits.innerDeadCentre->R4x, 26.5}, InnerDeadCentre},
+                                                        {{limits.outerDeadCentre->R4x, 26.5}, OuterDeadCentre}};
         for (const auto &[model, part] : places) {
             QCOMPARE(drawn.partAt(model), part);
         }

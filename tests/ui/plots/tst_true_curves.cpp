@@ -276,8 +276,8 @@ private slots:
             for (const Peak &peak : motionPeaks(Mechanism(p))) {
                 const auto channel = std::ranges::find(kPlottedChannels, peak.channel) - kPlottedChannels.begin();
                 const Interval axis = *shown.figure.shownPlot(kMotionPlots[static_cast<std::size_t>(channel)]).values;
-                for (const PeakPlace &place : peak.places) {
-                    QVERIFY(axis.contains(toFileUnit(peak.channel, place.value)));
+                for (const PeakPoint &point : peak.points) {
+                    QVERIFY(axis.contains(toFileUnit(peak.channel, point.value)));
                 }
                 QVERIFY(std::max(-axis.lower, axis.upper) <= 1.3 * toFileUnit(peak.channel, peak.magnitude));
             }
