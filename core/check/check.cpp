@@ -14,7 +14,8 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kArithmetic = 1e-12; ///< allowance for rounding errors of the computation, relative to the value
+constexpr double kRoundingAllowance =
+    1e-12; ///< allowance for rounding errors of the computation, relative to the value
 
 const OutputChannel kTheta3 = Channel{Theta3, Order::Position};
 const OutputChannel kTheta2 = Channel{Theta2, Order::Position};
@@ -38,7 +39,7 @@ double difference(const OutputChannel &channel, double x, double y)
 /// Returns whether a deviation from the given value is no more than its rounding.
 bool isWithinRounding(const GivenValue &given, double deviation)
 {
-    return std::abs(deviation) <= given.halfStep + kArithmetic * std::abs(given.value);
+    return std::abs(deviation) <= given.halfStep + kRoundingAllowance * std::abs(given.value);
 }
 
 /// Returns whether a value rounds to the given one. Returns false for a given angle that is rounded to half of its
@@ -97,9 +98,9 @@ ChannelsByVerdict channelsByVerdict(std::span<const CheckedValue> values)
     return channels;
 }
 
-/// Returns whether a slip is considered for these channels. Some slips give the same values as a simpler one in some
-/// channels. They are considered only if the given values tell them from it: by a channel that is wrong or, for
-/// CouplerAngleEnd, by a θ3 that is right.
+/// Returns whether a slip is considered for these channels. Some slips give the same values as a simpler slip in some
+/// channels. Such a slip is considered only if a wrong value or, for CouplerAngleEnd, a right θ3 distinguishes it from
+/// the simpler one.
 bool isConsidered(Slip slip, const ChannelsByVerdict &channels)
 {
     const auto &[wrong, right] = channels;
@@ -212,29 +213,33 @@ std::ptrdiff_t countPossibleSlips(const std::vector<Comparison> &comparisons)
     return std::distance(changes.begin(), std::unique(changes.begin(), changes.end(), areEqual));
 }
 
-/// Sets the explanation of `result`, and its slips, if some slip fits. `coincidence`: the product of h/d over the wrong
-/// values (check.h).
-void explainBySlips(CheckResult &result, std::vector<Comparison> comparisons, double coincidence)
+/// What explains the wrong values.
+struct Explanation {
+    CheckOutcome outcome = CheckOutcome::None;
+    std::vector<Slip> slips = {};
+};
+
+/// Explains the wrong values by the slips that fit. `coincidence`: the product of h/d over the wrong values (check.h).
+Explanation explainBySlips(std::vector<Comparison> comparisons, double coincidence)
 {
     const auto keepsRightValues = [](const Comparison &each) { return each.keepsRightValues; };
-    const auto fitsAll = [](const Comparison &each) { return each.keepsRightValues && each.fits; };
-    if (std::ranges::any_of(comparisons, fitsAll)) {
+    const auto fitsAllValues = [](const Comparison &each) { return each.keepsRightValues && each.fits; };
+    if (std::ranges::any_of(comparisons, fitsAllValues)) {
         std::erase_if(comparisons, std::not_fn(keepsRightValues));
     }
     const std::vector<Slip> slips = fittingSlips(comparisons);
     if (slips.empty()) {
-        return;
+        return {};
     }
     if (static_cast<double>(countPossibleSlips(comparisons)) * coincidence >= kLargestChance) {
-        result.explanation = CheckOutcome::TooFewDigits;
-    } else {
-        result.slips = slips;
-        result.explanation = slips.size() == 1 ? CheckOutcome::SingleSlip : CheckOutcome::Ambiguous;
+        return {CheckOutcome::TooFewDigits};
     }
+    return {slips.size() == 1 ? CheckOutcome::SingleSlip : CheckOutcome::Ambiguous, slips};
 }
 
 /// Returns whether all deviations are within the error of intermediate results that are rounded to three digits.
-bool areRoundedEarlier(const CrankPosition &position, const OutputState &exact, std::span<const CheckedValue> values)
+bool earlierRoundingExplains(const CrankPosition &position, const OutputState &exact,
+                             std::span<const CheckedValue> values)
 {
     const OutputState errors = roundingErrors(position, exact);
     return std::ranges::all_of(values, [&](const CheckedValue &value) {
@@ -259,14 +264,15 @@ CheckResult check(const CrankPosition &position, std::span<const GivenValue> giv
     if (std::ranges::all_of(result.values, &CheckedValue::isRight)) {
         return result;
     }
-    result.explanation = CheckOutcome::None;
-    if (exact.state.status != Status::Solved) {
-        return result;
+    Explanation explanation;
+    if (exact.state.status == Status::Solved) {
+        explanation = explainBySlips(compareSlips(position, exact, result.values), coincidence);
+        if (explanation.slips.empty() && earlierRoundingExplains(position, exact, result.values)) {
+            explanation.outcome = CheckOutcome::RoundedEarlier;
+        }
     }
-    explainBySlips(result, compareSlips(position, exact, result.values), coincidence);
-    if (result.slips.empty() && areRoundedEarlier(position, exact, result.values)) {
-        result.explanation = CheckOutcome::RoundedEarlier;
-    }
+    result.explanation = explanation.outcome;
+    result.slips = explanation.slips;
     return result;
 }
 

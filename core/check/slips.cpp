@@ -69,7 +69,7 @@ void solveCoupler(Calculation &calculation)
         (normals - a * calculation.alpha2 * cos2) / (b * cos3) + calculation.alpha3Error;
 }
 
-/// Computes the slider by the formulas above from ω3 and α3.
+/// Computes the motion of the slider by the formulas above from ω3 and α3.
 void solveSlider(Calculation &calculation)
 {
     const auto &[a, b, c, omega2, theta2, branch] = calculation.parameters;
@@ -93,8 +93,8 @@ void setSlider(Calculation &calculation, const QuantityMotion &motion)
 }
 
 /// Sets position, velocity and acceleration of the slider from x, dx/dθ2 and d²x/dθ2². Also sets the displacement from
-/// the outer dead centre, which is at x = ±(a + b) (the sign is that of x): the formulas that lead here neglect the
-/// offset c.
+/// the outer dead centre, at x = a + b if the slider is to the right of A, otherwise at -(a + b): the offset c is
+/// neglected.
 void setSlider(Calculation &calculation, double x, double firstDerivative, double secondDerivative)
 {
     const double omega2 = calculation.parameters.omega2;
@@ -121,7 +121,7 @@ void moveLikeCrankPin(Calculation &calculation)
     moveHarmonically(calculation, 0.0);
 }
 
-/// Sets the slider to the motion of the crank pin, shifted by the length of the coupler.
+/// Sets the slider to the motion of the crank pin, shifted by the length of the coupler towards the slider.
 void moveLikeShiftedCrankPin(Calculation &calculation)
 {
     moveHarmonically(calculation, calculation.directedCoupler());
@@ -224,7 +224,7 @@ void measureTowardsCrank(Calculation &calculation)
     measureAnglesClockwise(calculation);
 }
 
-/// Makes another slip first.
+/// Makes the slip `makeFirst`, then measures towards the crank.
 template <void (*makeFirst)(Calculation &)>
 void thenMeasureTowardsCrank(Calculation &calculation)
 {
@@ -290,7 +290,7 @@ enum class Stage {
 /// One way to make a slip; a slip may have several.
 struct Way {
     Stage stage;
-    void (*make)(Calculation &calculation); ///< nullptr: there is no further way
+    void (*make)(Calculation &calculation); ///< makes the slip; nullptr: there is no further way
 };
 constexpr std::size_t kMaxWays = 8;
 
@@ -440,8 +440,8 @@ bool solveMechanism(Calculation &calculation)
     return calculation.values.state.status == Status::Solved;
 }
 
-/// Appends the outcomes of making a slip in this way: none if its mechanism cannot be solved; two for a slip in a
-/// formula, which is made in the formulas of the slider only, or in those of the coupler as well; otherwise one.
+/// Appends the outcomes of making a slip in this way: none if the slip is in the input and the mechanism cannot be
+/// solved with it; two if it is in a formula: made for the slider only, and for the coupler as well; otherwise one.
 void addOutcomes(std::vector<SlipOutcome> &outcomes, Slip slip, const Way &way, Calculation calculation)
 {
     way.make(calculation);

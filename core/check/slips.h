@@ -72,9 +72,9 @@ struct SlipOutcome {
     bool affectsPositions;
 };
 
-/// Returns the outcome of every slip. A slip that can be made in several ways, such as in one formula or in all of
-/// them, has one for each way; a slip with which the mechanism is impossible has none. `exact`: the motion at the
-/// position, which must be solved.
+/// Returns the outcome of every slip. A slip that can be made in several ways, such as in one formula or in all
+/// formulas, has one outcome for each way; a slip with which the mechanism is impossible has none. `exact`: the motion
+/// at the position, which must be solved.
 std::vector<SlipOutcome> slipOutcomes(const CrankPosition &position, const OutputState &exact);
 
 /// Estimates the largest error of each value if θ3, ω3 and α3 are rounded to three digits before they are used: the sum
