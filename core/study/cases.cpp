@@ -22,7 +22,7 @@ constexpr double kCrank = 20.0;
 constexpr double kCoupler = 60.0;
 constexpr double kOffset = 25.0;
 
-/// A mechanism with a crank of kCrank that makes one revolution per second. Lengths in mm.
+/// A mechanism with a crank of length kCrank that makes one revolution per second. Lengths in mm.
 struct Row {
     const char *name;
     double b;
@@ -37,7 +37,7 @@ constexpr double couplerNearToggle(double gap, double c = kOffset)
     return (kCrank + (c < 0.0 ? -c : c)) * (1.0 + gap);
 }
 
-const std::vector<Row> kNominal = {
+const std::vector<Row> kNominalRows = {
     {"initial mechanism", 65.0},
     {"b = 60, sample file", kCoupler},
     {"b = 60, crossed", kCoupler, kOffset, Crossed},
@@ -48,7 +48,7 @@ const std::vector<Row> kNominal = {
     {"b/a = 10", 200.0},
 };
 
-const std::vector<Row> kHard{
+const std::vector<Row> kHardRows{
     {"toggle gap 1e-4, crossed", couplerNearToggle(1e-4), kOffset, Crossed},
     {"toggle gap 1e-8, crossed", couplerNearToggle(1e-8), kOffset, Crossed},
     {"exact toggle, c > 0", couplerNearToggle(0.0)},
@@ -70,8 +70,8 @@ const std::vector<Row> kHard{
     {"c/a = 5e4", 1.1e6, 1e6},
 };
 
-/// Adds mechanisms with relative gaps of 1e-1 … 1e-15 to a toggle.
-void addToggles(const char *suffix, double c, std::initializer_list<int> exponents, std::vector<Case> &cases)
+/// Adds a mechanism with the relative gap 10^-exponent to a toggle for each exponent. `c`: its offset, mm.
+void addCasesNearToggle(const char *suffix, double c, std::initializer_list<int> exponents, std::vector<Case> &cases)
 {
     for (const int exponent : exponents) {
         const std::string gap = "1e-" + std::to_string(exponent);
@@ -91,13 +91,13 @@ void addCases(const std::vector<Row> &rows, std::vector<Case> &cases)
 }
 
 /// Returns the mechanism of the sample file with all lengths multiplied by the factor.
-Parameters scaled(double factor)
+Parameters scaledSampleMechanism(double factor)
 {
     return {.a = kCrank * factor, .b = kCoupler * factor, .c = kOffset * factor};
 }
 
 /// Returns a case with few time steps per revolution. `gap`: the relative gap to a toggle, such as "1e-4".
-Case fewSteps(int steps, const std::string &gap)
+Case caseWithFewSteps(int steps, const std::string &gap)
 {
     return {.name = std::to_string(steps) + " steps a turn, gap " + gap,
             .parameters = {.a = kCrank, .b = couplerNearToggle(std::stod(gap)), .c = kOffset},
@@ -109,7 +109,7 @@ Case fewSteps(int steps, const std::string &gap)
 std::vector<Case> nominalCases()
 {
     std::vector<Case> cases;
-    addCases(kNominal, cases);
+    addCases(kNominalRows, cases);
     cases.push_back({.name = "omega2 < 0", .parameters = {.a = kCrank, .b = kCoupler, .c = kOffset, .omega2 = -kTurn}});
     cases.push_back({.name = "theta20 = 1 rad",
                      .parameters = {.a = kCrank, .b = kCoupler, .c = kOffset, .omega2 = kTurn, .theta20 = 1.0}});
@@ -119,18 +119,18 @@ std::vector<Case> nominalCases()
 std::vector<Case> hardCases()
 {
     std::vector<Case> cases;
-    addToggles(", c > 0", kOffset, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, cases);
-    addToggles(", c = 0", 0.0, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
-    addToggles(", c < 0", -kOffset, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
-    addCases(kHard, cases);
+    addCasesNearToggle(", c > 0", kOffset, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}, cases);
+    addCasesNearToggle(", c = 0", 0.0, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
+    addCasesNearToggle(", c < 0", -kOffset, {1, 2, 3, 4, 6, 8, 12, 15}, cases);
+    addCases(kHardRows, cases);
     for (const int steps : {2, 3, 4, 5, 8}) {
-        cases.push_back(fewSteps(steps, "1e-1"));
+        cases.push_back(caseWithFewSteps(steps, "1e-1"));
     }
-    cases.push_back(fewSteps(5, "1e-2"));
-    cases.push_back(fewSteps(8, "1e-3"));
-    cases.push_back({.name = "lengths x 1e-9", .parameters = scaled(1e-9)});
-    cases.push_back({.name = "lengths x 1e9", .parameters = scaled(1e9)});
-    cases.push_back({.name = "t near 1e9 s", .parameters = scaled(1.0), .sampling = {.start = 1e9}});
+    cases.push_back(caseWithFewSteps(5, "1e-2"));
+    cases.push_back(caseWithFewSteps(8, "1e-3"));
+    cases.push_back({.name = "lengths x 1e-9", .parameters = scaledSampleMechanism(1e-9)});
+    cases.push_back({.name = "lengths x 1e9", .parameters = scaledSampleMechanism(1e9)});
+    cases.push_back({.name = "t near 1e9 s", .parameters = scaledSampleMechanism(1.0), .sampling = {.start = 1e9}});
     cases.push_back({.name = "omega2 = 0",
                      .parameters = {.a = kCrank, .b = kCoupler, .c = kOffset, .omega2 = 0.0, .theta20 = 1.0}});
     cases.push_back({.name = "omega2 = 1e6 rad/s",
@@ -145,7 +145,7 @@ std::vector<double> perpendicularTimes(const Case &namedCase)
     if (mechanism.omega2() == 0.0) {
         return {};
     }
-    // |c - a sin θ2| is stationary at ±90°, and b where sin θ2 = (c ± b)/a.
+    // |c - a sin θ2| is stationary at ±90°, and equals b where sin θ2 = (c ± b)/a.
     std::vector<double> angles{kQuarterTurn, -kQuarterTurn};
     for (const double height : {mechanism.b(), -mechanism.b()}) {
         const double angle = std::asin((mechanism.c() + height) / mechanism.a());

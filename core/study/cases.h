@@ -2,7 +2,7 @@
 #pragma once
 
 // Lists the named mechanisms that tests, benchmarks and the study share: ordinary ones, and those that are difficult
-// for a solver because of accuracy, of the branch, or because they cannot always be assembled.
+// for a solver, because accuracy is lost, the branch may be left, or no position exists at some crank angles.
 //
 // Lengths in mm, angles in rad, time in s.
 
@@ -18,13 +18,13 @@ namespace slidercrank
 struct Case {
     std::string name; ///< unique; comma-separated properties: "toggle gap 1e-4, crossed"
     Parameters parameters;
-    Sampling sampling{}; ///< one revolution, unless the case is about time
+    Sampling sampling{}; ///< about one revolution; one second if the crank does not turn
 };
 
-/// Returns the cases in which every method has to be accurate to the last digits.
+/// Returns the cases in which closed form and Newton-Raphson have to be accurate to the last digits.
 std::vector<Case> nominalCases();
 
-/// Returns the cases in which a method may fail, but has to report it.
+/// Returns the cases in which a method may fail, but has to report the failure.
 std::vector<Case> hardCases();
 
 /// Returns the times (s) within the sampled time span at which the coupler is closest to perpendicular to the slider's

@@ -31,8 +31,8 @@ ExactState exactState(const ExactInput &in)
     }
     out.status = isSolved ? Status::Solved : Status::Singular;
     out.cosTheta3 = (motion.sliderX[motion.kPosition] - motion.pinX[motion.kPosition]) / in.b;
-    const std::size_t existing = isSolved ? kChannelCount : kCoordinateCount; // the positions come first
-    for (std::size_t index = 0; index < existing; ++index) {
+    const std::size_t existingCount = isSolved ? kChannelCount : kCoordinateCount; // the positions come first
+    for (std::size_t index = 0; index < existingCount; ++index) {
         out.values[index] = motion.valueAt(channelAt(index));
     }
     return out;

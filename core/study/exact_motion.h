@@ -56,8 +56,8 @@ struct ExactState {
 
 ExactState exactState(const ExactInput &in);
 
-/// Returns κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t for each channel: its change per unit of relative error of the
-/// input. Infinite if such an error could make the mechanism impossible to assemble.
+/// Returns κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t for each channel: the change of the channel per unit of relative
+/// error of the input. Infinite if such an error could make the mechanism impossible to assemble.
 std::array<double, kChannelCount> conditioning(const Parameters &parameters, double t);
 
 } // namespace slidercrank

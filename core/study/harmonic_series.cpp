@@ -10,14 +10,15 @@
 namespace slidercrank
 {
 
-// The trapezoidal rule, which converges fastest for periodic functions: Aₙ = 2/M Σ f(θ) cos nθ, A₀ half of that.
+// The trapezoidal rule with M angles, which converges fastest for periodic functions: Aₙ = 2/M Σ f(θ) cos nθ, and half
+// of that for n = 0.
 HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     : m_omega2(mechanism.omega2())
     , m_theta20(mechanism.theta20())
     , m_terms(static_cast<std::size_t>(harmonics) + 1)
 {
-    // The number of equally spaced crank angles. They cannot distinguish the harmonics n and kAngles - n, of which the
-    // latter are negligible in a motion without a toggle.
+    // M, the number of equally spaced crank angles. They cannot distinguish the harmonics n and kAngles - n, of which
+    // the latter are negligible in a motion without a toggle.
     constexpr std::size_t kAngles = 2048;
 
     // The rounding error of a double 2π would shift all waves in the same direction, and the n² of the second
@@ -39,7 +40,7 @@ HarmonicSeries::HarmonicSeries(const Mechanism &mechanism, int harmonics)
     }
     const auto coefficient = [&waves](const std::vector<double> &positions, std::size_t n) {
         Complex sum;
-        Complex lost; // by the rounding of `sum`: the n² of the second derivative would amplify it
+        Complex lost; // what `sum` loses by rounding: the n² of the second derivative would amplify it
         for (std::size_t i = 0; i < kAngles; ++i) {
             const Complex next = positions[i] * waves[n * i % kAngles];
             const TwoPart real = twoSum(sum.real(), next.real());

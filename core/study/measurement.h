@@ -37,16 +37,16 @@ struct ExactMotion {
 class Measurement
 {
 public:
-    /// `timeStamps`: where the methods are compared with the exact motion.
+    /// `timeStamps`: those at which the methods are compared with the exact motion, s.
     Measurement(const Parameters &parameters, std::vector<double> timeStamps);
 
     /// Adds a method, to be run at these time stamps, if it applies to the mechanism.
     void add(const StudyMethod &method, const std::vector<double> &timeStamps);
 
-    /// Does the next piece. Returns false if everything is done.
+    /// Does the next piece of work. Returns false if everything is done.
     bool advance(const StudyRequest &request);
 
-    /// Returns the part that is done, 0 … 1.
+    /// Returns the fraction that is done, 0 … 1.
     double progress(const StudyRequest &request) const;
 
     /// Returns a row for each method. Requires that advance() has returned false.
@@ -55,7 +55,7 @@ public:
     const std::vector<double> &timeStamps() const { return m_timeStamps; }
 
 private:
-    std::size_t roundCount(const StudyRequest &request) const; ///< number of rounds of all methods together
+    std::size_t roundCount(const StudyRequest &request) const; ///< total of all methods
 
     Parameters m_parameters;
     std::vector<double> m_timeStamps;
@@ -66,8 +66,8 @@ private:
     std::size_t m_timedRounds = 0;   ///< number of rounds that have been timed
 };
 
-/// Returns the worst status among those that occur. NotAssemblable is a property of the mechanism, the others are
-/// failures of the method.
+/// Returns the worst status among those that occur. NotAssemblable, a property of the mechanism, is less
+/// severe than the failures of a method.
 Status worstStatus(const std::array<std::size_t, kStatusCount> &counts);
 
 } // namespace slidercrank

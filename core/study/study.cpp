@@ -39,7 +39,7 @@ double clockStep()
     return std::chrono::duration<double>(smallest).count();
 }
 
-/// Measures every method at the time stamps of the case.
+/// Returns a measurement, not yet begun, of every method at the time stamps of the case.
 Measurement methodMeasurement(const Case &studied)
 {
     Measurement measurement(studied.parameters, timeStampsOf(studied));
@@ -52,12 +52,14 @@ Measurement methodMeasurement(const Case &studied)
 /// Returns a measurement, not yet begun, of every method: with every step size if its cost or error depends on it.
 Measurement workPrecisionMeasurement(Case studied)
 {
-    studied.sampling.steps = kWorkPrecisionOutputs;
+    constexpr int kLargestMultiple = 32; // of the number of time steps
+    studied.sampling.steps = kWorkPrecisionSteps;
     Measurement measurement(studied.parameters, studied.sampling.timeStamps());
     for (const StudyMethod &method : studyMethods()) {
-        // A power of two, so that the time stamps of the outputs are the same doubles.
-        for (int multiple = 1; multiple <= (method.dependsOnStep ? 32 : 1); multiple *= 2) {
-            studied.sampling.steps = multiple * kWorkPrecisionOutputs;
+        // Multiples are powers of two, so that the compared time stamps are the same doubles with each of them.
+        const int largestMultiple = method.dependsOnStep ? kLargestMultiple : 1;
+        for (int multiple = 1; multiple <= largestMultiple; multiple *= 2) {
+            studied.sampling.steps = multiple * kWorkPrecisionSteps;
             measurement.add(method, studied.sampling.timeStamps());
         }
     }

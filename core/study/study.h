@@ -4,13 +4,14 @@
 // Measures speed against error: each method of the program, and the methods that a student would use instead, are timed
 // at the same time stamps and compared with the exact motion in 115 digits. No other module of the core reads a clock.
 //
-// Errors are the largest of the six plotted channels, relative to the peak of the channel, over the time stamps that
-// the method itself reports as solved. The error bound is κ·u, in the same measure and over the same time stamps:
+// The error of a method is the largest of the six plotted channels, relative to the peak of the channel, over the time
+// stamps that the method itself reports as solved. The error bound is κ·u, relative to the same peaks and over the same
+// time stamps:
 //
 //     κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t        u = 2⁻⁵³
 //
-// the error of a perfect method whose input has been rounded to doubles. A method that takes its input as exact, as the
-// closed form does, may be more accurate.
+// It is the error of a perfect method whose input has been rounded to doubles. A method that takes its input as exact,
+// as the closed form does, may be more accurate.
 
 #include "core/mechanism/mechanism.h"
 #include "core/study/cases.h"
@@ -37,7 +38,7 @@ struct StudyRequest {
     double secondsPerRound = 150e-6;
 };
 
-/// The tolerance of the reference report; the rows of newton-dense with it are the calculation of the report.
+/// The tolerance of the reference report; newton-dense with this tolerance repeats the calculation of the report.
 inline constexpr double kReferenceReportTolerance = 1e-8;
 
 struct MethodName {
@@ -79,7 +80,7 @@ struct MethodResult {
     std::optional<double> errorBound; ///< κ·u; nullopt if no time stamp is solved, or if κ is infinite
 
     std::array<std::size_t, kStatusCount> counts{}; ///< number of time stamps, indexed by Status
-    Status status = Status::Solved;                 ///< the worst of them
+    Status status = Status::Solved;                 ///< the worst that occurs, see worstStatus()
 
     /// The number of time stamps that are wrong although they are reported as solved: a channel deviates by more than
     /// kSilentFraction of its peak, as on the wrong branch or with too coarse an approximation, or the mechanism cannot
@@ -89,12 +90,12 @@ struct MethodResult {
 
 inline constexpr double kSilentFraction = 0.01;
 
-/// Within this relative distance (|h| - b)/b of the limit, rounding decides whether a position exists. A method that
-/// reports a position there is not counted as wrong.
+/// If (|h| - b)/b with h = c - a sin θ2 is at most this, rounding decides whether a position exists: a method that
+/// reports a position is not counted as wrong.
 inline constexpr double kLimitRounding = 1e-14;
 
-/// The number of time steps between the outputs of CaseResult::workPrecision.
-inline constexpr int kWorkPrecisionOutputs = 25;
+/// The number of equal time steps between the first and the last state that CaseResult::workPrecision compares.
+inline constexpr int kWorkPrecisionSteps = 25;
 
 struct CaseResult {
     std::string name;
@@ -103,7 +104,7 @@ struct CaseResult {
     std::vector<MethodResult> methods;
 
     /// The rows of a chart of error against cost: one for each tolerance and step size, of the first case only. The
-    /// errors are those of kWorkPrecisionOutputs + 1 states at equal time steps over the sampled duration. The cost is
+    /// errors are those of kWorkPrecisionSteps + 1 states at equal time steps over the sampled duration. The cost is
     /// that of all states that the method computes to reach them (MethodResult::states).
     std::vector<MethodResult> workPrecision = {};
 };
@@ -121,7 +122,7 @@ public:
     explicit Study(const StudyRequest &request);
     ~Study();
 
-    bool advance();             ///< does the next piece; returns false if everything is done
+    bool advance();             ///< does the next piece of work; returns false if everything is done
     double progress() const;    ///< the fraction that is done, 0 … 1; it never decreases
     StudyResult result() const; ///< the results of the completed cases
 

@@ -128,8 +128,8 @@ std::vector<StudyMethod> makeMethods()
     constexpr std::array kTolerances{1e-4, kReferenceReportTolerance, 1e-12, 0.0};
     constexpr std::array kHarmonics{2, 4, 8, 16, 32};
 
-    // NewtonDense has the residual and the iteration limit of the reference report. The others have a residual that is
-    // independent of scale, and an iteration limit that suffices at a toggle.
+    // NewtonDense has the residual and the iteration limit of the reference report. The other variants have a residual
+    // that is independent of scale, and an iteration limit that suffices at a toggle.
     constexpr int kMaxIterations = kColdStartIterations;
     constexpr ToleranceKind kRelative = ToleranceKind::Relative;
     constexpr std::pair<MethodName::Kind, NewtonOptions> kVariants[]{

@@ -260,10 +260,10 @@ private slots:
             QCOMPARE(row.linearSolvesPerState.value_or(2.0), row.iterationsPerState.value_or(0.0) + 2.0);
         }
         double before = 1.0;
-        std::size_t steps = kWorkPrecisionOutputs;
+        std::size_t steps = kWorkPrecisionSteps;
         int closedForms = 0;
         for (const MethodResult &row : study.cases[0].workPrecision) {
-            QVERIFY((row.states - 1) % kWorkPrecisionOutputs == 0 && row.nsPerState > 0.0 && row.maxError);
+            QVERIFY((row.states - 1) % kWorkPrecisionSteps == 0 && row.nsPerState > 0.0 && row.maxError);
             closedForms += row.method.kind == MethodName::Kind::ClosedForm ? 1 : 0;
             if (row.method.kind == MethodName::Kind::FiniteDifference) {
                 QCOMPARE(row.states, steps + 1);
@@ -274,7 +274,7 @@ private slots:
                 QVERIFY(*row.maxError < 1e-13 && *row.linearSolvesPerState > 2.0);
             }
         }
-        QCOMPARE(steps, std::size_t{64 * kWorkPrecisionOutputs});
+        QCOMPARE(steps, std::size_t{64 * kWorkPrecisionSteps});
         QCOMPARE(closedForms, 1);
     }
 
