@@ -17,18 +17,18 @@ namespace slidercrank
 namespace HWY_NAMESPACE
 {
 
-/// Computes a block of at most kBlock time stamps, a multiple of kMaxLanes. All vectors go through one stage before
+/// Computes a block of at most kMaxBlock time stamps, a multiple of kMaxLanes. All vectors go through one stage before
 /// the next begins: stages are short enough for a processor to overlap several vectors, which it cannot do when each
-/// vector is carried from its time stamp to its last channel. The numbers are valid where `roots` is positive. Returns
-/// whether all of them are valid.
+/// vector is carried from its time stamp to its last channel. The columns are valid where `roots` is positive. Returns
+/// whether all values are valid.
 bool evaluateBlock(const MotionConstants &constants, const double *times, std::size_t count,
                    const PlottedColumns &columns, double *roots)
 {
     const std::size_t lanes = hn::Lanes(Lanes::Tag());
     const MotionConstants k = constants; // a local copy, which no store can change
-    double sines[kBlock];
-    double cosines[kBlock];
-    double heights[kBlock];
+    double sines[kMaxBlock];
+    double cosines[kMaxBlock];
+    double heights[kMaxBlock];
     for (std::size_t i = 0; i < count; i += lanes) {
         Lanes hi = 0.0, lo = 0.0, x = 0.0, cosine = 0.0;
         crankAngleWithSine(k, Lanes::load(times + i), hi, lo, x, cosine);
@@ -83,14 +83,14 @@ HWY_EXPORT(evaluateBlock);
 void ClosedForm::evaluate(std::span<const double> times, const PlottedColumns &columns,
                           std::span<Status> statuses) const
 {
-    using HWY_NAMESPACE::kBlock, HWY_NAMESPACE::kMaxLanes;
+    using HWY_NAMESPACE::kMaxBlock, HWY_NAMESPACE::kMaxLanes;
     std::fill(statuses.begin(), statuses.end(), Status::Solved);
-    double roots[kBlock] = {};
+    double roots[kMaxBlock] = {};
     const std::size_t size = times.size();
     const bool isShort = size < kMaxLanes; // then all time stamps are computed one by one
     for (std::size_t from = 0, count = size; from < size; from += count) {
         if (!isShort) { // whole vectors, of which the last one overlaps the one before it
-            count = std::clamp((size - from) / kMaxLanes * kMaxLanes, kMaxLanes, kBlock);
+            count = std::clamp((size - from) / kMaxLanes * kMaxLanes, kMaxLanes, kMaxBlock);
             from = std::min(from, size - count);
         }
         PlottedColumns target = columns;
@@ -99,6 +99,7 @@ void ClosedForm::evaluate(std::span<const double> times, const PlottedColumns &c
         }
         const bool areAllOrdinary =
             !isShort && HWY_DYNAMIC_DISPATCH(evaluateBlock)(m_constants, times.data() + from, count, target, roots);
+        // Computes the time stamps that the vector code could not compute, one by one.
         for (std::size_t i = 0; i < count && !areAllOrdinary; ++i) {
             if (roots[i] > 0.0) {
                 continue;

@@ -35,8 +35,10 @@ namespace HWY_NAMESPACE
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The largest number of time stamps that are evaluated together, and in a vector.
-inline constexpr std::size_t kBlock = 64;
+/// The largest number of time stamps in a block, whose vectors are evaluated together.
+inline constexpr std::size_t kMaxBlock = 64;
+
+/// The largest number of time stamps in a vector.
 inline constexpr std::size_t kMaxLanes = 8;
 
 /// A vector of doubles with the operators of a number.
@@ -220,11 +222,11 @@ HWY_INLINE void crankAngleWithSine(const MotionConstants &k, Number t, Number &h
     x = select(abs(t) < k.latest, x, kNone);
 }
 
-/// The quantities that determine the position of the coupler, named as in motion_constants.h and closed_form.h.
+/// The quantities that determine the position of the coupler, with x, p, m, g and h as in motion_constants.h.
 template <class Number>
 struct Clearance {
-    Number x, cosine;
-    Number sigma, sigmaMirrored;
+    Number x, cosine;            ///< x = g sin θ2, and cos θ2
+    Number sigma, sigmaMirrored; ///< σ = 1 + x and σ' = 1 - x, without cancellation
     Number p, m;
     Number h; ///< g h
 };

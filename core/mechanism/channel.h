@@ -17,6 +17,7 @@
 namespace slidercrank
 {
 
+/// The order of a time derivative: 0, 1 or 2.
 enum class Order { Position, Velocity, Acceleration };
 
 struct Channel {

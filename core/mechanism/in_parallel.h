@@ -14,7 +14,7 @@
 namespace slidercrank
 {
 
-/// The threads of inParallel(). Starting one takes about 20 µs.
+/// The threads that inParallel() uses. Starting a thread takes about 20 µs.
 enum class Threads {
     CallingThread,  ///< no other thread
     OnePerProcessor ///< as many threads as there are processors, the calling thread included
@@ -26,22 +26,22 @@ template <class Work>
 void inParallel(std::size_t count, const Work &work, Threads allowed = Threads::OnePerProcessor)
 {
     std::atomic<std::size_t> next = 0;
-    const auto takeTurns = [&] {
+    const auto doRemainingWork = [&] {
         for (std::size_t i = next++; i < count; i = next++) {
             work(i);
         }
     };
-    const bool areSeveral = allowed == Threads::OnePerProcessor && count > 1;
-    const std::size_t threads = areSeveral ? std::max(1U, std::thread::hardware_concurrency()) : 1;
-    std::vector<std::future<void>> others; // their destructors wait for the threads, also after an exception
+    const bool useSeveral = allowed == Threads::OnePerProcessor && count > 1;
+    const std::size_t threadCount = useSeveral ? std::max(1U, std::thread::hardware_concurrency()) : 1;
+    std::vector<std::future<void>> otherThreads; // destructors of futures wait for the threads, also after an exception
     try {
-        for (std::size_t i = 1; i < std::min(threads, count); ++i) {
-            others.push_back(std::async(std::launch::async, takeTurns));
+        for (std::size_t i = 1; i < std::min(threadCount, count); ++i) {
+            otherThreads.push_back(std::async(std::launch::async, doRemainingWork));
         }
-    } catch (const std::system_error &) { // no further thread can be started: the existing ones do all of the work
+    } catch (const std::system_error &) { // no further thread can be started: the existing threads do all of the work
     }
-    takeTurns();
-    for (std::future<void> &thread : others) {
+    doRemainingWork();
+    for (std::future<void> &thread : otherThreads) {
         thread.get();
     }
 }

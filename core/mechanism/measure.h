@@ -21,7 +21,7 @@ constexpr bool isLinear(Measure measure)
     return measure == Measure::Length || measure == Measure::Speed || measure == Measure::Acceleration;
 }
 
-/// Returns the measure of a derivative of an angle or of a length.
+/// Returns the measure of an angle, or of its derivative of that order.
 constexpr Measure angleMeasure(Order order)
 {
     switch (order) {
@@ -31,6 +31,7 @@ constexpr Measure angleMeasure(Order order)
     }
     return Measure::AngularAcceleration;
 }
+/// Returns the measure of a length, or of its derivative of that order.
 constexpr Measure lengthMeasure(Order order)
 {
     switch (order) {

@@ -24,8 +24,8 @@ constexpr double Parameters::*memberFor(Parameter parameter)
     return &Parameters::theta20;
 }
 
-// A reflection in the y axis, or in both axes, also exchanges the branches. These functions do not set the branch:
-// mirrorImages() calls them for both.
+// A reflection in the y axis, or in both axes, also exchanges the branches. The following functions do not set the
+// branch: mirrorImages() calls each of them for both branches.
 
 /// Returns the mechanism whose points have the opposite x, apart from its branch, which is the opposite one.
 Parameters mirroredInY(Parameters parameters)
@@ -113,7 +113,7 @@ Mechanism withDrive(const Mechanism &mechanism, double omega2, double theta20)
     return Mechanism(parameters);
 }
 
-std::string_view wordOf(Status status)
+std::string_view nameOf(Status status)
 {
     switch (status) {
     case Status::Solved: break;

@@ -160,6 +160,6 @@ inline constexpr std::size_t kStatusCount = enumeratorCount<Status::NotFinite>()
 
 /// Returns the name of a status in files and on the command line: "solved", "singular", "iteration-limit",
 /// "not-assemblable", "not-finite".
-std::string_view wordOf(Status status);
+std::string_view nameOf(Status status);
 
 } // namespace slidercrank

@@ -15,8 +15,8 @@ namespace slidercrank
 using Vector12 = Eigen::Matrix<double, kCoordinateCount, 1>;
 using Matrix12 = Eigen::Matrix<double, kCoordinateCount, kCoordinateCount>;
 
-/// The 12 coordinates, or their derivatives, by name (mm, rad, s). Those that are not set are 0. Unlike the elements of
-/// a vector, the compiler keeps them in registers.
+/// The 12 coordinates, or their derivatives, by name (mm, rad, s). Those that are not set are 0. The compiler keeps
+/// them in registers, which it does not do with the elements of a vector.
 struct NamedCoordinates {
     double R1x = 0.0, R1y = 0.0, theta1 = 0.0;
     double R2x = 0.0, R2y = 0.0, theta2 = 0.0;
@@ -76,7 +76,7 @@ struct State {
         return q[channel.coordinate];
     }
 
-    /// Sets the status, and the vectors that do not exist with it to NaN.
+    /// Sets the status, and sets the vectors that do not exist with that status to NaN.
     void setStatus(Status newStatus)
     {
         status = newStatus;

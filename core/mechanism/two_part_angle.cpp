@@ -74,7 +74,7 @@ SinCos sinCos(TwoPart angle)
     const double c = std::cos(angle.hi);
     double sinLo = angle.lo;
     double versineLo = 0.5 * angle.lo * angle.lo; // 1 - cos
-    constexpr double kLargestSecondOrder = 5e-6;  // rad: below, the next term, lo³/6, is less than half an ulp of 1
+    constexpr double kLargestSecondOrder = 5e-6;  // rad: up to it, the next term, lo³/6, is below half an ulp of 1
     if (std::abs(angle.lo) > kLargestSecondOrder) {
         sinLo = std::sin(angle.lo);
         const double sinHalfLo = std::sin(0.5 * angle.lo);
@@ -85,7 +85,7 @@ SinCos sinCos(TwoPart angle)
 
 FineSine fineSine(TwoPart angle)
 {
-    // r = hi + lo - n π/2 with π/2 in three parts; hi - n P1 is exact except for the lower part of the product.
+    // r = hi + lo - n π/2 with π/2 = P1 + P2 + P3. The difference of hi and the upper part of n P1 is exact.
     const double n = std::round(angle.hi * (2.0 / std::numbers::pi));
     const TwoPart first = twoProduct(n, 0x1.921fb54442d18p+0);
     const TwoPart second = twoProduct(n, 0x1.1a62633145c07p-54);

@@ -2,7 +2,8 @@
 #pragma once
 
 // Computes the crank angle ω2 t + θ20 with twice the digits of a double, as the sum hi + lo. A single double has an
-// error of 1e-6 rad at t = 1e9 s, and near a toggle its last digit matters even at small times.
+// error of 1e-6 rad at t = 1e9 s, and near a toggle the last digit of the angle matters even at small
+// times.
 //
 // Sources: D. E. Knuth, "The Art of Computer Programming" 2, 4.2.2 (TwoSum);
 //          T. J. Dekker, "A floating-point technique for extending the available precision", 1971 (TwoProduct).

@@ -78,7 +78,7 @@ QJsonValue jsonCount(std::size_t count)
 
 QString statusName(Status status)
 {
-    return QString::fromUtf8(wordOf(status));
+    return QString::fromUtf8(nameOf(status));
 }
 
 /// Returns the number of time stamps with each status.
