@@ -26,9 +26,9 @@ double branchCentre(Branch branch)
 /// Returns whether cos θ3 has the sign of the branch, or is 0 within rounding.
 bool isOnBranch(const Mechanism &mechanism, double theta3)
 {
-    constexpr double kRoundedCosine = 1.2e-7; // rounding error of θ3 where cos θ3 = 0: √(2 r/b), r/b = 7e-15
+    constexpr double kTheta3Rounding = 1.2e-7; // rad, where cos θ3 = 0: √(2 r/b) for a residual of r/b = 7e-15
     const double fromCentre = std::abs(theta3 - branchCentre(mechanism.branch()));
-    return fromCentre <= 0.5 * std::numbers::pi + kRoundedCosine; // false for NaN
+    return fromCentre <= 0.5 * std::numbers::pi + kTheta3Rounding; // false for NaN
 }
 
 /// Solves the linear systems as the reference report does. Has the interface of StructuredSystem.
@@ -91,11 +91,11 @@ double theta3Of(const StructuredSystem::Coordinates &q)
     return q.theta3;
 }
 
-/// Returns the magnitude of θ̈3 away from a toggle, or as far as a sampled motion approaches one, in units of a ω²/b and
-/// at most 1. According to
+/// Returns the magnitude of θ̈3 away from a toggle or, if that is larger, as near to a toggle as a sampled motion comes,
+/// in units of a ω²/b and at most 1. According to
 ///     b³ cos³ θ3 θ̈3 = a ω² (sin θ2 (b² - a² - c²) + a c (1 + sin² θ2))
-/// it is close to 0 if a ≈ b and c ≈ 0: then θ3 follows the crank, except at the toggle. A motion sampled in a hundred
-/// steps per revolution comes within φ = π/100 of the toggle, where the value is 1/φ³ times as large.
+/// θ̈3 is close to 0 if a ≈ b and c ≈ 0: then θ3 follows the crank, except at the toggle. A motion sampled in a hundred
+/// steps per revolution comes within φ = π/100 of the toggle, where θ̈3 is 1/φ³ times as large.
 double relativeAcceleration(const Mechanism &mechanism)
 {
     constexpr double kGrowth = 3e4; // 1/φ³
@@ -222,24 +222,39 @@ private:
         }
     }
 
-    /// Iterates from m_q. Leaves `m_system` at the last m_q.
-    Ending iterate(int maxIterations)
+    /// Evaluates the residual of the starting point m_q, with which the history begins.
+    void evaluateStart()
     {
-        const Thresholds &limit = m_thresholds;
-        const bool toTheEnd = limit.tolerance == 0.0; // until the residual no longer decreases
-        const bool testsFirst = m_options.warmStart == WarmStart::Taylor && !toTheEnd;
-        double &residual = m_timeStep.residual;
         m_system.moveTo(m_q);
-        residual = m_system.residual(limit.perLength);
+        m_timeStep.residual = m_system.residual(m_thresholds.perLength);
         if (m_history) {
             m_history->clear();
         }
         record();
+    }
+
+    /// Returns the ending if the iteration limit is reached. That may happen near a toggle, where θ3 is uncertain by
+    /// 2 √(r/b): by 0.004 rad with the largest residual r that is accepted.
+    Ending endingAtIterationLimit() const
+    {
+        const double accepted = std::max(4.0 * kResolvedFraction * m_thresholds.coupler, m_thresholds.rounding);
+        return m_timeStep.residual <= std::min(m_thresholds.tolerance, accepted) ? Ending::Converged
+                                                                                 : Ending::IterationLimit;
+    }
+
+    /// Iterates from m_q. Leaves `m_system` at the last m_q.
+    Ending iterate(int maxIterations)
+    {
+        const Thresholds &limit = m_thresholds;
+        const bool untilNoDecrease = limit.tolerance == 0.0;
+        const bool stopsBeforeUpdate = m_options.warmStart == WarmStart::Taylor && !untilNoDecrease;
+        double &residual = m_timeStep.residual;
+        evaluateStart();
         if (limit.rounding > limit.coupler) {
             return Ending::IterationLimit; // the coupler is so short that θ3 is lost in rounding
         }
         for (int iteration = 0; iteration < maxIterations; ++iteration) {
-            if (testsFirst && residual <= std::min(limit.tolerance, limit.crank) && isResolved()) {
+            if (stopsBeforeUpdate && residual <= std::min(limit.tolerance, limit.crank) && isResolved()) {
                 return Ending::Converged;
             }
             const Coordinates next = m_system.next(m_q);
@@ -249,27 +264,24 @@ private:
             }
             ++m_timeStep.iterations;
             const bool wasBelow = residual <= limit.tolerance; // tested before the update, as in the reference report
-            if (!toTheEnd && (testsFirst || wasBelow)) {
+            if (!untilNoDecrease && (stopsBeforeUpdate || wasBelow)) {
                 m_system.moveNear(next); // probably the last iterate
             } else {
                 m_system.moveTo(next);
             }
             const double nextResidual = m_system.residual(limit.perLength);
-            if (toTheEnd && !(nextResidual < residual) && residual <= limit.rounding) {
+            if (untilNoDecrease && !(nextResidual < residual) && residual <= limit.rounding) {
                 m_system.moveTo(m_q); // the previous iterate is at least as accurate
                 return Ending::Converged;
             }
             m_q = next;
             residual = nextResidual;
             record();
-            if (toTheEnd ? residual == 0.0 : wasBelow && isResolved()) {
+            if (untilNoDecrease ? residual == 0.0 : wasBelow && isResolved()) {
                 return Ending::Converged;
             }
         }
-        // The iteration limit may have been reached near a toggle, where θ3 is known to 2 √(r/b): with this r, to 0.2
-        // %.
-        const double sufficient = std::max(4.0 * kResolvedFraction * limit.coupler, limit.rounding);
-        return residual <= std::min(limit.tolerance, sufficient) ? Ending::Converged : Ending::IterationLimit;
+        return endingAtIterationLimit();
     }
 
     bool isResolved() const { return m_thresholds.isResolved(m_timeStep.residual, m_system.cosTheta3()); }

@@ -41,7 +41,7 @@ struct NewtonTimeStep {
     /// Solved: residual <= tolerance or, for a tolerance of 0, no longer decreasing. IterationLimit without any
     /// iteration if rounding alone leaves θ3 undetermined (a coupler of 1e-11 a).
     Status positionStatus = Status::NotFinite;
-    bool isColdStart = false; ///< the last iterates began at coldStart()
+    bool isColdStart = false; ///< the iterates that led to `q` began at coldStart()
 };
 
 /// One iterate and its residual.
@@ -50,8 +50,8 @@ struct Iteration {
     double residual = 0.0;
 };
 
-/// The starting point and the iterates that followed it. Contains only those of the cold start if a warm start was
-/// abandoned. If there are more than kLongestHistory, the last entry is overwritten. Empty if no iteration took place.
+/// The starting point and the iterates that followed it, without those of an abandoned warm start. If there are more
+/// than kLongestHistory, the last entry is overwritten. Empty if no iteration took place.
 using IterationHistory = std::vector<Iteration>;
 inline constexpr std::size_t kLongestHistory = 64;
 

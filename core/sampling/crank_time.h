@@ -16,8 +16,8 @@ namespace slidercrank
 std::optional<double> timeAtCrankAngle(const Mechanism &mechanism, double theta2, double start);
 
 /// Returns the time (s) nearest to t within the sampled time span at which the crank angle is theta2 (rad) modulo 2π.
-/// If the crank does not reach the angle, returns the end of the time span at which it is nearer to it. Returns t if
-/// the crank does not turn. Requires t to be within the time span.
+/// If the crank does not reach the angle, returns the end of the time span at which the crank is nearer to it. Returns
+/// t if the crank does not turn. Requires t to be within the time span.
 double nearestTimeAtCrankAngle(const Mechanism &mechanism, const Sampling &sampling, double theta2, double t);
 
 } // namespace slidercrank

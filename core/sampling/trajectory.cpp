@@ -114,7 +114,7 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
     }
 }
 
-/// Samples any of the six plotted channels, but no others: faster, and on all processors.
+/// Samples plotted channels only, which is faster than sampling one by one, and on all processors.
 void samplePlotted(const Mechanism &mechanism, Trajectory &trajectory, const std::stop_token &stop)
 {
     const ClosedForm closedForm(mechanism);
@@ -247,9 +247,9 @@ void sampleInPieces(const Mechanism &mechanism, const Sampling &sampling, const 
                     const SolverSettings &settings, const std::function<bool(const Trajectory &)> &take,
                     std::stop_token stop)
 {
-    constexpr int kPiece = 1 << 15; // all 36 channels take about 10 MB
+    constexpr int kMaxPiece = 1 << 15; // time stamps, of which all 36 channels take about 10 MB
     const int count = sampling.steps + 1;
-    const int length = settings.method == Method::Newton ? count : std::min(count, kPiece);
+    const int length = settings.method == Method::Newton ? count : std::min(count, kMaxPiece);
     for (int first = 0; first < count; first += length) {
         const int size = std::min(length, count - first);
         const Trajectory piece = sample(mechanism, sampling.timeStamps(first, size), channels, settings, stop);

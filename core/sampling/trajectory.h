@@ -28,7 +28,7 @@ struct Sampling {
 
     double timeStamp(int i) const { return start + duration * static_cast<double>(i) / static_cast<double>(steps); }
     std::vector<double> timeStamps() const { return timeStamps(0, steps + 1); }
-    std::vector<double> timeStamps(int first, int count) const; ///< those from timeStamp(first) on
+    std::vector<double> timeStamps(int first, int count) const; ///< `count`, from timeStamp(first) on
 
     friend bool operator==(const Sampling &, const Sampling &) = default;
 };
@@ -50,7 +50,7 @@ struct SolverSettings {
 struct StatusSummary {
     std::size_t count = 0;
 
-    // The first of them; 0 if there is none.
+    // The first of these time steps; 0 if there is none.
     double firstTime = 0.0;   ///< s
     double firstTheta2 = 0.0; ///< rad
 
@@ -72,7 +72,7 @@ struct SamplingSummary {
     std::size_t count(Status status) const { return withStatus(status).count; }
 
     /// Returns the number of time steps that have a position.
-    std::size_t found() const { return count(Status::Solved) + count(Status::Singular); }
+    std::size_t positionCount() const { return count(Status::Solved) + count(Status::Singular); }
 
     friend bool operator==(const SamplingSummary &, const SamplingSummary &) = default;
 
@@ -80,7 +80,7 @@ struct SamplingSummary {
     void add(const SamplingSummary &next);
 };
 
-/// What is sampled. A set of channels converts to it.
+/// The channels that are sampled, and the acceleration of the crank. Converts from a set of channels.
 struct SampledChannels {
     ChannelSet coordinates;
     std::bitset<kDerivedChannelCount> derived = {}; ///< indexed by indexOf(DerivedChannel)

@@ -67,7 +67,7 @@ QString samplingText(const Result &result)
         if (unsolved > 0) {
             parts << SolverForm::tr("%1 of %2 time steps not solved").arg(QString::number(unsolved), samples);
         }
-        if (summary.found() > 0) {
+        if (summary.positionCount() > 0) {
             parts << SolverForm::tr("iterations: %1").arg(iterationsText(summary))
                   << SolverForm::tr("residual %1").arg(numberText(summary.largestResidual, kDigits));
         }

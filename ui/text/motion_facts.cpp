@@ -283,10 +283,10 @@ QString statusSentence(Status status, const NewtonOptions &options)
 
 QString iterationsText(const SamplingSummary &summary)
 {
-    return summary.found() == 0 ? dash()
-                                : MotionFacts::tr("%1 in total, at most %2 at a time step")
-                                      .arg(summary.iterations)
-                                      .arg(summary.maxIterationsOfStep);
+    return summary.positionCount() == 0 ? dash()
+                                        : MotionFacts::tr("%1 in total, at most %2 at a time step")
+                                              .arg(summary.iterations)
+                                              .arg(summary.maxIterationsOfStep);
 }
 
 double shownCrankAngle(double theta2)
