@@ -38,8 +38,8 @@ struct Scale {
     double halfRange = 0.0;
 };
 
-/// The half range of the model's motion with which errors are compared (Scale::halfRange). `model`: its values, one for
-/// each value of the reference; only those where the reference has a value count.
+/// Returns Scale::halfRange. `model`: the values of the motion, one for each value of the reference; only those where
+/// the reference has a value count.
 double halfRangeOfMotion(const Mechanism &mechanism, const ReferenceSeries &reference, std::span<const double> model)
 {
     const auto [coordinate, order] = reference.channel;
@@ -99,11 +99,11 @@ struct RoundedTimeEffect {
 
 Verdict verdictOf(const ChannelComparison &channel)
 {
-    if (channel.count == 0 || channel.missingModel > 0 || channel.largestErrorInBounds > kBoundsOfCloseness ||
+    if (channel.count == 0 || channel.missingModelCount > 0 || channel.largestErrorInBounds > kBoundsOfCloseness ||
         channel.excess > kExcessOfCloseness) {
         return Verdict::Differs;
     }
-    const bool areMostWithinBound = 100 * channel.withinBound >= kPercentWithinBound * channel.count;
+    const bool areMostWithinBound = 100 * channel.countWithinBound >= kPercentWithinBound * channel.count;
     const bool areAllClose = channel.largestErrorInBounds <= kBoundsOfAgreement && channel.excess <= kExcessOfAgreement;
     return areMostWithinBound && areAllClose ? Verdict::Agrees : Verdict::Close;
 }
@@ -112,12 +112,12 @@ Verdict verdictOf(const ChannelComparison &channel)
 /// the value; not finite if it has no meaning.
 void updateLargestErrors(ChannelComparison &result, double time, double error, double percent)
 {
-    if (!result.maxAbs || error > *result.maxAbs) {
-        result.maxAbs = error;
-        result.timeOfMaxAbs = time;
+    if (!result.largestError || error > *result.largestError) {
+        result.largestError = error;
+        result.timeOfLargestError = time;
     }
     if (!std::isfinite(percent)) {
-        ++result.zeroReference;
+        ++result.zeroReferenceCount;
     } else if (!result.maxPercent || percent > *result.maxPercent) {
         result.maxPercent = percent;
         result.timeOfMaxPercent = time;
@@ -128,7 +128,7 @@ void updateLargestErrors(ChannelComparison &result, double time, double error, d
 void updateVerdictMeasures(ChannelComparison &result, double error, double bound, double halfRange)
 {
     if (error <= bound) {
-        ++result.withinBound;
+        ++result.countWithinBound;
     } else {
         result.excess = std::max(result.excess, (error - bound) / halfRange);
     }
@@ -176,11 +176,12 @@ double halfStepOf(const ReferenceSeries &series, std::size_t row, const Scale &s
     return 0.5 * std::max(series.rounding.stepAt(series.values[row]), scale.smallestStep);
 }
 
-/// Returns the largest bound that rounding gives an error in the column if all values have `largestHalfStep`. `models`:
-/// the motion in each row. `effect`: null if the time stamps are exact.
+/// Returns the largest bound that rounding gives an error in the column. `models`: the motion in each row. `effect`:
+/// null if the time stamps are exact.
 double largestRoundingBound(const ReferenceSeries &series, std::span<const double> models, const Scale &scale,
-                            double largestHalfStep, const RoundedTimeEffect *effect)
+                            const RoundedTimeEffect *effect)
 {
+    const double largestHalfStep = 0.5 * std::max(series.rounding.stepAt(scale.peak), scale.smallestStep);
     double largestDrift = 0.0;
     for (std::size_t i = 0; effect != nullptr && i < models.size(); ++i) {
         const double drift = effect->drift(series.channel, i, models[i], scale.halfRange);
@@ -191,12 +192,23 @@ double largestRoundingBound(const ReferenceSeries &series, std::span<const doubl
     return largestHalfStep + kUlpSlack * scale.peak + largestDrift;
 }
 
+/// Returns by how much the bounds of the column increase because the mechanism was fitted (FittedMechanism). `rms`:
+/// that of the errors of the column. `effect`: null if the time stamps are exact.
+double fitErrorIn(const ComparedModel &compared, const ReferenceSeries &series, double rms, const Scale &scale,
+                  const RoundedTimeEffect *effect)
+{
+    if (compared.fitted.unknowns == 0) {
+        return 0.0;
+    }
+    return std::min(compared.fitted.errorOf(rms),
+                    largestRoundingBound(series, compared.trajectory[series.channel], scale, effect));
+}
+
 /// Compares the column `series` of the reference. `effect`: null if the time stamps are exact.
 ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceData &reference,
                                 const ReferenceSeries &series, const RoundedTimeEffect *effect)
 {
     const Channel channel = series.channel;
-    const FittedMechanism &fitted = compared.fitted;
     const std::vector<double> &models = compared.trajectory[channel];
     assert(models.size() == reference.time.size() && series.values.size() == models.size());
     const Scale scale = scaleOf(compared.mechanism, series, models);
@@ -204,12 +216,7 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
     result.channel = channel;
     result.peak = scale.peak;
     result.rms = rmsError(series, models, scale.size);
-    const double largestHalfStep = 0.5 * std::max(series.rounding.stepAt(scale.peak), scale.smallestStep);
-    double errorOfFit = 0.0;
-    if (fitted.unknowns > 0) {
-        errorOfFit = std::min(fitted.errorOf(result.rms.value_or(0.0)),
-                              largestRoundingBound(series, models, scale, largestHalfStep, effect));
-    }
+    const double fitError = fitErrorIn(compared, series, result.rms.value_or(0.0), scale, effect);
     double largestStep = 0.0;
     for (std::size_t i = 0; i < models.size(); ++i) {
         const double value = series.values[i];
@@ -220,7 +227,7 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
         largestStep = std::max(largestStep, series.rounding.stepAt(value));
         if (!std::isfinite(model)) {
             const bool isExplained = effect != nullptr && effect->isMotionPossible(channel, i);
-            result.missingModel += isExplained ? 0 : 1;
+            result.missingModelCount += isExplained ? 0 : 1;
             continue;
         }
         ++result.count;
@@ -234,7 +241,7 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
         if (effect != nullptr && error > bound) {
             bound += effect->drift(channel, i, model, scale.halfRange);
         }
-        bound += errorOfFit;
+        bound += fitError;
         updateVerdictMeasures(result, error, bound, scale.halfRange);
     }
     result.verdict = verdictOf(result);
@@ -242,7 +249,7 @@ ChannelComparison compareSeries(const ComparedModel &compared, const ReferenceDa
         result.roundingStep = largestStep;
     }
     if (result.count > 0 && scale.peak > 0.0) {
-        result.percentOfPeak = *result.maxAbs / scale.peak * 100.0;
+        result.percentOfPeak = *result.largestError / scale.peak * 100.0;
     }
     return result;
 }
@@ -307,11 +314,11 @@ void compareWithRoundedClock(std::vector<ChannelComparison> &channels, TimePreci
         if (!canImprove(channels[i])) {
             return;
         }
-        const ChannelComparison again = compareSeries(compared, reference, reference.series[i], &*effect);
-        if (again.verdict != Verdict::Differs) {
-            channels[i] = again;
+        const ChannelComparison withRoundedTime = compareSeries(compared, reference, reference.series[i], &*effect);
+        if (withRoundedTime.verdict != Verdict::Differs) {
+            channels[i] = withRoundedTime;
             channels[i].clockIsRounded = clock.isEven;
-            channels[i].verdict = clock.isEven ? Verdict::Close : again.verdict;
+            channels[i].verdict = clock.isEven ? Verdict::Close : withRoundedTime.verdict;
         }
     });
 }

@@ -10,8 +10,8 @@
 //
 //     bound = step / 2 + max(|f(t + τ/2) - f(t)|, |f(t - τ/2) - f(t)|)
 //
-// (on both sides, because at a turning point the rate is 0 and the error is not). The excess over the bound must also
-// be small compared with the motion, because a step may have been inferred too large, and a motion may be small
+// (on both sides, because at a turning point the rate of f is 0 and the error is not). The excess over the bound must
+// also be small compared with the motion, because a step may have been inferred too large, and a motion may be small
 // compared with its step. Evenly spaced time stamps are taken as exact (τ = 0). If the file then differs, they may
 // nevertheless have been rounded (0.0133 for 0.013303), and the file may still be close. If time stamps do not show
 // that they were rounded, the contribution of τ must also be small compared with the motion. If the mechanism was
@@ -45,23 +45,25 @@ inline constexpr double kExcessOfCloseness = 0.01;
 
 struct ChannelComparison {
     Channel channel;
-    std::size_t count = 0;        ///< time stamps at which both values exist
-    std::size_t missingModel = 0; ///< time stamps at which only the file has a value
+    std::size_t count = 0; ///< time stamps at which both values exist
+
+    /// Time stamps at which only the file has a value, except where their rounding explains that the model has none.
+    std::size_t missingModelCount = 0;
 
     // Empty if there is nothing to compare.
-    std::optional<double> maxAbs;
-    double timeOfMaxAbs = 0.0;
+    std::optional<double> largestError;
+    double timeOfLargestError = 0.0; ///< s
     std::optional<double> rms;
 
     /// |model - reference| / |reference| · 100, over the time stamps at which the reference is not zero within its
     /// rounding.
     std::optional<double> maxPercent;
-    double timeOfMaxPercent = 0.0;
-    std::size_t zeroReference = 0; ///< time stamps left out of maxPercent
+    double timeOfMaxPercent = 0.0;      ///< s
+    std::size_t zeroReferenceCount = 0; ///< time stamps left out of maxPercent
 
     double peak = 0.0; ///< largest magnitude of the reference
 
-    /// maxAbs as % of the peak.
+    /// largestError in percent of the peak.
     std::optional<double> percentOfPeak;
 
     /// The largest rounding step of the column; empty if the column does not reveal it.
@@ -69,7 +71,7 @@ struct ChannelComparison {
 
     // The measures of the verdict: the number of errors within their bound, the largest ratio of an error to its bound,
     // and the largest excess over a bound relative to half the motion's range (infinite if that is not finite).
-    std::size_t withinBound = 0;
+    std::size_t countWithinBound = 0;
     double largestErrorInBounds = 0.0;
     double excess = 0.0;
 

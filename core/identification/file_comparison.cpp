@@ -208,7 +208,7 @@ void takeResidualsFromComparison(Identification &result, const ReferenceData &co
         const auto residual = std::ranges::find(result.residuals, channel.channel, &ColumnResidual::channel);
         if (residual != result.residuals.end()) {
             residual->rms = channel.rms.value_or(0.0);
-            residual->max = channel.maxAbs.value_or(0.0);
+            residual->max = channel.largestError.value_or(0.0);
             if (fitted.isApproximateFormula && channel.channel.coordinate == R4x) {
                 residual->percentOfRange =
                     100.0 * residual->max / rangeOf(corrected.find(channel.channel)->values).width();

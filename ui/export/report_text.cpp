@@ -322,12 +322,12 @@ QString errorTable(const std::vector<ChannelComparison> &comparison, const Refer
         const auto inShownUnit = [&channel](std::optional<double> error) {
             return shownDifference(channel.channel, error);
         };
-        const QString time = channel.maxAbs ? numberText(channel.timeOfMaxAbs) : dash();
+        const QString time = channel.largestError ? numberText(channel.timeOfLargestError) : dash();
         const QString place = file ? placeText(channel, *file) : time;
-        const QString largest = errorText(inShownUnit(channel.maxAbs));
+        const QString largest = errorText(inShownUnit(channel.largestError));
         rows.push_back({QStringLiteral("%1 %2").arg(quantityName(channel.channel), symbolText(channel.channel)),
-                        channel.maxAbs ? withUnit(largest, unit) : largest, place, errorText(inShownUnit(channel.rms)),
-                        errorText(channel.percentOfPeak)});
+                        channel.largestError ? withUnit(largest, unit) : largest, place,
+                        errorText(inShownUnit(channel.rms)), errorText(channel.percentOfPeak)});
         if (file) {
             rows.back() << numberText(inShownUnit(channel.roundingStep), kRoundingStepDigits) << verdictText(channel);
         }

@@ -63,8 +63,9 @@ public:
     static TableRow rowOf(const ChannelComparison &channel, const QString &explanation)
     {
         const QString unit = shownUnit(channel.channel);
-        const std::optional<double> error = shownDifference(channel.channel, channel.maxAbs);
-        const std::optional<double> time = channel.maxAbs ? std::optional(channel.timeOfMaxAbs) : std::nullopt;
+        const std::optional<double> error = shownDifference(channel.channel, channel.largestError);
+        const std::optional<double> time =
+            channel.largestError ? std::optional(channel.timeOfLargestError) : std::nullopt;
         return {{{.text = QStringLiteral("%1 %2").arg(symbolText(channel.channel), quantityName(channel.channel)),
                   .csv = nameWithAsciiUnit(columnName(channel.channel), measureOf(channel.channel), notation().units)},
                  numberCell(error, unit),
@@ -86,9 +87,9 @@ public:
             explanation += QStringLiteral("%1: %2\n").arg(headings[i], values[i]);
         }
         explanation.chop(1);
-        if (channel.missingModel > 0) {
+        if (channel.missingModelCount > 0) {
             explanation += u'\n' + tr("The mechanism cannot be assembled at %1 time steps of the file.")
-                                       .arg(QString::number(channel.missingModel));
+                                       .arg(QString::number(channel.missingModelCount));
         }
         TableRow row = rowOf(channel, explanation);
         const VerdictLook look = lookOf(channel.verdict);
@@ -99,7 +100,7 @@ public:
 
     static TableRow pinnedRow(const ChannelComparison &channel)
     {
-        const bool isUnbounded = channel.maxAbs && std::isinf(*channel.maxAbs);
+        const bool isUnbounded = channel.largestError && std::isinf(*channel.largestError);
         return rowOf(channel, isUnbounded ? tr("Infinite: one of the two mechanisms reaches a limit position")
                                           : tr("Root mean square: %1 %2")
                                                 .arg(shortNumber(shownDifference(channel.channel, channel.rms)),

@@ -57,7 +57,7 @@ MotionErrors::MotionErrors(const Result &result, const PlotSettings &settings, c
         errors.series = file ? file->data.find(plotted) : nullptr;
         errors.factor = shownScale(plotted, result.mechanism.branch()).factor;
         errors.peak = comparison->peak;
-        errors.isUnbounded = !std::isfinite(errors.peak) || !std::isfinite(comparison->maxAbs.value_or(0.0));
+        errors.isUnbounded = !std::isfinite(errors.peak) || !std::isfinite(comparison->largestError.value_or(0.0));
         errors.reference = file ? errors.series->values : m_pinned[plotted];
         for (std::size_t i = 0; i < errors.reference.size(); ++i) {
             const double value = error(channel, model[plotted][i], errors.reference[i]);

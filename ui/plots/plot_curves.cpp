@@ -395,7 +395,7 @@ QString PlotFigure::missingErrors(Order order) const
         return tr("undefined: the reference is 0");
     }
     const std::optional<MotionDifference> &difference = m_result->difference;
-    const bool isEqual = difference && difference->channels[channels.coupler].maxAbs == 0.0;
+    const bool isEqual = difference && difference->channels[channels.coupler].largestError == 0.0;
     return isEqual ? tr("no difference") : tr("nothing to compare");
 }
 

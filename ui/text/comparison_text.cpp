@@ -49,10 +49,10 @@ QString verdictText(const ChannelComparison &channel)
 
 QString placeText(const ChannelComparison &channel, const ReferenceData &file)
 {
-    if (!channel.maxAbs) {
+    if (!channel.largestError) {
         return dash();
     }
-    const double time = channel.timeOfMaxAbs;
+    const double time = channel.timeOfLargestError;
     if (!file.crank) {
         return numberText(time);
     }
@@ -73,7 +73,7 @@ std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> chan
             return shownDifference(channel.channel, error);
         };
         rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), shownUnit(channel.channel)),
-                        errorText(inShownUnit(channel.maxAbs)), placeText(channel, file),
+                        errorText(inShownUnit(channel.largestError)), placeText(channel, file),
                         errorText(inShownUnit(channel.rms)), errorText(channel.percentOfPeak),
                         errorText(channel.maxPercent), numberText(inShownUnit(channel.roundingStep), kStepDigits),
                         verdictText(channel)});
@@ -106,7 +106,7 @@ QString summaryText(std::span<const ChannelComparison> channels)
         return std::pair(channel.verdict == Verdict::Differs, percent);
     });
     if (!worst->percentOfPeak) {
-        return worst->count == 0 && worst->missingModel > 0
+        return worst->count == 0 && worst->missingModelCount > 0
                    ? ComparisonText::tr("No match: the mechanism cannot be assembled at any time step of the file.")
                    : ComparisonText::tr("No match. Quantities that differ: %1 of %2.").arg(differing, all);
     }

@@ -76,14 +76,14 @@ private slots:
         const ChannelComparison result = compareValues({1.0, 2.5, -3.0, 0.25, 7.0}, {1.0, 2.0, -4.0, 0.0, kNaN});
         QCOMPARE(result.channel, kOffset);
         QCOMPARE(result.count, std::size_t(4));
-        QCOMPARE(result.missingModel, std::size_t(0));
-        QCOMPARE(result.maxAbs.value(), 1.0);
-        QCOMPARE(result.timeOfMaxAbs, 1.0);
-        QCOMPARE(compareValues({1.0, 1.0}, {0.0, 0.0}).timeOfMaxAbs, 0.0); // the first of equal errors
+        QCOMPARE(result.missingModelCount, std::size_t(0));
+        QCOMPARE(result.largestError.value(), 1.0);
+        QCOMPARE(result.timeOfLargestError, 1.0);
+        QCOMPARE(compareValues({1.0, 1.0}, {0.0, 0.0}).timeOfLargestError, 0.0); // the first of equal errors
         QCOMPARE(result.rms.value(), std::sqrt((0.0 + 0.25 + 1.0 + 0.0625) / 4.0));
         QCOMPARE(result.maxPercent.value(), 25.0);
         QCOMPARE(result.timeOfMaxPercent, 0.5); // the first of two equal maxima
-        QCOMPARE(result.zeroReference, std::size_t(1));
+        QCOMPARE(result.zeroReferenceCount, std::size_t(1));
         QCOMPARE(result.percentOfPeak.value(), 25.0);
         QCOMPARE(result.roundingStep.value(), 0.001);
         QCOMPARE(result.verdict, Verdict::Differs);
@@ -108,7 +108,7 @@ private slots:
             const ChannelComparison result = compareValues(model, values);
             QCOMPARE(result.verdict, verdict);
             QVERIFY(std::abs(result.largestErrorInBounds - (count > 0 ? halfSteps : 0.0)) < 1e-9 * (1.0 + halfSteps));
-            QCOMPARE(result.withinBound, halfSteps <= 1.0 ? kRows : kRows - count);
+            QCOMPARE(result.countWithinBound, halfSteps <= 1.0 ? kRows : kRows - count);
         }
     }
 
@@ -172,7 +172,7 @@ private slots:
               Row{{1e10, -1e-200}, {1e-300, 1e300}, kThreeDecimals, Verdict::Differs, 1}}) {
             const ChannelComparison result = compareValues(model, values, rounding);
             QCOMPARE(result.verdict, verdict);
-            QCOMPARE(result.zeroReference, zeros);
+            QCOMPARE(result.zeroReferenceCount, zeros);
             QVERIFY(std::isfinite(*result.rms) && std::isfinite(result.maxPercent.value()));
         }
     }
@@ -185,9 +185,9 @@ private slots:
             const ChannelComparison result =
                 compareValues(std::vector(kRows, noise), std::vector(kRows, 0.0), Rounding());
             QCOMPARE(result.verdict, verdict);
-            QCOMPARE(result.zeroReference, kRows);
+            QCOMPARE(result.zeroReferenceCount, kRows);
             QVERIFY(!result.maxPercent && !result.percentOfPeak && !result.roundingStep);
-            QCOMPARE(result.maxAbs.value(), noise);
+            QCOMPARE(result.largestError.value(), noise);
         }
     }
 
@@ -195,12 +195,12 @@ private slots:
     {
         const ChannelComparison missing = compareValues({1.0, kNaN, kNaN}, {1.0, 1.0, kNaN});
         QCOMPARE(missing.count, std::size_t(1));
-        QCOMPARE(missing.missingModel, std::size_t(1));
-        QCOMPARE(missing.maxAbs.value(), 0.0);
+        QCOMPARE(missing.missingModelCount, std::size_t(1));
+        QCOMPARE(missing.largestError.value(), 0.0);
         QCOMPARE(missing.verdict, Verdict::Differs);
         const ChannelComparison empty = compareValues({1.0, 2.0}, {kNaN, kNaN});
         QCOMPARE(empty.count, std::size_t(0));
-        QVERIFY(!empty.maxAbs && !empty.rms && !empty.maxPercent && !empty.percentOfPeak && !empty.roundingStep);
+        QVERIFY(!empty.largestError && !empty.rms && !empty.maxPercent && !empty.percentOfPeak && !empty.roundingStep);
         QCOMPARE(empty.verdict, Verdict::Differs);
     }
 
@@ -283,8 +283,8 @@ private slots:
             one.time = data.time;
             one.series.push_back(data.series[k]);
             const ChannelComparison alone = compare(mechanism, model, one).front();
-            QVERIFY(std::abs(*alone.maxAbs - 1.0) < 1e-9);
-            QCOMPARE(found.channels[k].maxAbs, alone.maxAbs);
+            QVERIFY(std::abs(*alone.largestError - 1.0) < 1e-9);
+            QCOMPARE(found.channels[k].largestError, alone.largestError);
             QCOMPARE(found.channels[k].rms, alone.rms);
             QCOMPARE(found.channels[k].count, alone.count);
         }
@@ -297,9 +297,9 @@ private slots:
         }
         struct Row {
             Channel channel;
-            double maxAbs;
+            double largestError;
             double maxPercent;
-            std::size_t zeroReference;
+            std::size_t zeroReferenceCount;
         };
         const std::vector<Row> rows{
             {{R4x, Order::Position}, 4.98e-5, 1.54e-4, 0},     {{R4x, Order::Velocity}, 4.93e-4, 4.45e-4, 0},
@@ -310,9 +310,9 @@ private slots:
             QCOMPARE(comparisons.size(), rows.size());
             for (std::size_t i = 0; i < rows.size(); ++i) {
                 QCOMPARE(comparisons[i].channel, rows[i].channel);
-                QVERIFY(isNear(comparisons[i].maxAbs.value(), rows[i].maxAbs));
+                QVERIFY(isNear(comparisons[i].largestError.value(), rows[i].largestError));
                 QVERIFY(isNear(comparisons[i].maxPercent.value(), rows[i].maxPercent));
-                QCOMPARE(comparisons[i].zeroReference, rows[i].zeroReference);
+                QCOMPARE(comparisons[i].zeroReferenceCount, rows[i].zeroReferenceCount);
                 QCOMPARE(comparisons[i].verdict, Verdict::Agrees);
             }
         }
@@ -322,7 +322,7 @@ private slots:
             return *std::ranges::find(table1, channel, &ChannelComparison::channel);
         };
         const ChannelComparison slider = comparisonOf({R4x, Order::Position});
-        QVERIFY(isNear(slider.maxPercent.value(), 20.9) && isNear(slider.maxAbs.value(), 7.22));
+        QVERIFY(isNear(slider.maxPercent.value(), 20.9) && isNear(slider.largestError.value(), 7.22));
         QVERIFY(isNear(comparisonOf({Theta3, Order::Position}).maxPercent.value(), 9.83));
     }
 
@@ -348,11 +348,12 @@ private slots:
                 for (std::size_t i = 0; i < first.time.size(); ++i) {
                     largest = std::max(largest, std::abs(first[channel.channel][i] - second[channel.channel][i]));
                 }
-                QVERIFY(isNear(channel.maxAbs.value(), largest));
-                QVERIFY(channel.timeOfMaxAbs >= std::min(from, to) && channel.timeOfMaxAbs <= std::max(from, to));
+                QVERIFY(isNear(channel.largestError.value(), largest));
+                QVERIFY(channel.timeOfLargestError >= std::min(from, to) &&
+                        channel.timeOfLargestError <= std::max(from, to));
             }
         }
-        QCOMPARE(differenceOf(other, other, 0.0, 1.0).channels[5].maxAbs.value(), 0.0);
+        QCOMPARE(differenceOf(other, other, 0.0, 1.0).channels[5].largestError.value(), 0.0);
         QVERIFY(differenceOf(Mechanism({.b = 40.0}), other, 0.0, 1.0).hasGaps); // a + |c| = 45
         QVERIFY(!differenceOf(Mechanism({.b = 40.0}), other, 0.1, 0.4).hasGaps);
     }

@@ -120,7 +120,7 @@ private slots:
         QCOMPARE(session.reference()->name, "año 1 Δ.csv");
         QCOMPARE(session.result()->comparison.size(), std::size_t(1));
         const double exact = 20.0 + std::sqrt(65.0 * 65.0 - 25.0 * 25.0); // 80 mm at t = 0
-        QVERIFY(std::abs(*session.result()->comparison[0].maxAbs - (85.0 - exact)) < 1e-9);
+        QVERIFY(std::abs(*session.result()->comparison[0].largestError - (85.0 - exact)) < 1e-9);
 
         // Opening a file does not modify the scene, and undoing that does not either.
         QVERIFY(session.undoStack().canUndo() && !session.isModified());

@@ -363,7 +363,7 @@ private slots:
             session.setReference(referenceIn({path("textbook.csv")}));     // reads it back
             QCOMPARE(session.result()->comparison.size(), std::size_t(7)); // with θ₂
             for (const ChannelComparison &channel : session.result()->comparison) {
-                QVERIFY(channel.maxAbs && *channel.maxAbs < 1e-9);
+                QVERIFY(channel.largestError && *channel.largestError < 1e-9);
             }
         }
     }

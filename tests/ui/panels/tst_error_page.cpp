@@ -24,17 +24,17 @@ const Convention kDegrees{Convention::Kind::AngleUnit, {kTheta3}, kDegreesPerRad
 const Convention kLate{Convention::Kind::TimeShift, {}, 0.1};
 const std::vector<ConventionFinding> kConventions{{kDegrees, 98.0, 1e-3}, {kLate, 30.0, 1e-3}};
 
-ChannelComparison comparisonWith(Verdict verdict, double maxAbs = 2.0, Channel channel = kTheta3)
+ChannelComparison comparisonWith(Verdict verdict, double largestError = 2.0, Channel channel = kTheta3)
 {
     ChannelComparison comparison;
     comparison.channel = channel;
     comparison.count = 201;
-    comparison.maxAbs = maxAbs;
-    comparison.timeOfMaxAbs = 0.5;
-    comparison.rms = maxAbs / 2.0;
-    comparison.maxPercent = 10.0 * maxAbs;
+    comparison.largestError = largestError;
+    comparison.timeOfLargestError = 0.5;
+    comparison.rms = largestError / 2.0;
+    comparison.maxPercent = 10.0 * largestError;
     comparison.timeOfMaxPercent = 0.6;
-    comparison.percentOfPeak = 5.0 * maxAbs;
+    comparison.percentOfPeak = 5.0 * largestError;
     comparison.roundingStep = 0.001;
     comparison.verdict = verdict;
     return comparison;
@@ -95,7 +95,7 @@ private slots:
     {
         ChannelComparison missing;
         missing.channel = kTheta3;
-        missing.missingModel = 201;
+        missing.missingModelCount = 201;
         const Page page =
             errorPage(resultWith({comparisonWith(Verdict::Agrees, 0.00123456),
                                   comparisonWith(Verdict::Close, 14.2345, {R4x, Order::Velocity}), missing}),

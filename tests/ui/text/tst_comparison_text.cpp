@@ -59,7 +59,7 @@ private slots:
         unknown.percentOfPeak.reset();
         ChannelComparison missing;
         missing.channel = differs.channel;
-        missing.missingModel = 201;
+        missing.missingModelCount = 201;
         ChannelComparison timed = differs; // to 0.01 s
         timed.isWithinRoundedTime = true;
         QCOMPARE(verdictText(timed), QString("differs; the rounded time stamps may explain it"));

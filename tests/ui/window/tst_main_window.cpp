@@ -143,7 +143,7 @@ private slots:
     {
         openSample();
         auto *plots = view<PlotGrid>();
-        const double time = session().result()->comparison[0].timeOfMaxAbs;
+        const double time = session().result()->comparison[0].timeOfLargestError;
         PlotZoom zoom;
         zoom.time = time < 0.5 ? Interval{0.6, 0.9} : Interval{0.1, 0.4};
         plots->setZoom(zoom);
