@@ -291,12 +291,12 @@ HWY_INLINE Rates<Number> velocities(const MotionConstants &k, const Clearance<Nu
     return {theta3Dot, sDot, sDot - k.side * k.aOmega * at.x};
 }
 
-/// Returns G. Its two terms cancel where the coupler is steep and h and x have opposite signs. There, with h = b - p
-/// and p = ε + aσ, the part that cancels is
+/// Returns G of s̈ = -a ω² G / s³. Its two terms cancel where the coupler is steep and h and x have opposite signs.
+/// There, with h = b - p and p = ε + aσ, the part that cancels is
 ///     a b² (1 - x²) + 2 b² x p = a b² σ² + 2 b² x ε,
 /// and the mirror image of that (x → -x, p → m, ε → β, σ → σ') where h < 0.
 template <class Number>
-HWY_INLINE Number accelerationNumerator(const MotionConstants &k, const Clearance<Number> &at)
+HWY_INLINE Number sDDotNumerator(const MotionConstants &k, const Clearance<Number> &at)
 {
     const Number sSquared = at.p * at.m;
     const Number hx = at.h * at.x;
@@ -308,9 +308,9 @@ HWY_INLINE Number accelerationNumerator(const MotionConstants &k, const Clearanc
     const auto down = at.h < 0.0;
     const Number sigma = select(down, at.sigmaMirrored, at.sigma);
     const Number gap = select(down, at.m, at.p);
-    const Number spare = select(down, k.beta, k.epsilon);
+    const Number lengthSum = select(down, k.beta, k.epsilon);
     const Number gapTerm = gap * gap * (3.0 * k.b - gap);
-    const Number rearranged = k.aBSquared * (sigma * sigma) + abs(at.x) * (gapTerm - 2.0 * k.bSquared * spare);
+    const Number rearranged = k.aBSquared * (sigma * sigma) + abs(at.x) * (gapTerm - 2.0 * k.bSquared * lengthSum);
     return select(steep, rearranged, direct);
 }
 
@@ -318,7 +318,7 @@ HWY_INLINE Number accelerationNumerator(const MotionConstants &k, const Clearanc
 /// cos²θ2/(1 + |x|) and K = ε L for x < 0, β γ for x >= 0. For a rocker the rearranged sum is better only where the
 /// original one cancels.
 template <class Number>
-HWY_INLINE Number turnNumerator(const MotionConstants &k, const Clearance<Number> &at)
+HWY_INLINE Number theta3DDotNumerator(const MotionConstants &k, const Clearance<Number> &at)
 {
     const auto below = at.x < 0.0;
     const Number delta = select(below, at.sigma, at.sigmaMirrored);
@@ -337,8 +337,8 @@ template <class Number>
 HWY_INLINE Rates<Number> accelerations(const MotionConstants &k, const Clearance<Number> &at, Number inverse)
 {
     const Number inverseCubed = inverse * inverse * inverse;
-    const Number theta3DDot = k.side * k.aOmegaSquared * turnNumerator(k, at) * inverseCubed;
-    const Number sDDot = -k.aOmegaSquared * accelerationNumerator(k, at) * inverseCubed;
+    const Number theta3DDot = k.side * k.aOmegaSquared * theta3DDotNumerator(k, at) * inverseCubed;
+    const Number sDDot = -k.aOmegaSquared * sDDotNumerator(k, at) * inverseCubed;
     return {theta3DDot, sDDot, sDDot - k.aOmegaSquared * at.cosine};
 }
 

@@ -113,8 +113,8 @@ struct Thresholds {
     double rounding;  ///< largest residual that rounding alone can cause: each length row is a sum of a few lengths
     double tolerance; ///< that of the options, at most kResolvedFraction of a, so that the motion of a short crank
                       ///< keeps some digits
-    double crank;     ///< kResolvedFraction of a
-    double coupler;   ///< kResolvedFraction of b
+    double fractionOfCrank;   ///< kResolvedFraction of a
+    double fractionOfCoupler; ///< kResolvedFraction of b
     double perCosineCubed; ///< isResolved() allows |cos θ3|³ times this: near a toggle the terms of θ̈3 cancel down to
                            ///< a third of cos θ3
 
@@ -124,10 +124,10 @@ struct Thresholds {
         const double reach = characteristicLength(mechanism.parameters());
         perLength = options.toleranceKind == ToleranceKind::Relative ? 1.0 / reach : 1.0;
         rounding = kRoundings * kEpsilon * perLength * reach;
-        crank = kResolvedFraction * perLength * mechanism.a();
-        coupler = kResolvedFraction * perLength * mechanism.b();
-        tolerance = std::min(options.tolerance, std::max(crank, rounding));
-        perCosineCubed = coupler * relativeAcceleration(mechanism) / 3.0;
+        fractionOfCrank = kResolvedFraction * perLength * mechanism.a();
+        fractionOfCoupler = kResolvedFraction * perLength * mechanism.b();
+        tolerance = std::min(options.tolerance, std::max(fractionOfCrank, rounding));
+        perCosineCubed = fractionOfCoupler * relativeAcceleration(mechanism) / 3.0;
     }
 
     /// Returns whether velocity and acceleration can be computed from a position with this residual.
@@ -237,7 +237,8 @@ private:
     /// 2 √(r/b): by 0.004 rad with the largest residual r that is accepted.
     Ending endingAtIterationLimit() const
     {
-        const double accepted = std::max(4.0 * kResolvedFraction * m_thresholds.coupler, m_thresholds.rounding);
+        const double accepted =
+            std::max(4.0 * kResolvedFraction * m_thresholds.fractionOfCoupler, m_thresholds.rounding);
         return m_timeStep.residual <= std::min(m_thresholds.tolerance, accepted) ? Ending::Converged
                                                                                  : Ending::IterationLimit;
     }
@@ -250,11 +251,11 @@ private:
         const bool stopsBeforeUpdate = m_options.warmStart == WarmStart::Taylor && !untilNoDecrease;
         double &residual = m_timeStep.residual;
         evaluateStart();
-        if (limit.rounding > limit.coupler) {
+        if (limit.rounding > limit.fractionOfCoupler) {
             return Ending::IterationLimit; // the coupler is so short that θ3 is lost in rounding
         }
         for (int iteration = 0; iteration < maxIterations; ++iteration) {
-            if (stopsBeforeUpdate && residual <= std::min(limit.tolerance, limit.crank) && isResolved()) {
+            if (stopsBeforeUpdate && residual <= std::min(limit.tolerance, limit.fractionOfCrank) && isResolved()) {
                 return Ending::Converged;
             }
             const Coordinates next = m_system.next(m_q);

@@ -71,9 +71,9 @@ public:
         m_isRotated = true;
         const double square = turn * turn;
         const double turnSine = turn - turn * square * (1.0 / 6.0);
-        const double turnFall = square * (0.5 - square * (1.0 / 24.0));
-        const double sine = m_coupler.sin + (m_coupler.cos * turnSine - m_coupler.sin * turnFall);
-        const double cosine = m_coupler.cos - (m_coupler.sin * turnSine + m_coupler.cos * turnFall);
+        const double turnVersine = square * (0.5 - square * (1.0 / 24.0));
+        const double sine = m_coupler.sin + (m_coupler.cos * turnSine - m_coupler.sin * turnVersine);
+        const double cosine = m_coupler.cos - (m_coupler.sin * turnSine + m_coupler.cos * turnVersine);
         m_coupler = {sine, cosine};
         fillRows(q);
     }
@@ -120,6 +120,7 @@ public:
         if (m_isRotated) {
             moveTo(q); // so that the step equals that of the dense elimination except for rounding
         }
+        // The locals hold -Δq, the solution for r = C.
         const Rows &r = m_C;
         const double pinX = m_crankY * r.crankDrive;
         const double pinY = m_crankX * r.crankDrive;
@@ -182,21 +183,21 @@ public:
         const double v = m_omega2;
         const double vSquared = v * v;
 
-        const double theta3 = -Ax / Bx;
-        const double w = By * theta3;
+        const double theta3Prime = -Ax / Bx;
+        const double w = By * theta3Prime;
         setCoordinates(state.qDot, {.R2x = -Ay * v,
                                     .R2y = Ax * v,
                                     .theta2 = v,
                                     .R3x = (-2.0 * Ay - w) * v,
                                     .R3y = Ax * v,
-                                    .theta3 = theta3 * v,
+                                    .theta3 = theta3Prime * v,
                                     .R4x = -2.0 * (Ay + w) * v});
 
-        const double theta3Next = (Ay + w * theta3) * (1.0 / Bx);
-        const double turned = By * theta3Next;
-        const double theta3DDot = theta3Next * vSquared;
-        const double R3xDDot = (Ax * (theta3 - 2.0) - turned) * vSquared;
-        const double R4xDDot = 2.0 * (Ax * (theta3 - 1.0) - turned) * vSquared;
+        const double theta3DoublePrime = (Ay + w * theta3Prime) * (1.0 / Bx);
+        const double couplerTerm = By * theta3DoublePrime;
+        const double theta3DDot = theta3DoublePrime * vSquared;
+        const double R3xDDot = (Ax * (theta3Prime - 2.0) - couplerTerm) * vSquared;
+        const double R4xDDot = 2.0 * (Ax * (theta3Prime - 1.0) - couplerTerm) * vSquared;
         setCoordinates(state.qDDot, {.R2x = -Ax * vSquared,
                                      .R2y = -Ay * vSquared,
                                      .R3x = R3xDDot,
