@@ -12,7 +12,7 @@ namespace slidercrank
 
 /// Returns whether the table has one row for each enumerator from 0 to `last`, in their order. Meant for static_assert.
 template <typename Row, std::size_t count, typename Enum>
-consteval bool isTableUpTo(const Row (&rows)[count], Enum last)
+consteval bool hasRowForEachUpTo(const Row (&rows)[count], Enum last)
 {
     for (std::size_t i = 0; i < count; ++i) {
         if (rows[i].key != static_cast<Enum>(i)) {
@@ -47,7 +47,7 @@ consteval std::size_t enumeratorCount()
 template <typename Row, std::size_t count, typename Enum>
 consteval bool isCompleteTable(const Row (&rows)[count], Enum last)
 {
-    return isTableUpTo(rows, last) && !isEnumerator<static_cast<Enum>(count)>();
+    return hasRowForEachUpTo(rows, last) && !isEnumerator<static_cast<Enum>(count)>();
 }
 
 /// Returns the row of an enumerator in a complete table.

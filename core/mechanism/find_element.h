@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Searches a container.
-
 #include <algorithm>
 
 namespace slidercrank

@@ -106,7 +106,7 @@ void sampleByNewton(const Mechanism &mechanism, const NewtonOptions &options, co
         }
         return timeStep.state;
     };
-    if (channels.isPlain()) {
+    if (channels.onlyCoordinatesAtConstantSpeed()) {
         sampleOneByOne(trajectory, channels, stop, advanceTo);
     } else {
         sampleOneByOne(trajectory, channels, stop,
@@ -223,7 +223,7 @@ Trajectory sample(const Mechanism &mechanism, std::vector<double> times, const S
     }
     if (settings.method == Method::Newton) {
         sampleByNewton(mechanism, settings.newton, channels, trajectory, stop);
-    } else if (!channels.isPlain()) {
+    } else if (!channels.onlyCoordinatesAtConstantSpeed()) {
         sampleOneByOne(trajectory, channels, stop,
                        [&](double t) { return outputStateAt(mechanism, t, channels.alpha2); });
     } else if ((channels.coordinates & ~plottedChannels()).none()) {

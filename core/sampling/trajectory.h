@@ -80,7 +80,7 @@ struct SamplingSummary {
     void add(const SamplingSummary &next);
 };
 
-/// The channels that are sampled, and the acceleration of the crank. Converts from a set of channels.
+/// What is sampled. Converts from a set of channels.
 struct SampledChannels {
     ChannelSet coordinates;
     std::bitset<kDerivedChannelCount> derived = {}; ///< indexed by indexOf(DerivedChannel)
@@ -92,8 +92,7 @@ struct SampledChannels {
     }
     explicit SampledChannels(const std::vector<OutputChannel> &channels, double crankAcceleration = 0.0);
 
-    /// Returns whether only coordinates at constant speed are sampled.
-    bool isPlain() const { return derived.none() && alpha2 == 0.0; }
+    bool onlyCoordinatesAtConstantSpeed() const { return derived.none() && alpha2 == 0.0; }
 };
 
 struct Trajectory {

@@ -18,35 +18,36 @@ struct ConstantsOfThread {
 
 } // namespace
 
-ExactState exactState(const ExactInput &in)
+ExactState exactState(const ExactInput &input)
 {
-    ExactState out;
+    ExactState state;
     TextbookMotion<ManyDigits> motion;
-    const bool isSolved = motion.compute({in.a, in.b, in.c, in.omega2}, in.omega2 * in.t + in.theta20,
-                                         in.branch == Branch::Open ? 1.0 : -1.0, acos(ManyDigits(-1.0)));
-    out.clearance = (in.b - abs(in.c - motion.pinY[motion.kPosition])) / in.b;
-    if (!isSolved && out.clearance < 0) {
-        out.status = Status::NotAssemblable;
-        return out;
+    const bool isSolved =
+        motion.compute({input.a, input.b, input.c, input.omega2}, input.omega2 * input.t + input.theta20,
+                       input.branch == Branch::Open ? 1.0 : -1.0, acos(ManyDigits(-1.0)));
+    state.clearance = (input.b - abs(input.c - motion.pinY[motion.kPosition])) / input.b;
+    if (!isSolved && state.clearance < 0) {
+        state.status = Status::NotAssemblable;
+        return state;
     }
-    out.status = isSolved ? Status::Solved : Status::Singular;
-    out.cosTheta3 = (motion.sliderX[motion.kPosition] - motion.pinX[motion.kPosition]) / in.b;
+    state.status = isSolved ? Status::Solved : Status::Singular;
+    state.cosTheta3 = (motion.sliderX[motion.kPosition] - motion.pinX[motion.kPosition]) / input.b;
     const std::size_t existingCount = isSolved ? kChannelCount : kCoordinateCount; // the positions come first
     for (std::size_t index = 0; index < existingCount; ++index) {
-        out.values[index] = motion.valueAt(channelAt(index));
+        state.values[index] = motion.valueAt(channelAt(index));
     }
-    return out;
+    return state;
 }
 
 std::array<double, kChannelCount> conditioning(const Parameters &parameters, double t)
 {
     const ManyDigits step = 1e-25;
-    const ExactInput in(parameters, t);
+    const ExactInput input(parameters, t);
     std::array<double, kChannelCount> kappa{};
     for (ManyDigits ExactInput::*number :
          {&ExactInput::a, &ExactInput::b, &ExactInput::c, &ExactInput::omega2, &ExactInput::theta20, &ExactInput::t}) {
-        ExactInput more = in;
-        ExactInput less = in;
+        ExactInput more = input;
+        ExactInput less = input;
         more.*number *= 1 + step;
         less.*number *= 1 - step;
         const ExactState above = exactState(more);

@@ -54,7 +54,7 @@ struct ExactState {
     std::array<ManyDigits, kChannelCount> values; ///< indexed by indexOf(channel); only the positions if Singular
 };
 
-ExactState exactState(const ExactInput &in);
+ExactState exactState(const ExactInput &input);
 
 /// Returns κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t for each channel: the change of the channel per unit of relative
 /// error of the input. Infinite if such an error could make the mechanism impossible to assemble.

@@ -116,7 +116,7 @@ MethodResult resultOf(TimedMethod &timed, const ExactMotion &motion)
     result.states = timed.timeStamps.size();
     if (std::vector<double> &times = timed.nanoseconds; !times.empty()) {
         std::ranges::sort(times);
-        result.nsPerState = times[times.size() / 2];
+        result.nanosecondsPerState = times[times.size() / 2];
         result.spread = times[3 * times.size() / 4] - times[times.size() / 4];
     }
     if (method.tolerance) {

@@ -74,7 +74,7 @@ double medianOf(std::vector<double> values)
 }
 
 /// Combines the rows of one method and tolerance, of which there is at least one.
-MethodResult combined(const std::vector<const MethodResult *> &rows)
+MethodResult combineRows(const std::vector<const MethodResult *> &rows)
 {
     MethodResult sum;
     sum.method = rows.front()->method;
@@ -85,7 +85,7 @@ MethodResult combined(const std::vector<const MethodResult *> &rows)
     std::vector<double> iterations;
     for (const MethodResult *row : rows) {
         sum.states += row->states;
-        times.push_back(row->nsPerState);
+        times.push_back(row->nanosecondsPerState);
         spreads.push_back(row->spread);
         if (row->iterationsPerState) {
             iterations.push_back(*row->iterationsPerState);
@@ -97,7 +97,7 @@ MethodResult combined(const std::vector<const MethodResult *> &rows)
         std::ranges::transform(sum.counts, row->counts, sum.counts.begin(), std::plus());
     }
     sum.status = worstStatus(sum.counts);
-    sum.nsPerState = medianOf(std::move(times));
+    sum.nanosecondsPerState = medianOf(std::move(times));
     sum.spread = medianOf(std::move(spreads));
     if (!iterations.empty()) {
         sum.iterationsPerState = medianOf(std::move(iterations));
@@ -120,7 +120,7 @@ std::vector<MethodResult> resultsOverAllCases(const StudyResult &study)
             }
         }
         if (!rows.empty()) {
-            results.push_back(combined(rows));
+            results.push_back(combineRows(rows));
         }
     }
     return results;

@@ -4,9 +4,9 @@
 // Measures speed against error: each method of the program, and the methods that a student would use instead, are timed
 // at the same time stamps and compared with the exact motion in 115 digits. No other module of the core reads a clock.
 //
-// The error of a method is the largest of the six plotted channels, relative to the peak of the channel, over the time
-// stamps that the method itself reports as solved. The error bound is κ·u, relative to the same peaks and over the same
-// time stamps:
+// The error of a method is the largest error of the six plotted channels, relative to the peak of the channel, over the
+// time stamps that the method itself reports as solved. The error bound is κ·u, relative to the same peaks and over the
+// same time stamps:
 //
 //     κ = Σ |p ∂f/∂p| over a, b, c, ω2, θ20, t        u = 2⁻⁵³
 //
@@ -68,8 +68,8 @@ struct MethodResult {
     int channels = 6;                  ///< number of channels computed: 36 or 6
     std::size_t states = 0;            ///< number of computed time stamps
 
-    double nsPerState = 0.0; ///< median over the rounds
-    double spread = 0.0;     ///< between the quartiles, ns
+    double nanosecondsPerState = 0.0; ///< median over the rounds
+    double spread = 0.0;              ///< between the quartiles, ns
 
     // Of Newton-Raphson. An iteration is one linear system solved for the position; velocity and acceleration are two
     // more linear systems with one matrix.
@@ -80,7 +80,7 @@ struct MethodResult {
     std::optional<double> errorBound; ///< κ·u; nullopt if no time stamp is solved, or if κ is infinite
 
     std::array<std::size_t, kStatusCount> counts{}; ///< number of time stamps, indexed by Status
-    Status status = Status::Solved;                 ///< the worst that occurs, see worstStatus()
+    Status status = Status::Solved;                 ///< by worstStatus()
 
     /// The number of time stamps that are wrong although they are reported as solved: a channel deviates by more than
     /// kSilentFraction of its peak, as on the wrong branch or with too coarse an approximation, or the mechanism cannot

@@ -22,7 +22,7 @@ inline std::shared_ptr<const StudyResult> studyOfATurn()
     result->seconds = 0.8;
     double time = 5.0; // ns
     for (MethodResult &method : result->cases.front().methods) {
-        method.nsPerState = time;
+        method.nanosecondsPerState = time;
         method.spread = 0.1 * time;
         time *= 4.0 / 3.0;
     }

@@ -40,7 +40,7 @@ constexpr int kMaxColumns = 1'000'000;
 /// The roles of columns that contain no channel.
 constexpr EnumWord<ColumnRole> kRoles[] = {
     {ColumnRole::Ignored, "ignored"}, {ColumnRole::Time, "time"}, {ColumnRole::CrankAngle, "crank-angle"}};
-static_assert(isTableUpTo(kRoles, ColumnRole::CrankAngle));
+static_assert(hasRowForEachUpTo(kRoles, ColumnRole::CrankAngle));
 
 } // namespace
 

@@ -107,7 +107,7 @@ public:
     {
         QStringList lines{nameOfRow(row), tr(textOf(row).explanation),
                           tr("%1 ns per time step (± %2), %3 channels")
-                              .arg(shortNumber(row.nsPerState, kResultDigits),
+                              .arg(shortNumber(row.nanosecondsPerState, kResultDigits),
                                    shortNumber(0.5 * row.spread, kSpreadDigits), QString::number(row.channels)),
                           row.maxError
                               ? tr("Largest error: %1 of the peak").arg(shortNumber(*row.maxError, kResultDigits))
@@ -128,7 +128,7 @@ public:
             {{.text = nameOfRow(method), .tone = textOf(method).tone},
              {.text = QString::number(method.channels), .number = method.channels},
              {.text = numberText(method.tolerance, kResultDigits), .number = method.tolerance},
-             cell(method.nsPerState),
+             cell(method.nanosecondsPerState),
              cell(method.maxError),
              cell(method.iterationsPerState),
              {.text = outcomeText(method), .tone = method.silentFailures.value_or(0) > 0 ? Tone::Bad : Tone::Normal}},
@@ -172,7 +172,7 @@ public:
         std::vector<MethodName::Kind> kinds;
         double bound = 0.0;
         for (const MethodResult &method : result.methods) {
-            if (!method.maxError || method.nsPerState <= 0.0) {
+            if (!method.maxError || method.nanosecondsPerState <= 0.0) {
                 continue;
             }
             auto kind = std::ranges::find(kinds, method.method.kind);
@@ -185,7 +185,7 @@ public:
             ChartSeries &series = chart.series[static_cast<std::size_t>(kind - kinds.begin())];
             const double error =
                 std::isfinite(*method.maxError) ? std::max(kSmallestDrawnError, *method.maxError) : 1.0;
-            const QPointF point(method.nsPerState, error);
+            const QPointF point(method.nanosecondsPerState, error);
             const auto place =
                 std::ranges::lower_bound(series.points, point.x(), {}, &QPointF::x) - series.points.begin();
             series.points.insert(series.points.begin() + place, point);

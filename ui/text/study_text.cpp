@@ -97,7 +97,7 @@ Record recordOf(const MethodResult &row, const Record &counts)
     Record record{{"method", QString::fromStdString(nameOf(row.method))},
                   {"tolerance", jsonNumber(row.tolerance)},
                   {"channels", row.channels},
-                  {"nsPerState", jsonNumber(row.nsPerState)},
+                  {"nsPerState", jsonNumber(row.nanosecondsPerState)},
                   {"spread", jsonNumber(row.spread)},
                   {"iterationsPerState", jsonNumber(row.iterationsPerState)},
                   {"maxError", jsonNumber(row.maxError)},
@@ -117,7 +117,7 @@ QJsonObject jsonWorkPrecisionRow(const MethodResult &row)
     return {{"method", QString::fromStdString(nameOf(row.method))},
             {"tolerance", jsonNumber(row.tolerance)},
             {"steps", jsonCount(row.states - 1)},
-            {"microseconds", jsonNumber(1e-3 * states * row.nsPerState)},
+            {"microseconds", jsonNumber(1e-3 * states * row.nanosecondsPerState)},
             {"spread", jsonNumber(1e-3 * states * row.spread)},
             {"linearSolves", jsonNumber(states * row.linearSolvesPerState.value_or(kNone))},
             {"maxError", jsonNumber(row.maxError)}};
@@ -133,11 +133,12 @@ QString closedFormSentence(const CaseResult &result)
         return {};
     }
     constexpr int kDigits = 2;
-    const double spread = newton->spread / newton->nsPerState + closedForm->spread / closedForm->nsPerState;
+    const double spread =
+        newton->spread / newton->nanosecondsPerState + closedForm->spread / closedForm->nanosecondsPerState;
     const double percent = std::ceil(100.0 * 0.5 * spread); // ± half the distance between the quartiles
     return StudyText::tr(
                "The closed form is %1 times as fast as dense Newton-Raphson with its default tolerance (± %2 %).")
-        .arg(shortNumber(newton->nsPerState / closedForm->nsPerState, kDigits), numberText(percent));
+        .arg(shortNumber(newton->nanosecondsPerState / closedForm->nanosecondsPerState, kDigits), numberText(percent));
 }
 
 QString caseText(const std::string &name)

@@ -167,7 +167,7 @@ private slots:
         static_assert(!isCompleteTable(kShort, Order::Velocity), "an enumerator follows the last row");
         static_assert(!isCompleteTable(kShort, Order::Acceleration), "the last row is missing");
         static_assert(!isCompleteTable(kExchanged, Order::Acceleration));
-        static_assert(isTableUpTo(kShort, Order::Velocity));
+        static_assert(hasRowForEachUpTo(kShort, Order::Velocity));
         static_assert(enumeratorCount<Order::Acceleration>() == std::size(kComplete));
         QVERIFY(rowOf(kComplete, Order::Velocity).key == Order::Velocity);
     }

@@ -254,7 +254,7 @@ private slots:
         const StudyResult study = runStudy(quickRequest({nominalCases()[0], nominalCases()[1]}));
         QVERIFY(study.cases[1].workPrecision.empty());
         for (const MethodResult &row : study.cases[0].methods) {
-            QVERIFY2(row.nsPerState > 0.0 && row.spread >= 0.0, nameOf(row.method).c_str());
+            QVERIFY2(row.nanosecondsPerState > 0.0 && row.spread >= 0.0, nameOf(row.method).c_str());
             QVERIFY2(row.errorBound && *row.errorBound > 5e-16 && *row.errorBound < 5e-15, nameOf(row.method).c_str());
             QCOMPARE(row.iterationsPerState.has_value(), row.tolerance.has_value());
             QCOMPARE(row.linearSolvesPerState.value_or(2.0), row.iterationsPerState.value_or(0.0) + 2.0);
@@ -263,7 +263,7 @@ private slots:
         std::size_t steps = kWorkPrecisionSteps;
         int closedForms = 0;
         for (const MethodResult &row : study.cases[0].workPrecision) {
-            QVERIFY((row.states - 1) % kWorkPrecisionSteps == 0 && row.nsPerState > 0.0 && row.maxError);
+            QVERIFY((row.states - 1) % kWorkPrecisionSteps == 0 && row.nanosecondsPerState > 0.0 && row.maxError);
             closedForms += row.method.kind == MethodName::Kind::ClosedForm ? 1 : 0;
             if (row.method.kind == MethodName::Kind::FiniteDifference) {
                 QCOMPARE(row.states, steps + 1);

@@ -25,7 +25,7 @@ MethodResult methodRow(MethodName::Kind kind, int channels, double time, double 
     MethodResult row;
     row.method.kind = kind;
     row.channels = channels;
-    row.nsPerState = time;
+    row.nanosecondsPerState = time;
     row.maxError = error;
     row.errorBound = 1e-15;
     row.counts[0] = 10;
