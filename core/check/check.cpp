@@ -42,8 +42,8 @@ bool isWithinRounding(const GivenValue &given, double deviation)
     return std::abs(deviation) <= given.halfStep + kRoundingAllowance * std::abs(given.value);
 }
 
-/// Returns whether a value rounds to the given one. Returns false for a given angle that is rounded to half of its
-/// period or more, such as 1e6°, because every angle would round to it.
+/// Returns whether a value rounds to the given one. Returns false for a given angle whose rounding step is at least
+/// its period, such as 1e6°, because every angle would round to it.
 bool roundsTo(const GivenValue &given, double value)
 {
     const double period = periodOf(given.channel);

@@ -99,12 +99,12 @@ struct RoundedTimeEffect {
 
 Verdict verdictOf(const ChannelComparison &channel)
 {
-    if (channel.count == 0 || channel.missingModelCount > 0 || channel.largestErrorInBounds > kBoundsOfCloseness ||
-        channel.excess > kExcessOfCloseness) {
+    if (channel.count == 0 || channel.missingModelCount > 0 || channel.largestErrorInBounds > kMaxBoundsToBeClose ||
+        channel.excess > kMaxExcessToBeClose) {
         return Verdict::Differs;
     }
-    const bool areMostWithinBound = 100 * channel.countWithinBound >= kPercentWithinBound * channel.count;
-    const bool areAllClose = channel.largestErrorInBounds <= kBoundsOfAgreement && channel.excess <= kExcessOfAgreement;
+    const bool areMostWithinBound = 100 * channel.countWithinBound >= kMinPercentWithinBound * channel.count;
+    const bool areAllClose = channel.largestErrorInBounds <= kMaxBoundsToAgree && channel.excess <= kMaxExcessToAgree;
     return areMostWithinBound && areAllClose ? Verdict::Agrees : Verdict::Close;
 }
 
@@ -295,9 +295,9 @@ void compareWithRoundedClock(std::vector<ChannelComparison> &channels, TimePreci
                              const ComparedModel &compared, const ReferenceData &reference)
 {
     const auto canImprove = [&](const ChannelComparison &channel) {
-        // Rounded time stamps lower the excess by at most kExcessOfCloseness, and a close column may still have an
-        // excess of kExcessOfCloseness: with more than twice that, the verdict remains Differs.
-        const bool isTooFarOff = channel.excess > 2.0 * kExcessOfCloseness;
+        // Rounded time stamps lower the excess by at most kMaxExcessToBeClose, and a close column may still have an
+        // excess of kMaxExcessToBeClose: with more than twice that, the verdict remains Differs.
+        const bool isTooFarOff = channel.excess > 2.0 * kMaxExcessToBeClose;
         return !isTooFarOff &&
                (channel.verdict == Verdict::Differs || (channel.verdict == Verdict::Close && !clock.isEven));
     };
@@ -309,7 +309,7 @@ void compareWithRoundedClock(std::vector<ChannelComparison> &channels, TimePreci
     if (!effect) {
         return;
     }
-    effect->largestDrift = kExcessOfCloseness;
+    effect->largestDrift = kMaxExcessToBeClose;
     forEachSeries(reference, [&](std::size_t i) {
         if (!canImprove(channels[i])) {
             return;
@@ -365,24 +365,24 @@ ExactComparison compareExactly(const Mechanism &mechanism, const ReferenceData &
     return {compare(mechanism, model, reference, fitted), std::move(model.status)};
 }
 
-MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other, double from, double to)
+MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &reference, double from, double to)
 {
     constexpr int kSteps = 2000;
     double duration = std::abs(to - from);
-    if (mechanism.omega2() == other.omega2() && mechanism.omega2() != 0.0) {
+    if (mechanism.omega2() == reference.omega2() && mechanism.omega2() != 0.0) {
         duration = std::min(duration, kTurn / std::abs(mechanism.omega2())); // all turns are equal
     }
     const Sampling sampling{.start = std::min(from, to), .duration = duration, .steps = kSteps};
-    ReferenceData otherMotion;
-    otherMotion.time = sampling.timeStamps();
-    Trajectory motion = sample(other, otherMotion.time, plottedChannels(), kClosedFormSettings);
+    ReferenceData referenceMotion;
+    referenceMotion.time = sampling.timeStamps();
+    Trajectory motion = sample(reference, referenceMotion.time, plottedChannels(), kClosedFormSettings);
     for (const Channel channel : kPlottedChannels) {
-        otherMotion.series.push_back(
+        referenceMotion.series.push_back(
             {.channel = channel, .values = std::move(motion.values[indexOf(channel)]), .rounding = Rounding()});
     }
-    MotionDifference difference{compareExactly(mechanism, otherMotion).channels};
+    MotionDifference difference{compareExactly(mechanism, referenceMotion).channels};
     difference.hasGaps = std::ranges::any_of(difference.channels, [&](const ChannelComparison &channel) {
-        return channel.channel.order == Order::Position && channel.count < otherMotion.time.size();
+        return channel.channel.order == Order::Position && channel.count < referenceMotion.time.size();
     });
     return difference;
 }

@@ -37,11 +37,11 @@ enum class Verdict {
     Close,  ///< none beyond a hundred bounds, excess at most 1 %
     Differs
 };
-inline constexpr std::size_t kPercentWithinBound = 95;
-inline constexpr double kBoundsOfAgreement = 10.0;
-inline constexpr double kBoundsOfCloseness = 100.0;
-inline constexpr double kExcessOfAgreement = 0.005;
-inline constexpr double kExcessOfCloseness = 0.01;
+inline constexpr std::size_t kMinPercentWithinBound = 95;
+inline constexpr double kMaxBoundsToAgree = 10.0;
+inline constexpr double kMaxBoundsToBeClose = 100.0;
+inline constexpr double kMaxExcessToAgree = 0.005;
+inline constexpr double kMaxExcessToBeClose = 0.01;
 
 struct ChannelComparison {
     Channel channel;
@@ -99,9 +99,9 @@ struct FittedMechanism {
     std::size_t unknowns = 0; ///< 0: the mechanism was not fitted
     double values = 1.0;      ///< number of values that were fitted
 
-    /// Returns three standard errors of the motion in a column, from the rms of its errors. They enlarge the bounds of
-    /// the column, but at most by the largest of these, because a fit of rounded values is no less exact than the least
-    /// exact of them.
+    /// Returns three standard errors of the motion in a column, from the rms of its errors. compare() adds them
+    /// to the bounds of the column, but at most the largest bound from rounding, because a fit of rounded values is no
+    /// less exact than the least exact value.
     double errorOf(double rms) const { return 3.0 * rms * std::sqrt(static_cast<double>(unknowns) / values); }
 };
 
@@ -136,7 +136,7 @@ struct MotionDifference {
     bool hasGaps = false; ///< one of the two cannot be assembled at some time stamps
 };
 
-/// Compares the motion of `mechanism` between two times (s) with that of `other`, as with a file of exact values.
-MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &other, double from, double to);
+/// Compares the motion of `mechanism` between two times (s) with that of `reference`, as with a file of exact values.
+MotionDifference differenceOf(const Mechanism &mechanism, const Mechanism &reference, double from, double to);
 
 } // namespace slidercrank

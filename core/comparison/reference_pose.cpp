@@ -30,9 +30,9 @@ double interpolated(const ReferenceData &data, const ReferenceSeries &series, do
     for (const std::size_t row : rows) {
         const double difference = values[row] - values[i];
         double term = isAngle(series.channel.coordinate) ? std::remainder(difference, kDegreesPerTurn) : difference;
-        for (const std::size_t other : rows) {
-            if (other != row) {
-                term *= (time - data.time[other]) / (data.time[row] - data.time[other]);
+        for (const std::size_t otherRow : rows) {
+            if (otherRow != row) {
+                term *= (time - data.time[otherRow]) / (data.time[row] - data.time[otherRow]);
             }
         }
         change += term;

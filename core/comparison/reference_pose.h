@@ -2,9 +2,10 @@
 #pragma once
 
 // The pose of the linkage in the reference data at a given time: B from R4x, and the direction of the coupler from θ3.
-// Between two rows, both are interpolated by the polynomial through both rows and their neighbours. The derivative
-// columns are not used, because they may be wrong. Lengths come from a mechanism, preferably the one identified from
-// the same data; so does the crank angle if θ3 or R4x is missing. Without R4x, B may lie beside the slider's line.
+// Between two rows, R4x and θ3 are interpolated by the polynomial through these rows and their neighbours. The
+// derivative columns are not used, because they may be wrong. Lengths come from a mechanism, preferably the one
+// identified from the same data, and also the crank angle if θ3 or R4x is missing. Without R4x, B may lie beside the
+// slider's line.
 
 #include "core/import/reference_data.h"
 #include "core/mechanism/mechanism.h"

@@ -70,7 +70,7 @@ Polynomial fitPolynomial(const Observations &observations, const Values &angles,
     const double variance = errors.square().mean() + bound * bound / 3.0;
     const double percentWithin = 100.0 * (errors <= bound).cast<double>().mean();
     const bool areRounding =
-        percentWithin >= static_cast<double>(kPercentWithinBound) && errors.maxCoeff() < kMaxBounds * bound;
+        percentWithin >= static_cast<double>(kMinPercentWithinBound) && errors.maxCoeff() < kMaxBounds * bound;
     Eigen::ArrayXd scale(terms); // turns the coefficients of powers of half spans into those of powers of the time
     for (Index k = 0; k < terms; ++k) {
         scale[k] = std::pow(halfSpan, -static_cast<double>(k));

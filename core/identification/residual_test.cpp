@@ -47,9 +47,9 @@ bool isWithinRounding(const Observations &observations, const Fit &fit, Index in
     bound += std::min(largestBound, fit.fittedMechanism().errorOf(fit.rms[indexInFit]));
     const Values errors = gapsAsZeros(fit.residuals.col(indexInFit)).abs();
     const double within = fit.counts[indexInFit] - static_cast<double>((errors > bound).count());
-    return 100.0 * within >= static_cast<double>(kPercentWithinBound) * fit.counts[indexInFit] &&
-           (errors <= kBoundsOfAgreement * bound).all() &&
-           (errors - bound).maxCoeff() <= kExcessOfAgreement * 0.5 * column.range;
+    return 100.0 * within >= static_cast<double>(kMinPercentWithinBound) * fit.counts[indexInFit] &&
+           (errors <= kMaxBoundsToAgree * bound).all() &&
+           (errors - bound).maxCoeff() <= kMaxExcessToAgree * 0.5 * column.range;
 }
 
 bool isNearRounding(const Observations &observations, const Fit &fit, Index indexInFit)

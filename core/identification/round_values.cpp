@@ -202,7 +202,7 @@ bool areNearlyAllWithinRounding(const Observations &observations, const Fit &fit
     const Values errors = gapsAsZeros(fit.residuals.col(indexInFit)).abs();
     const auto beyond = static_cast<double>((errors > roundingBounds(observations, fit, indexInFit)).count());
     return 100.0 * (fit.counts[indexInFit] - beyond) >=
-           static_cast<double>(kPercentWithinBound) * fit.counts[indexInFit];
+           static_cast<double>(kMinPercentWithinBound) * fit.counts[indexInFit];
 }
 
 /// Whether rounded parameters still explain what the fit from which they were rounded explains: each column that was

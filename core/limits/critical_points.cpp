@@ -220,8 +220,7 @@ std::vector<CriticalPoints> findCriticalPoints(const Mechanism &mechanism, std::
 {
     PointSearch search(curves);
     const MotionConstants k(mechanism);
-    // The crank angle at which A is farthest from the slider's line: p = ε there, and m = β at the opposite angle
-    // (motion_constants.h).
+    // The crank angle at which A is farthest from the slider's line: p = ε, and m = β opposite (motion_constants.h).
     const double farthest = -k.side * kQuarterTurn;
     const SteepRegion farRegion(mechanism, farthest, k.epsilon / k.a);
     const SteepRegion nearRegion(mechanism, -farthest, k.beta / k.a);

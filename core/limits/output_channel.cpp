@@ -30,7 +30,7 @@ namespace
 /// A symbol of textbooks for an output channel, as inPlainLetters() returns it.
 struct Symbol {
     std::string_view symbol;
-    std::string_view name;
+    std::string_view channelName;
 };
 constexpr std::array kSymbols{Symbol{"x", "R4_x"},
                               Symbol{"xB", "R4_x"},
@@ -162,7 +162,7 @@ std::optional<OutputChannel> outputChannelNamed(std::string_view name)
 {
     const std::string plain = inPlainLetters(name);
     const Symbol *symbol = findElement(kSymbols, [&plain](const Symbol &each) { return each.symbol == plain; });
-    const std::string_view wanted = symbol ? symbol->name : name;
+    const std::string_view wanted = symbol ? symbol->channelName : name;
     for (const OutputChannel &channel : allOutputChannels()) {
         if (nameOf(channel) == wanted) {
             return channel;

@@ -102,9 +102,9 @@ double withoutNoise(double value, const OutputChannel &channel, const Mechanism 
 /// Returns the exact motion at time t (s), at which the crank has the speed ω2 and the acceleration alpha2 (rad/s²).
 OutputState outputStateAt(const Mechanism &mechanism, double t, double alpha2 = 0.0);
 
-/// Returns the same as outputStateAt(), except where the velocities jump (velocitiesJumpAt()), and at the ends of the
-/// arc of a rocker: there outputStateAt() has the velocities and accelerations of one side, or huge ones that are
-/// rounding errors, and this function has none and the status Singular, as Newton-Raphson does.
+/// Returns the same as outputStateAt(), except where the velocities jump (velocitiesJumpAt()) and at the ends of the
+/// arc of a rocker. There the velocities of outputStateAt() are those of one side, or huge rounding errors: unless the
+/// crank is at rest, this function returns none, and the status Singular, as Newton-Raphson does.
 OutputState unambiguousStateAt(const Mechanism &mechanism, double t, double alpha2 = 0.0);
 
 } // namespace slidercrank

@@ -32,9 +32,8 @@ struct ParameterRanges {
     ParameterRange fullTurn;  ///< the crank makes full turns: b >= a + |c|
 };
 
-/// Returns the ranges of one parameter within ±kLargestParameter, with the other parameters fixed. Whether the
-/// mechanism can be assembled does not depend on ω2 and θ20: `assembled` contains all of their values even if it
-/// cannot.
+/// Returns the ranges of one parameter within ±kLargestParameter, with the other parameters fixed. For ω2 and θ20,
+/// `assembled` contains all values, even if the mechanism cannot be assembled.
 ParameterRanges parameterRanges(const Parameters &parameters, Parameter parameter);
 
 } // namespace slidercrank

@@ -145,7 +145,7 @@ private:
     const Parameters &m_parameters;
     std::array<std::vector<double>, 3> m_trialValues; ///< indexed by Length
     std::vector<Point> m_trialPoints;                 ///< all combinations of m_trialValues
-    std::map<Point, KindValues> m_computed;           ///< the limits at points that have been computed
+    std::map<Point, KindValues> m_computed;           ///< the limits at computed points
 };
 
 } // namespace
