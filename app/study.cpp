@@ -47,7 +47,7 @@ QString caseReport(const CaseResult &result)
     const QString heading =
         CommandLine::tr("%1: %2; %3 time stamps")
             .arg(caseText(result.name), mechanismText(Mechanism(result.parameters), kMechanismDigits),
-                 QString::number(result.timeStamps));
+                 QString::number(result.timeStampCount));
     return tablesWithHeading(heading, studyPage(result));
 }
 
@@ -55,7 +55,8 @@ QString caseReport(const CaseResult &result)
 /// status.
 QString summaryReport(const StudyResult &result)
 {
-    const CaseResult allCases{.name = {}, .parameters = {}, .timeStamps = 0, .methods = resultsOverAllCases(result)};
+    const CaseResult allCases{
+        .name = {}, .parameters = {}, .timeStampCount = 0, .methods = resultsOverAllCases(result)};
     return tablesWithHeading(CommandLine::tr("All %1 cases together").arg(QString::number(result.cases.size())),
                              studyPage(allCases));
 }

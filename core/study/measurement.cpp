@@ -49,7 +49,7 @@ void compareWithExact(const TimedMethod &timed, const ExactMotion &motion, Metho
         if (found == motion.values.end()) {
             continue;
         }
-        const Status status = timed.output.status[i];
+        const Status status = timed.output.statuses[i];
         ++result.counts[static_cast<std::size_t>(status)];
         if (status != Status::Solved) {
             continue;
@@ -113,16 +113,16 @@ MethodResult resultOf(TimedMethod &timed, const ExactMotion &motion)
     result.method = method.name;
     result.tolerance = method.tolerance;
     result.channels = method.channels;
-    result.states = timed.timeStamps.size();
+    result.stateCount = timed.timeStamps.size();
     if (std::vector<double> &times = timed.nanoseconds; !times.empty()) {
         std::ranges::sort(times);
         result.nanosecondsPerState = times[times.size() / 2];
         result.spread = times[3 * times.size() / 4] - times[times.size() / 4];
     }
     if (method.tolerance) {
-        const auto states = static_cast<double>(result.states);
+        const auto states = static_cast<double>(result.stateCount);
         const auto iterations = static_cast<double>(timed.output.iterations);
-        const auto solved = std::ranges::count(timed.output.status, Status::Solved);
+        const auto solved = std::ranges::count(timed.output.statuses, Status::Solved);
         result.iterationsPerState = iterations / states;
         result.linearSolvesPerState = (iterations + 2.0 * static_cast<double>(solved)) / states;
     }
@@ -143,7 +143,7 @@ void Measurement::add(const StudyMethod &method, const std::vector<double> &time
     TimedMethod timed{.method = &method, .timeStamps = timeStamps};
     timed.run = method.prepare(Mechanism(m_parameters), timed.timeStamps);
     timed.output.values.fill(std::vector<double>(timeStamps.size()));
-    timed.output.status.resize(timeStamps.size());
+    timed.output.statuses.resize(timeStamps.size());
     if (timed.run) {
         m_methods.push_back(std::move(timed));
     }

@@ -84,7 +84,7 @@ MethodResult combineRows(const std::vector<const MethodResult *> &rows)
     std::vector<double> spreads;
     std::vector<double> iterations;
     for (const MethodResult *row : rows) {
-        sum.states += row->states;
+        sum.stateCount += row->stateCount;
         times.push_back(row->nanosecondsPerState);
         spreads.push_back(row->spread);
         if (row->iterationsPerState) {

@@ -66,7 +66,7 @@ struct MethodResult {
     MethodName method{};
     std::optional<double> tolerance{}; ///< of Newton-Raphson
     int channels = 6;                  ///< number of channels computed: 36 or 6
-    std::size_t states = 0;            ///< number of computed time stamps
+    std::size_t stateCount = 0;        ///< number of computed time stamps
 
     double nanosecondsPerState = 0.0; ///< median over the rounds
     double spread = 0.0;              ///< between the quartiles, ns
@@ -100,12 +100,12 @@ inline constexpr int kWorkPrecisionSteps = 25;
 struct CaseResult {
     std::string name;
     Parameters parameters;
-    std::size_t timeStamps = 0;
+    std::size_t timeStampCount = 0;
     std::vector<MethodResult> methods;
 
     /// The rows of a chart of error against cost: one for each tolerance and step size, of the first case only. The
     /// errors are those of kWorkPrecisionSteps + 1 states at equal time steps over the sampled duration. The cost is
-    /// that of all states that the method computes to reach them (MethodResult::states).
+    /// that of all states that the method computes to reach them (MethodResult::stateCount).
     std::vector<MethodResult> workPrecision = {};
 };
 

@@ -26,7 +26,7 @@ void writeTo(StudyOutput &output, std::size_t i, const Values &values, Status st
     for (std::size_t k = 0; k < values.size(); ++k) {
         output.values[k][i] = values[k];
     }
-    output.status[i] = status;
+    output.statuses[i] = status;
 }
 
 void writeTo(StudyOutput &output, std::size_t i, const State &state)
@@ -63,7 +63,7 @@ StudyRun closedFormBatch(const Mechanism &mechanism, std::span<const double> tim
     return [batch = ClosedForm(mechanism), timeStamps](StudyOutput &output) {
         PlottedColumns columns{};
         std::ranges::transform(output.values, columns.begin(), [](auto &values) { return values.data(); });
-        batch.evaluate(timeStamps, columns, output.status);
+        batch.evaluate(timeStamps, columns, output.statuses);
     };
 }
 
@@ -86,7 +86,7 @@ StudyRun finiteDifference(const Mechanism &mechanism, std::span<const double> ti
         for (std::size_t i = 0; i < sampled.size(); ++i) {
             motions[i] = closedForm.motionAt(sampled[i]);
         }
-        for (std::size_t i = 0; i < output.status.size(); ++i) {
+        for (std::size_t i = 0; i < output.statuses.size(); ++i) {
             const Motion &here = motions[i + 1];
             const auto differences = [&](double Motion::*position) {
                 const double rise = motions[i + 2].*position - here.*position;

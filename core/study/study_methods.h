@@ -19,7 +19,7 @@ namespace slidercrank
 /// What a method computes at its time stamps. Values in the order of kPlottedChannels (mm, rad, s).
 struct StudyOutput {
     std::array<std::vector<double>, kPlottedChannels.size()> values;
-    std::vector<Status> status;
+    std::vector<Status> statuses;
     long long iterations = 0;
 };
 

@@ -112,11 +112,11 @@ Record recordOf(const MethodResult &row, const Record &counts)
 /// Returns a row of CaseResult::workPrecision. Times are those of all states, in µs.
 QJsonObject jsonWorkPrecisionRow(const MethodResult &row)
 {
-    assert(row.states > 0);
-    const auto states = static_cast<double>(row.states);
+    assert(row.stateCount > 0);
+    const auto states = static_cast<double>(row.stateCount);
     return {{"method", QString::fromStdString(nameOf(row.method))},
             {"tolerance", jsonNumber(row.tolerance)},
-            {"steps", jsonCount(row.states - 1)},
+            {"steps", jsonCount(row.stateCount - 1)},
             {"microseconds", jsonNumber(1e-3 * states * row.nanosecondsPerState)},
             {"spread", jsonNumber(1e-3 * states * row.spread)},
             {"linearSolves", jsonNumber(states * row.linearSolvesPerState.value_or(kNone))},

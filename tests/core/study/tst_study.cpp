@@ -121,11 +121,11 @@ private slots:
             for (const CaseResult &each : study.cases) {
                 if (const MethodResult *single = rowOf(each, nameOf(row.method), row.tolerance)) {
                     largestError = std::max(largestError, single->maxError.value_or(0.0));
-                    states += single->states;
+                    states += single->stateCount;
                 }
             }
             QCOMPARE(row.maxError.value_or(0.0), largestError);
-            QCOMPARE(row.states, states);
+            QCOMPARE(row.stateCount, states);
             QVERIFY(!row.errorBound);
         }
         const auto closedForm = std::ranges::find(combined, MethodName::Kind::ClosedForm,
@@ -147,7 +147,7 @@ private slots:
             if (before > 0.0) {
                 const double ratio = before / error;
                 QVERIFY2(ratio > 3.6 && ratio < 4.4,
-                         qPrintable(QString("%1 time stamps: %2 times less").arg(result.timeStamps).arg(ratio)));
+                         qPrintable(QString("%1 time stamps: %2 times less").arg(result.timeStampCount).arg(ratio)));
             }
             before = error;
         }
@@ -176,7 +176,7 @@ private slots:
         }
         StudyOutput output;
         output.values.fill(times);
-        output.status.resize(times.size());
+        output.statuses.resize(times.size());
         const auto isHarmonic2 = [](const StudyMethod &method) { return nameOf(method.name) == "harmonic-2"; };
         std::ranges::find_if(studyMethods(), isHarmonic2)->prepare(Mechanism(parameters), times)(output);
         for (std::size_t i = 0; i < times.size(); ++i) {
@@ -213,11 +213,12 @@ private slots:
             const Case &namedCase = cases[i];
             const CaseResult &result = results[i];
             const Mobility mobility = motionLimits(Mechanism(namedCase.parameters)).mobility;
-            QCOMPARE(result.timeStamps, timeStampsOf(namedCase).size());
+            QCOMPARE(result.timeStampCount, timeStampsOf(namedCase).size());
             QCOMPARE(rowOf(result, "harmonic-2") != nullptr, mobility == Mobility::FullTurn);
             for (const MethodResult &row : result.methods) {
                 const bool isDifference = row.method.kind == MethodName::Kind::FiniteDifference;
-                const std::size_t states = isDifference ? std::size_t(namedCase.sampling.steps) + 1 : result.timeStamps;
+                const std::size_t states =
+                    isDifference ? std::size_t(namedCase.sampling.steps) + 1 : result.timeStampCount;
                 QCOMPARE(std::accumulate(row.counts.begin(), row.counts.end(), std::size_t{0}), states);
                 QCOMPARE(row.silentFailures.has_value(), row.maxError.has_value());
                 QCOMPARE(row.maxError.has_value(), row.counts[std::size_t(Status::Solved)] > 0);
@@ -231,7 +232,7 @@ private slots:
                                         .arg(namedCase.name.c_str(), nameOf(row.method).c_str())
                                         .arg(row.tolerance.value_or(-1.0))
                                         .arg(row.silentFailures.value_or(0))
-                                        .arg(result.timeStamps)
+                                        .arg(result.timeStampCount)
                                         .arg(row.maxError.value_or(0.0))));
             }
         }
@@ -263,10 +264,10 @@ private slots:
         std::size_t steps = kWorkPrecisionSteps;
         int closedForms = 0;
         for (const MethodResult &row : study.cases[0].workPrecision) {
-            QVERIFY((row.states - 1) % kWorkPrecisionSteps == 0 && row.nanosecondsPerState > 0.0 && row.maxError);
+            QVERIFY((row.stateCount - 1) % kWorkPrecisionSteps == 0 && row.nanosecondsPerState > 0.0 && row.maxError);
             closedForms += row.method.kind == MethodName::Kind::ClosedForm ? 1 : 0;
             if (row.method.kind == MethodName::Kind::FiniteDifference) {
-                QCOMPARE(row.states, steps + 1);
+                QCOMPARE(row.stateCount, steps + 1);
                 QVERIFY(*row.maxError < before / 3.0);
                 before = *row.maxError;
                 steps *= 2;
