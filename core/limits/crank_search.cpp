@@ -286,15 +286,15 @@ std::optional<std::vector<double>> crankAnglesAt(const Mechanism &mechanism, con
 {
     const Order order = orderOf(channel);
     const double omega2 = mechanism.omega2();
-    if (omega2 == 0.0 && order == Order::Acceleration &&
-        alpha2 != 0.0) { // f'' ω2² + f' α2 is α2 times the velocity f' at 1 rad/s
+    const bool startsFromRest = omega2 == 0.0 && order == Order::Acceleration && alpha2 != 0.0;
+    if (startsFromRest) { // the acceleration f'' ω2² + f' α2 is α2 times f', the velocity for ω2 = 1 rad/s
         return solutionsAtUnitSpeed(mechanism, withOrder(channel, Order::Velocity), value / alpha2, 0.0);
     }
-    const double speedFactor = std::pow(omega2, static_cast<int>(order));
-    if (speedFactor == 0.0) {
+    const double driveFactor = std::pow(omega2, static_cast<int>(order));
+    if (driveFactor == 0.0) {
         return std::nullopt;
     }
-    return solutionsAtUnitSpeed(mechanism, channel, value / speedFactor,
+    return solutionsAtUnitSpeed(mechanism, channel, value / driveFactor,
                                 order == Order::Acceleration ? alpha2 / (omega2 * omega2) : 0.0);
 }
 
@@ -305,8 +305,8 @@ std::optional<ChannelRange> rangeOf(const Mechanism &mechanism, const OutputChan
     const double omega2 = mechanism.omega2();
     // If ω2 = 0, the acceleration f'' ω2² + f' α2 is α2 times f', so that the critical points are those of a velocity.
     const bool isAtRest = omega2 == 0.0 && order == Order::Acceleration;
-    const double speedFactor = isAtRest ? alpha2 : std::pow(omega2, static_cast<int>(order));
-    if (!scaled || speedFactor == 0.0) {
+    const double driveFactor = isAtRest ? alpha2 : std::pow(omega2, static_cast<int>(order));
+    if (!scaled || driveFactor == 0.0) {
         return std::nullopt;
     }
     const CriticalPoints points =
@@ -316,7 +316,7 @@ std::optional<ChannelRange> rangeOf(const Mechanism &mechanism, const OutputChan
         return std::nullopt;
     }
     const auto [least, greatest] = std::ranges::minmax(points, {}, &CriticalPoint::value);
-    const auto [low, high] = std::minmax({speedFactor * least.value, speedFactor * greatest.value});
+    const auto [low, high] = std::minmax({driveFactor * least.value, driveFactor * greatest.value});
     return ChannelRange{low, high};
 }
 

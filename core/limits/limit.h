@@ -110,7 +110,7 @@ constexpr std::optional<Channel> peakChannel(LimitKind kind)
 struct Limit {
     LimitKind kind = LimitKind::Stroke;
     double value = 0.0;                ///< mm, rad, s; a peak has its sign, and is infinite if it is unbounded
-    std::optional<double> theta2 = {}; ///< rad, where it occurs; nullopt if that is no single crank angle
+    std::optional<double> theta2 = {}; ///< rad, where it occurs; nullopt if it belongs to no crank angle
 };
 
 /// Returns the limits that exist, in the order of LimitKind: one element for each crank angle of a limit,

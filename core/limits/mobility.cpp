@@ -64,8 +64,8 @@ std::vector<CrankRange> findRanges(Mobility mobility, const MotionConstants &k)
 
 enum class DeadCentre { Outer, Inner };
 
-/// Returns a dead centre. `distance`: |R4x|, which is √(L γ) at the outer and √(ε β) at the inner dead centre.
-SliderPosition positionAt(DeadCentre deadCentre, const Mechanism &mechanism, double distance)
+/// `distance`: |R4x|, which is √(L γ) at the outer and √(ε β) at the inner dead centre.
+SliderPosition deadCentrePosition(DeadCentre deadCentre, const Mechanism &mechanism, double distance)
 {
     const bool isOuter = deadCentre == DeadCentre::Outer;
     // If b >= a, the inner dead centre is on the same side of O2 as the outer one, and the crank points away from B.
@@ -148,9 +148,9 @@ MotionLimits motionLimits(const Mechanism &mechanism)
     if (limits.mobility == Mobility::Impossible) {
         return limits;
     }
-    limits.outerDeadCentre = positionAt(DeadCentre::Outer, mechanism, std::sqrt(k.reach * k.gamma));
+    limits.outerDeadCentre = deadCentrePosition(DeadCentre::Outer, mechanism, std::sqrt(k.reach * k.gamma));
     if (k.epsilon * k.beta >= 0.0) {
-        limits.innerDeadCentre = positionAt(DeadCentre::Inner, mechanism, std::sqrt(k.epsilon * k.beta));
+        limits.innerDeadCentre = deadCentrePosition(DeadCentre::Inner, mechanism, std::sqrt(k.epsilon * k.beta));
     }
     const std::vector<ArcEnd> ends = findArcEnds(k, limits.mobility, limits.ranges);
     limits.crankLimits = findCrankLimits(k, ends);
