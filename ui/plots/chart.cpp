@@ -20,12 +20,13 @@ double coordinate(double value, const ChartAxis &axis)
     return axis.isLogarithmic ? std::log10(value) : value;
 }
 
-void setAxis(QCPAxis &axis, const ChartAxis &content, int pixels, int pixelsPerLabel)
+/// Gives an axis its title, its range and as many labels as fit its length (px).
+void setUpAxis(QCPAxis &axis, const ChartAxis &content, int length, int pixelsPerLabel)
 {
     const QSharedPointer<NumberTicker> ticker(new NumberTicker);
     ticker->isLogarithmic = content.isLogarithmic;
     constexpr int kMinLabels = 2;
-    ticker->setTickCount(std::max(kMinLabels, pixels / pixelsPerLabel));
+    ticker->setTickCount(std::max(kMinLabels, length / pixelsPerLabel));
     axis.setTicker(ticker);
     axis.setLabel(content.title);
     axis.setRange(coordinate(content.range.lower, content), coordinate(content.range.upper, content));
@@ -38,7 +39,7 @@ void addSeries(PlotDrawing &drawing, const ChartContent &content, const ChartSer
     for (const QPointF &point : series.points) {
         points.push_back({coordinate(point.x(), content.x), coordinate(point.y(), content.y)});
     }
-    if (!content.y.isLogarithmic) { // a curve may leave the axes so far that its line has too many pieces to be drawn
+    if (!content.y.isLogarithmic) { // far outside the axes, a curve would have too many dashes to be drawn
         points = clip(points, content.x.range, content.y.range);
     }
     QCPGraph *graph = drawing.addCurve(drawing.axisRect(), points);
@@ -124,8 +125,8 @@ void Chart::rebuildDrawing(const QSize &size, const QFont &font, const QPalette 
     const PlotFonts fonts(font);
     m_drawing->setStyle(fonts, colours);
     m_drawing->layOut(size);
-    setAxis(*m_drawing->xAxis, m_content.x, m_drawing->axisRect()->width(), kPixelsPerNumberOfX);
-    setAxis(*m_drawing->yAxis, m_content.y, m_drawing->axisRect()->height(), kPixelsPerNumberOfY);
+    setUpAxis(*m_drawing->xAxis, m_content.x, m_drawing->axisRect()->width(), kPixelsPerNumberOfX);
+    setUpAxis(*m_drawing->yAxis, m_content.y, m_drawing->axisRect()->height(), kPixelsPerNumberOfY);
     if (m_content.unshaded) {
         shadeOutside(*m_drawing, *m_content.unshaded, colours.warning);
     }
@@ -153,28 +154,28 @@ void Chart::paint(QPainter &painter, const QSize &size, const QPalette &palette)
     m_drawing->paint(painter, size);
 }
 
-QPointF Chart::positionOf(const Place &place)
+QPointF Chart::positionOf(const PointIndex &index)
 {
     if (!m_drawing || m_drawing->viewport().size() != size()) {
         rebuildDrawing(size(), font(), palette());
     }
-    const QPointF &point = m_content.series[place.series].points[place.point];
+    const QPointF &point = m_content.series[index.series].points[index.point];
     return {m_drawing->xAxis->coordToPixel(coordinate(point.x(), m_content.x)),
             m_drawing->yAxis->coordToPixel(coordinate(point.y(), m_content.y))};
 }
 
-std::optional<Chart::Place> Chart::pointAt(const QPointF &position)
+std::optional<Chart::PointIndex> Chart::pointAt(const QPointF &position)
 {
     constexpr double kReach = 9.0; // px around a point
     double nearest = kReach;
-    std::optional<Place> found;
+    std::optional<PointIndex> found;
     for (std::size_t series = 0; series < m_content.series.size(); ++series) {
         const std::size_t points = m_content.series[series].mark.isEmpty() ? 0 : m_content.series[series].points.size();
         for (std::size_t point = 0; point < points; ++point) {
             const double distance = QLineF(positionOf({series, point}), position).length();
             if (distance <= nearest) {
                 nearest = distance;
-                found = Place{series, point};
+                found = PointIndex{series, point};
             }
         }
     }
@@ -183,9 +184,9 @@ std::optional<Chart::Place> Chart::pointAt(const QPointF &position)
 
 void Chart::mouseMoveEvent(QMouseEvent *event)
 {
-    const std::optional<Place> place = pointAt(event->position());
-    const QStringList tips = place ? m_content.series[place->series].tips : QStringList();
-    const auto point = static_cast<qsizetype>(place ? place->point : 0);
+    const std::optional<PointIndex> index = pointAt(event->position());
+    const QStringList tips = index ? m_content.series[index->series].tips : QStringList();
+    const auto point = static_cast<qsizetype>(index ? index->point : 0);
     QToolTip::showText(event->globalPosition().toPoint(), tips.value(point), this); // an empty text hides the tool tip
 }
 

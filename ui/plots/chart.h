@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A chart of points and lines over two axes, linear or logarithmic. The legend is beside them or, where there is
-// little space, over them or hidden. It knows no mechanism.
+// A chart of points and lines over two axes, linear or logarithmic. The legend is beside the axes or, where there is
+// little space, over the axes or hidden.
 
 #include "ui/text/interval.h"
 #include "ui/text/theme.h"
@@ -29,7 +29,7 @@ struct ChartSeries {
     QColor SeriesColours::*colour = &SeriesColours::model;
     std::vector<QPointF> points = {}; ///< ascending in x
     Line line = Line::None;
-    QPainterPath mark = {}; ///< around the origin, in px; empty for no marks
+    QPainterPath mark = {}; ///< shape drawn at each point, around the origin, px; may be empty
     bool isHollow = false;  ///< whether the marks are outlines
     QStringList tips = {};  ///< the tool tip of each point; may be empty
 };
@@ -44,7 +44,7 @@ struct ChartContent {
     ChartAxis x;
     ChartAxis y;
     std::vector<ChartSeries> series = {};
-    std::optional<Interval> unshaded = {}; ///< range of x without shade; a reversed range leaves none
+    std::optional<Interval> unshaded = {}; ///< range of x without shade; if it is reversed, all is shaded
 };
 
 class Chart : public QWidget
@@ -59,17 +59,17 @@ public:
     const ChartContent &content() const { return m_content; }
 
     /// Identifies a point of a series.
-    struct Place {
+    struct PointIndex {
         std::size_t series = 0;
         std::size_t point = 0;
-        friend bool operator==(const Place &, const Place &) = default;
+        friend bool operator==(const PointIndex &, const PointIndex &) = default;
     };
 
-    /// Returns the point with a mark at a position in the widget, or nullopt.
-    std::optional<Place> pointAt(const QPointF &position);
+    /// Returns the marked point nearest to a position in the widget (px); nullopt if none is within a few pixels.
+    std::optional<PointIndex> pointAt(const QPointF &position);
 
     /// Returns the position (px) of a point in the widget.
-    QPointF positionOf(const Place &place);
+    QPointF positionOf(const PointIndex &index);
 
     /// Paints the chart on any paint device.
     void paint(QPainter &painter, const QSize &size, const QPalette &palette);

@@ -59,24 +59,24 @@ std::size_t nearestIndex(std::span<const double> time, double t)
 {
     assert(!time.empty());
     const auto index = static_cast<std::size_t>(std::ranges::lower_bound(time, t) - time.begin());
-    const bool isBefore = index == time.size() || (index > 0 && t - time[index - 1] < time[index] - t);
-    return isBefore ? index - 1 : index;
+    const bool isPreviousNearer = index == time.size() || (index > 0 && t - time[index - 1] < time[index] - t);
+    return isPreviousNearer ? index - 1 : index;
 }
 
 std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values, const Interval &range,
                                  std::size_t columns)
 {
     assert(time.size() == values.size() && columns > 0);
-    const auto indexOf = [&](auto place) { return static_cast<std::size_t>(place - time.begin()); };
+    const auto indexOf = [&](auto position) { return static_cast<std::size_t>(position - time.begin()); };
     std::size_t next = indexOf(std::ranges::lower_bound(time, range.lower));
     const std::size_t end = std::min(time.size(), indexOf(std::ranges::upper_bound(time, range.upper)) + 1);
-    next -= next > 0 ? 1 : 0;
+    next -= next > 0 ? 1 : 0; // the sample before the range
     const bool keepsAll = end - next <= 2 * columns;
     const auto columnOf = [&, scale = static_cast<double>(columns) / range.length()](std::size_t i) {
         return std::clamp(std::floor((time[i] - range.lower) * scale), 0.0, static_cast<double>(columns) - 1.0);
     };
     std::vector<CurvePoint> points;
-    while (next < end) {
+    while (next < end) { // handles one pixel column or, if all samples are kept, one sample
         std::size_t lowest = next;
         std::size_t highest = next;
         std::size_t firstGap = end;
@@ -106,10 +106,10 @@ namespace
 /// Inserts further points of a curve between two given ones.
 struct CurveRefinement {
     const std::function<double(double)> &valueAt;
-    CurveScale scale; ///< px
-    double tolerance; ///< px
-    Interval values;
-    std::vector<CurvePoint> &points;
+    CurveScale scale;                 ///< px
+    double tolerance;                 ///< px
+    Interval values;                  ///< the visible range
+    std::vector<CurvePoint> &refined; ///< receives the points
 
     /// Returns the distance (px) of a point from the line through two others.
     double distance(const CurvePoint &point, const CurvePoint &from, const CurvePoint &to) const
@@ -139,7 +139,7 @@ struct CurveRefinement {
         const bool isCurved = distance(middle, from, to) > tolerance || distance(pointAt(0.25), from, to) > tolerance;
         if (std::isfinite(middle.value) && isCurved) {
             insertBetween(from, middle, depth + 1);
-            points.push_back(middle);
+            refined.push_back(middle);
             insertBetween(middle, to, depth + 1);
         }
     }
@@ -153,7 +153,7 @@ std::vector<CurvePoint> refine(std::span<const CurvePoint> points, const std::fu
     std::vector<CurvePoint> refined;
     refined.reserve(2 * points.size());
     CurveRefinement refinement{
-        .valueAt = valueAt, .scale = scale, .tolerance = tolerance, .values = values, .points = refined};
+        .valueAt = valueAt, .scale = scale, .tolerance = tolerance, .values = values, .refined = refined};
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (i > 0 && !isGap(points[i - 1]) && !isGap(points[i])) {
             refinement.insertBetween(points[i - 1], points[i], 0);
@@ -213,11 +213,11 @@ std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Int
         return std::nullopt;
     }
     const auto leftOut = static_cast<std::ptrdiff_t>(isUnbounded ? kLeftOut * static_cast<double>(values.size()) : 0.0);
-    const auto valueAt = [&values](auto place) {
-        std::ranges::nth_element(values, place);
-        return *place;
+    const auto valueInOrder = [&values](auto position) {
+        std::ranges::nth_element(values, position);
+        return *position;
     };
-    return Interval{valueAt(values.begin() + leftOut), valueAt(values.end() - 1 - leftOut)};
+    return Interval{valueInOrder(values.begin() + leftOut), valueInOrder(values.end() - 1 - leftOut)};
 }
 
 std::vector<CurvePoint> clip(std::span<const CurvePoint> points, const Interval &time, const Interval &values)

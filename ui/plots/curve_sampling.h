@@ -16,7 +16,8 @@
 namespace slidercrank
 {
 
-inline constexpr double kBeyondAll = 1e300; ///< replaces ∞: beyond the end of any axis, but lines to it can be clipped
+/// Replaces ∞. It is beyond the end of any axis, but finite, so that lines to it can be clipped.
+inline constexpr double kBeyondAll = 1e300;
 
 struct CurvePoint {
     double t = 0.0;
@@ -26,9 +27,9 @@ struct CurvePoint {
 /// Returns the index of the time stamp nearest to t. Requires `time` to be ascending and not empty.
 std::size_t nearestIndex(std::span<const double> time, double t);
 
-/// Returns the samples within the range and one on either side of it, so that the line reaches the edges. If there are
-/// many samples, returns only the smallest, the largest and the first gap of each pixel column. Requires `time` to be
-/// ascending and `values` to have one value per time stamp.
+/// Returns the samples within the range and one on either side of it, so that the line reaches the edges. If they are
+/// more than two per pixel column, returns only the smallest, the largest and the first gap of each column. Requires
+/// `time` to be ascending and `values` to have one value per time stamp.
 std::vector<CurvePoint> decimate(std::span<const double> time, std::span<const double> values, const Interval &range,
                                  std::size_t columns);
 
@@ -38,18 +39,18 @@ struct CurveScale {
     double value = 1.0;
 };
 
-/// Inserts points of the curve where the polyline is farther than `tolerance` (px) from it within the range of values.
-/// A curve has at most 4096 times as many points as before, and only beside a kink.
+/// Inserts points of the curve `valueAt` where the polyline through `points` is farther than `tolerance` (px) from the
+/// curve, within the range `values`. At most 4095 points are inserted between two given ones.
 std::vector<CurvePoint> refine(std::span<const CurvePoint> points, const std::function<double(double)> &valueAt,
                                const CurveScale &scale, double tolerance, const Interval &values);
 
 /// Removes the points that lie within `tolerance` (in values) of the line between the remaining points. A smooth curve
-/// is left with a quarter of its points. Gaps and the points beside them are never removed.
+/// keeps about a quarter of its points. Gaps and the points beside them are never removed.
 std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points, double tolerance);
 
-/// Returns the range of the values within the time range; nullopt if there are none. If they are unbounded, as near the
-/// limits of an oscillating crank, returns the range of the middle nine tenths of them. They are unbounded if the
-/// caller says so or one of them is ±kBeyondAll.
+/// Returns the range of the values within the time range; nullopt if there are none. If `isUnbounded` is set or a value
+/// is ±kBeyondAll, as near the limits of an oscillating crank, returns the range of the middle nine tenths of the
+/// values.
 std::optional<Interval> usualRange(std::span<const CurvePoint> points, const Interval &time, bool isUnbounded = false);
 
 /// Returns the parts of the polyline within both ranges, cut exactly at the edges, with a gap between two parts.

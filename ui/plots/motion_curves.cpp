@@ -20,13 +20,13 @@ namespace
 std::vector<CurvePoint> bandOf(const std::vector<CurvePoint> &turn, const Interval &range, std::size_t columns)
 {
     std::vector<Interval> bands;
-    bool isOpen = false;
+    bool isInPart = false;
     for (const CurvePoint &point : turn) {
-        if (!isOpen && !std::isnan(point.value)) {
+        if (!isInPart && !std::isnan(point.value)) {
             bands.push_back({point.value, point.value});
         }
-        isOpen = !std::isnan(point.value);
-        if (isOpen) {
+        isInPart = !std::isnan(point.value);
+        if (isInPart) {
             bands.back().include(point.value);
         }
     }
@@ -107,7 +107,7 @@ std::vector<CurvePoint> MotionCurves::exactPoints(std::size_t channel, const Tra
 
 MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t columns) const
 {
-    constexpr int kPerTurn = 400;
+    constexpr int kSamplesPerTurn = 400;
     constexpr double kSampledTurn = 1.001 * kTurn; // more than a turn, so that rounding errors lose no critical point
     Curves curves;
     if (!isExact()) {
@@ -128,7 +128,7 @@ MotionCurves::Curves MotionCurves::curves(const Interval &range, std::size_t col
     const bool isBand = speed * shown.length() >= kTurn * static_cast<double>(columns);
     const Sampling sampling{.start = shown.lower,
                             .duration = isBand ? kSampledTurn / speed : shown.length(),
-                            .steps = isBand ? kPerTurn : 2 * static_cast<int>(columns)};
+                            .steps = isBand ? kSamplesPerTurn : 2 * static_cast<int>(columns)};
     const Trajectory samples = sample(m_mechanism, sampling.timeStamps(), plottedChannels(), {});
     const auto critical = findCriticalPoints(m_mechanism);
     for (std::size_t channel = 0; channel < curves.size(); ++channel) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes the six plotted channels of a motion as curves over ascending time. In closed form a curve is the motion
-// itself, true to the pixel whatever the sampling is: it is computed at each pixel, with every extremum and every limit
-// of the motion in between. Where the crank makes a whole turn within a pixel, the curve is a band between the
-// extremes. With Newton-Raphson a curve consists of the samples that were solved. Channels are numbered as in
-// kPlottedChannels; values are in the units of files (mm, °, s).
+// Computes the six plotted channels of a motion as curves over ascending time. In closed form a curve does not depend
+// on the sampling of the motion: it is computed twice per pixel, and at every extremum and every limit of the motion.
+// If the crank makes a whole turn within a pixel, the curve is a band between the extremes. With Newton-Raphson a curve
+// consists of the samples that were solved. Channels are numbered as in kPlottedChannels; values are in the units of
+// files (mm, °, s).
 
 #include "core/limits/critical_points.h"
 #include "core/sampling/trajectory.h"
@@ -21,7 +21,7 @@ namespace slidercrank
 class MotionCurves
 {
 public:
-    /// Curves of the exact motion during that time (s).
+    /// Curves of the exact motion within a time range (s).
     MotionCurves(const Mechanism &mechanism, const Interval &time)
         : m_mechanism(mechanism)
         , m_time(time)
@@ -47,7 +47,7 @@ public:
 
     struct Curve {
         std::vector<CurvePoint> points;
-        std::optional<Interval> values; ///< range of its values within the time shown: usualRange()
+        std::optional<Interval> values; ///< usualRange() of its values within the time shown
         bool isDense = false;           ///< whether the curve looks like a band, in which dashes cannot be seen
     };
     using Curves = std::array<Curve, kPlottedChannels.size()>;

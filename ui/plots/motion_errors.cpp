@@ -14,14 +14,14 @@ namespace slidercrank
 namespace
 {
 
-/// Returns at least two time stamps per pixel, and more where the crank turns fast. They are not evenly spaced, because
-/// a few evenly spaced time stamps could lie at the same crank angle in every turn.
+/// Returns at least two time stamps per pixel, and more if the crank turns fast. They are not evenly spaced, because a
+/// few evenly spaced time stamps could lie at the same crank angle in every turn.
 std::vector<double> timeStamps(const Interval &range, double turns, std::size_t columns)
 {
-    constexpr double kPerTurn = 32.0;
-    constexpr double kMaxPerPixel = 32.0;
+    constexpr double kStampsPerTurn = 32.0;
+    constexpr double kMaxStampsPerPixel = 32.0;
     const auto pixels = static_cast<double>(columns);
-    const double pieces = std::ceil(std::clamp(kPerTurn * turns, 2.0 * pixels, kMaxPerPixel * pixels));
+    const double pieces = std::ceil(std::clamp(kStampsPerTurn * turns, 2.0 * pixels, kMaxStampsPerPixel * pixels));
     std::vector<double> stamps;
     for (double i = 0.0; i < pieces; ++i) {
         stamps.push_back(range.lower + range.length() * (i + std::fmod(i * std::numbers::phi, 1.0)) / pieces);
@@ -78,10 +78,10 @@ double MotionErrors::error(std::size_t channel, double model, double reference) 
     if (m_settings.error == ErrorMeasure::Absolute) {
         error *= errors.factor;
     } else if (m_settings.error == ErrorMeasure::Percent) {
-        constexpr double kZero = 1e-12; // fraction of the peak; smaller numbers are rounding errors of zero
+        constexpr double kZeroFraction = 1e-12; // fraction of the peak; smaller numbers are rounding errors of zero
         const double halfStep = errors.series ? 0.5 * errors.series->rounding.stepAt(reference) : 0.0;
-        const double zero = std::max(std::isfinite(errors.peak) ? kZero * errors.peak : 0.0, halfStep);
-        error = std::abs(reference) <= zero ? kNone : kPercent * error / std::abs(reference);
+        const double largestZero = std::max(std::isfinite(errors.peak) ? kZeroFraction * errors.peak : 0.0, halfStep);
+        error = std::abs(reference) <= largestZero ? kNone : kPercent * error / std::abs(reference);
     } else if (!std::isfinite(errors.peak)) {
         error = kNone;
     } else if (error != 0.0) { // an error of 0 is 0 % even if the peak is 0

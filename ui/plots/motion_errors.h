@@ -19,8 +19,8 @@ namespace slidercrank
 class MotionErrors
 {
 public:
-    /// `result` must outlive the object and have a reference or a difference. A pinned motion is compared at time
-    /// stamps for a plot of that range that is `columns` pixels wide.
+    /// Requires result.isCompared(); `result` must outlive the object. Without a file, the motions are compared at time
+    /// stamps for a plot of the time `range` (s) that is `columns` pixels wide.
     MotionErrors(const Result &result, const PlotSettings &settings, const Interval &range, std::size_t columns);
 
     struct Errors {
@@ -28,9 +28,9 @@ public:
         double factor = 1.0;                     ///< converts an absolute error to the unit shown
         double peak = 0.0;                       ///< largest magnitude of the reference; may be infinite
         bool isUnbounded = false;                ///< whether the errors have no finite maximum
-        std::span<const double> reference;       ///< empty if the channel is not in the file
+        std::span<const double> reference;       ///< its values; empty if the channel is not in the file
         std::vector<double> values;              ///< in the chosen measure; not finite where undefined
-        std::vector<double> undefined;           ///< time stamps at which the reference is zero
+        std::vector<double> undefined;           ///< time stamps (s) at which a percentage would divide by zero
     };
     std::span<const double> time() const { return m_time; }
     /// Channels are numbered as in kPlottedChannels.
@@ -43,7 +43,7 @@ private:
     PlotSettings m_settings;
     std::span<const double> m_time;
     std::array<Errors, kPlottedChannels.size()> m_errors;
-    Trajectory m_pinned; ///< empty if there is a file
+    Trajectory m_pinned; ///< at m_time; empty if there is a file
 };
 
 } // namespace slidercrank

@@ -46,12 +46,12 @@ double columnLeft(const PlotCursor &cursor, double width, const QRectF &axes, co
     return right ? *right : left.value_or(axes.left() + kInsideAxes);
 }
 
-/// Returns how many points of the curves, and how many dots, are below a label. A dot counts as kPointsPerDot points.
+/// Returns how many points of the curves a label would cover. A dot counts as kPointsPerDot points.
 std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const QRectF &place, double radiusOfDot)
 {
     constexpr std::ptrdiff_t kPointsPerDot = 10;
     std::ptrdiff_t covered =
-        std::ranges::count_if(cursor.curves, [&place](QPointF point) { return place.contains(point); });
+        std::ranges::count_if(cursor.curvePoints, [&place](QPointF point) { return place.contains(point); });
     const QRectF around = place.adjusted(-radiusOfDot, -radiusOfDot, radiusOfDot, radiusOfDot);
     for (const PlotCursor::Label &label : cursor.labels) {
         covered += label.dot && around.contains(*label.dot) ? kPointsPerDot : 0;
@@ -59,28 +59,28 @@ std::ptrdiff_t coveredPoints(const PlotCursor &cursor, const QRectF &place, doub
     return covered;
 }
 
-/// Returns the place of a value that keeps its distance from its anchor (Label::lastPlace). Returns nullopt if it has
-/// had no place, or a place that is far from the anchor or is not within the axes now.
+/// Returns the place at which a value has the same distance from its anchor as in the previous frame. Returns nullopt
+/// if the value had no place, if that place was far above or below the anchor, or if the new place leaves the axes.
 std::optional<QRectF> keptPlace(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
                                 double height)
 {
     constexpr double kFarInHeights = 1.6; // heights of a label
-    if (!label.lastPlace || std::abs(label.lastPlace->center().y()) > kFarInHeights * height) {
+    if (!label.previousPlace || std::abs(label.previousPlace->center().y()) > kFarInHeights * height) {
         return std::nullopt;
     }
     const QPointF anchor = anchorOf(cursor, label);
     QRectF place(QPointF(), QSizeF(label.text.size().width(), height));
-    place.moveCenter(anchor + label.lastPlace->center());
-    if (label.lastPlace->left() > 0.0) {
-        place.moveLeft(anchor.x() + label.lastPlace->left());
-    } else if (label.lastPlace->right() < 0.0) {
-        place.moveRight(anchor.x() + label.lastPlace->right());
+    place.moveCenter(anchor + label.previousPlace->center());
+    if (label.previousPlace->left() > 0.0) {
+        place.moveLeft(anchor.x() + label.previousPlace->left());
+    } else if (label.previousPlace->right() < 0.0) {
+        place.moveRight(anchor.x() + label.previousPlace->right());
     }
     return axes.contains(place) ? std::optional(place) : std::nullopt;
 }
 
-/// Returns the possible places of a value, the best first: its last place, to the right or the left of the line
-/// near its dot, above and below the dot, and then farther away.
+/// Returns the possible places of a value, the best first: keptPlace(), to the right or the left of the line near its
+/// dot, above and below the dot, and then farther away.
 std::vector<QRectF> possiblePlaces(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
                                    const QFont &font)
 {
@@ -122,9 +122,9 @@ bool isInWrongOrder(const PlotCursor &cursor, const PlotCursor::Label &label, co
 }
 
 /// Places a value where it covers no other label and the fewest points of the curves. A place in the wrong order counts
-/// as one more point, except while the motion is played, because values would jump where curves cross: then a place
-/// other than the one where the value stood before counts as some more points. Returns the number of points, or nullopt
-/// if every place covers a label.
+/// as one more point. While the motion is played it does not, because values would jump where curves cross; instead,
+/// every place other than keptPlace() counts as two more points. Returns the number of points, or nullopt if every
+/// place covers a label.
 std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::Label &label, const QRectF &axes,
                                          const QFont &font)
 {
@@ -139,7 +139,7 @@ std::optional<std::ptrdiff_t> placeValue(const PlotCursor &cursor, PlotCursor::L
             continue;
         }
         std::ptrdiff_t covered = coveredPoints(cursor, place, dotRadius(font));
-        covered += !label.lastPlace && isInWrongOrder(cursor, label, place) ? kPointsOfWrongOrder : 0;
+        covered += !label.previousPlace && isInWrongOrder(cursor, label, place) ? kPointsOfWrongOrder : 0;
         covered += kept && place != *kept ? kPointsOfJump : 0;
         if (!fewest || covered < *fewest) {
             fewest = covered;
@@ -194,38 +194,39 @@ bool placeOneAfterTheOther(PlotCursor &cursor, const QRectF &axes, const QFont &
 struct RatedPlace {
     QRectF place;
     std::ptrdiff_t covered = 0; ///< number of points of the curves
-    std::size_t distance = 0;   ///< index in possiblePlaces(), where the best places are first
+    std::size_t index = 0;      ///< in possiblePlaces(), where the best places are first
 };
 
 /// The places of the first values of a cursor.
 struct Arrangement {
     std::vector<QRectF> places = {};
-    std::ptrdiff_t covered = 0; ///< sum
-    std::size_t distance = 0;   ///< sum
+    std::ptrdiff_t covered = 0; ///< sum over the places
+    std::size_t indexSum = 0;   ///< sum of RatedPlace::index
 };
 
-/// Returns the possible places of a value that cover no heading and no more points of the curves than that.
+/// Returns the possible places of a value that cover no heading and at most `maxCovered` points of the curves.
 std::vector<RatedPlace> ratedPlaces(const PlotCursor &cursor, const PlotCursor::Label &label, const QRectF &axes,
                                     const QFont &font, std::ptrdiff_t maxCovered)
 {
     std::vector<RatedPlace> rated;
-    std::size_t distance = 0;
+    std::size_t index = 0;
     for (const QRectF &place : possiblePlaces(cursor, label, axes, font)) {
         const auto isCoveredHeading = [&place](const PlotCursor::Label &other) {
             return !other.dot && other.place.intersects(place);
         };
         const std::ptrdiff_t covered = coveredPoints(cursor, place, dotRadius(font));
         if (covered <= maxCovered && std::ranges::none_of(cursor.labels, isCoveredHeading)) {
-            rated.push_back({place, covered, distance});
+            rated.push_back({place, covered, index});
         }
-        ++distance;
+        ++index;
     }
     return rated;
 }
 
-/// Returns the best arrangements of one more value, none of which is above the values before it or covers one of them.
-std::vector<Arrangement> continuedWith(const std::vector<RatedPlace> &places,
-                                       const std::vector<Arrangement> &arrangements)
+/// Adds the next value to the arrangements, at each of its places that is not above the previous value and covers no
+/// value. Returns the best of the results.
+std::vector<Arrangement> extendedArrangements(const std::vector<RatedPlace> &places,
+                                              const std::vector<Arrangement> &arrangements)
 {
     constexpr std::size_t kMaxArrangements = 24; // with more of them, hardly any value has a better place
     struct Continuation {
@@ -234,7 +235,7 @@ std::vector<Arrangement> continuedWith(const std::vector<RatedPlace> &places,
 
         std::pair<std::ptrdiff_t, std::size_t> cost() const
         {
-            return {first->covered + next->covered, first->distance + next->distance};
+            return {first->covered + next->covered, first->indexSum + next->index};
         }
     };
     std::vector<Continuation> continuations;
@@ -255,7 +256,7 @@ std::vector<Arrangement> continuedWith(const std::vector<RatedPlace> &places,
         Arrangement &added = longer.emplace_back(*first);
         added.places.push_back(next->place);
         added.covered += next->covered;
-        added.distance += next->distance;
+        added.indexSum += next->index;
     }
     return longer;
 }
@@ -267,7 +268,7 @@ bool placeTogether(PlotCursor &cursor, const std::vector<std::size_t> &values, c
 {
     std::vector<Arrangement> best(1);
     for (const std::size_t index : values) {
-        best = continuedWith(ratedPlaces(cursor, cursor.labels[index], axes, font, maxCovered), best);
+        best = extendedArrangements(ratedPlaces(cursor, cursor.labels[index], axes, font, maxCovered), best);
     }
     if (best.empty()) {
         return false;
@@ -278,7 +279,7 @@ bool placeTogether(PlotCursor &cursor, const std::vector<std::size_t> &values, c
     return true;
 }
 
-/// Returns the indices of the values up to a rank, from the highest dot to the lowest.
+/// Returns the indices of the values that are at least as important as a rank, from the highest dot to the lowest.
 std::vector<std::size_t> valuesUpTo(const PlotCursor &cursor, PlotCursor::Rank rank)
 {
     std::vector<std::size_t> values;
@@ -291,8 +292,8 @@ std::vector<std::size_t> valuesUpTo(const PlotCursor &cursor, PlotCursor::Rank r
 }
 
 /// Places the values of all ranks. If they do not fit, leaves out all values of the least important rank and tries
-/// again: whole ranks, because a single remaining value would be taken for that of the model. A label may cover
-/// kMaxCovered points of a curve.
+/// again. It leaves out whole ranks, because a single remaining value would be taken for that of the model. A label may
+/// cover kMaxCovered points of a curve.
 void placeMostImportant(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 {
     constexpr std::ptrdiff_t kMaxCovered = 1; // the corner of a label may touch a curve
@@ -314,8 +315,8 @@ void placeMostImportant(PlotCursor &cursor, const QRectF &axes, const QFont &fon
 void placeAll(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 {
     constexpr std::ptrdiff_t kAnyNumber = std::numeric_limits<std::ptrdiff_t>::max();
-    const bool isPlayed =
-        std::ranges::any_of(cursor.labels, [](const PlotCursor::Label &label) { return label.lastPlace.has_value(); });
+    const bool isPlayed = std::ranges::any_of(
+        cursor.labels, [](const PlotCursor::Label &label) { return label.previousPlace.has_value(); });
     if (placeOneAfterTheOther(cursor, axes, font)) {
         return;
     }
@@ -343,11 +344,11 @@ void placeHeadings(PlotCursor &cursor, const QRectF &axes, const QFont &font)
 /// Places the labels of one cursor.
 void placeLabelsOf(PlotCursor &cursor, const QRectF &wholeAxes, const QFont &font, CrowdedLabelPolicy policy)
 {
-    // Close to the left edge, a value could be taken for one of the numbers of the axis. In a figure, which has little
-    // space, it may be there nevertheless.
+    // Close to the left edge, a value could be taken for one of the numbers of the axis. In an exported figure, which
+    // has little space, it may be there nevertheless.
     constexpr double kGapToNumbers = 3.0; // px
-    const bool isFigure = policy == CrowdedLabelPolicy::LeaveOut;
-    const QRectF axes = isFigure ? wholeAxes : wholeAxes.adjusted(kGapToNumbers, 0.0, 0.0, 0.0);
+    const bool isExported = policy == CrowdedLabelPolicy::LeaveOut;
+    const QRectF axes = isExported ? wholeAxes : wholeAxes.adjusted(kGapToNumbers, 0.0, 0.0, 0.0);
     std::ranges::stable_sort(cursor.labels, {}, [&cursor](const PlotCursor::Label &label) {
         return label.dot ? anchorOf(cursor, label).y() : 0.0;
     });
@@ -355,7 +356,7 @@ void placeLabelsOf(PlotCursor &cursor, const QRectF &wholeAxes, const QFont &fon
         label.text.prepare({}, font);
     }
     placeHeadings(cursor, axes, font);
-    if (isFigure) {
+    if (isExported) {
         placeMostImportant(cursor, axes, font);
     } else {
         placeAll(cursor, axes, font);
@@ -377,7 +378,7 @@ PlotCursor translated(PlotCursor cursor, QPointF offset)
         label.crossing = label.crossing ? std::optional(*label.crossing + offset.y()) : std::nullopt;
         label.place.translate(offset);
     }
-    for (QPointF &point : cursor.curves) {
+    for (QPointF &point : cursor.curvePoints) {
         point += offset;
     }
     return cursor;
@@ -423,13 +424,13 @@ void placeLabels(std::vector<PlotCursor> &cursors, const QRectF &axes, const QFo
     }
 }
 
-void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before)
+void setPreviousPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> before)
 {
     constexpr double kMaxMoveOfFrame = 20.0; // px; a click may move the cursor farther
     for (PlotCursor &cursor : cursors) {
-        const auto old = std::ranges::find(before, cursor.isLight, &PlotCursor::isLight);
+        const auto old = std::ranges::find(before, cursor.followsPointer, &PlotCursor::followsPointer);
         const double distance = old == before.end() ? 0.0 : std::abs(cursor.x - old->x);
-        if (distance == 0.0 || distance > kMaxMoveOfFrame) { // at the same time only the curves have changed
+        if (distance == 0.0 || distance > kMaxMoveOfFrame) { // if it is 0, only the curves have changed
             continue;
         }
         for (PlotCursor::Label &label : cursor.labels) {
@@ -437,7 +438,7 @@ void keepPlaces(std::vector<PlotCursor> &cursors, std::span<const PlotCursor> be
                 return label.dot && other.dot && other.colour == label.colour && !other.place.isEmpty();
             });
             if (same != old->labels.end()) {
-                label.lastPlace = same->place.translated(-anchorOf(*old, *same));
+                label.previousPlace = same->place.translated(-anchorOf(*old, *same));
             }
         }
     }
@@ -453,10 +454,10 @@ void paintCursors(QPainter &painter, std::span<const PlotCursor> cursors, const 
     const double radius = dotRadius(font);
     painter.setFont(font);
     for (const PlotCursor &cursor : cursors) {
-        painter.setOpacity(cursor.isLight ? kLightOpacity : 1.0);
+        painter.setOpacity(cursor.followsPointer ? kLightOpacity : 1.0);
         const double x = cursor.x + kPixelCentre;
         painter.setPen(QPen(colours.cursor, kLineWidth, Qt::SolidLine, Qt::FlatCap));
-        painter.drawLine(QLineF(x, axes.top(), x, axes.bottom())); // a rectangle may vanish in a preview
+        painter.drawLine(QLineF(x, axes.top(), x, axes.bottom())); // a thin rectangle may vanish in a preview
         painter.setOpacity(1.0);
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setPen(colours.background); // separates a dot from its curve

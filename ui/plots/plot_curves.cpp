@@ -293,10 +293,10 @@ PlotCurve PlotFigure::errorCurve(std::size_t channel) const
         };
     }
     const std::vector<double> &values = (*m_errors)[channel].values;
-    const auto isSeen = [this](double error) {
+    const auto isVisibleError = [this](double error) {
         return m_settings.logarithmicError ? std::isfinite(error) : error > 0.0;
     };
-    if (hasFile || std::ranges::any_of(values, isSeen)) { // pinned motions without any difference have no curve
+    if (hasFile || std::ranges::any_of(values, isVisibleError)) { // pinned motions without any difference have no curve
         curve.points = decimate(m_errors->time().first(values.size()), values, timeRange(), m_columns);
     }
     return curve;
@@ -311,8 +311,8 @@ PlotCurve PlotFigure::roundingCurve(std::size_t channel) const
     curve.dashes = kRoundingDashes;
     curve.points = decimate(m_errors->time(), errors.reference, timeRange(), m_columns);
     for (CurvePoint &point : curve.points) {
-        const double half = 0.5 * errors.series->rounding.stepAt(point.value);
-        point.value = m_errors->error(channel, point.value + half, point.value);
+        const double halfStep = 0.5 * errors.series->rounding.stepAt(point.value);
+        point.value = m_errors->error(channel, point.value + halfStep, point.value);
     }
     return curve;
 }
@@ -405,7 +405,7 @@ ReadTime PlotFigure::readTime(double t) const
     return {row ? m_result->reference->data.time[*row] : model().nearestTime(t), row};
 }
 
-/// Returns the row of the file that is nearest to that time, or nullopt if there is no file or it does not reach there.
+/// Returns the row of the file that is nearest to that time, or nullopt if there is no file or the time is outside it.
 std::optional<std::size_t> PlotFigure::nearestRow(double t) const
 {
     if (!m_result->reference) {
@@ -415,16 +415,17 @@ std::optional<std::size_t> PlotFigure::nearestRow(double t) const
     return t >= time.front() && t <= time.back() ? std::optional(nearestIndex(time, t)) : std::nullopt;
 }
 
-/// Returns the value of the model. Besides its time steps, a sampled motion is known at the rows of the file.
+/// Returns the value of the model at the nearest time at which it is known. A sampled motion is known at its time steps
+/// and at the rows of the file.
 CurvePoint PlotFigure::modelPoint(std::size_t channel, const ReadTime &time) const
 {
     const double nearest = model().nearestTime(time.t);
     // At the file's time stamps only the channels of the file are sampled.
     const std::vector<double> &sampled = m_result->atReference[kPlottedChannels[channel]];
     if (time.row && *time.row < sampled.size()) {
-        const double ofRow = m_result->reference->data.time[*time.row];
-        if (std::abs(ofRow - time.t) <= std::abs(nearest - time.t)) {
-            return {ofRow, sampled[*time.row]};
+        const double timeOfRow = m_result->reference->data.time[*time.row];
+        if (std::abs(timeOfRow - time.t) <= std::abs(nearest - time.t)) {
+            return {timeOfRow, sampled[*time.row]};
         }
     }
     return {nearest, model().value(channel, nearest)};
@@ -468,7 +469,7 @@ static std::optional<double> drawnValue(const std::vector<CurvePoint> &points, d
 std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, const QStringList &headings) const
 {
     constexpr double kRoundingError = 1e-9; // fraction of the length of the axis
-    constexpr double kPixel = 1.0;          // by which a dot on the edge may be beside it
+    constexpr double kPixel = 1.0;          // px by which a dot on the edge of the axes may lie outside
     const Plot &plot = m_plots[index];
     if (!plot.values || !timeRange().contains(time)) {
         return std::nullopt;
@@ -500,7 +501,7 @@ std::optional<PlotCursor> PlotFigure::cursorAt(std::size_t index, double time, c
     return cursor;
 }
 
-/// Adds points of the straight line from one point to another, both in px. The first one is left out.
+/// Adds points of the straight line from one point (left out) to another, both in px, `spacing` (px) apart.
 static void addLine(std::vector<QPointF> &points, QPointF from, QPointF to, double spacing)
 {
     const double steps = std::ceil(std::max(std::abs(to.x() - from.x()), std::abs(to.y() - from.y())) / spacing);
@@ -509,7 +510,7 @@ static void addLine(std::vector<QPointF> &points, QPointF from, QPointF to, doub
     }
 }
 
-/// Adds the points of the plot's curves on both sides of the cursor, and between them where a curve is steep.
+/// Adds to the cursor closely spaced points of the plot's curves on both sides of its line.
 void PlotFigure::addCurvesBeside(PlotCursor &cursor, const Plot &plot) const
 {
     const double reach = curveReach(m_fonts.tick);
@@ -531,7 +532,7 @@ void PlotFigure::addCurvesBeside(PlotCursor &cursor, const Plot &plot) const
             }
             const double y = std::clamp(plot.valueAxis->coordToPixel(point.value), axes.top(), axes.bottom());
             const QPointF place(plot.timeAxis->coordToPixel(point.t), y);
-            addLine(cursor.curves, previous[i].value_or(place - QPointF(spacing, 0.0)), place, spacing);
+            addLine(cursor.curvePoints, previous[i].value_or(place - QPointF(spacing, 0.0)), place, spacing);
             previous[i] = place;
         }
     }

@@ -29,7 +29,7 @@ protected:
         if (painter->device()->devType() == QInternal::Picture) { // an export: the corners of the line are joined
             return QCPGraph::drawLinePlot(painter, points);
         }
-        constexpr double kEndless = 1e9;
+        constexpr double kEndless = 1e9;     // line widths
         constexpr double kMinSegment = 1e-3; // px
         QPen pen = painter->pen();
         const QVector<double> dashes = pen.style() == Qt::SolidLine ? QVector<double>{kEndless} : pen.dashPattern();
@@ -40,7 +40,7 @@ protected:
             const QLineF line(points[i - 1], points[i]);
             const double length = line.length();
             double from = 0.0;
-            while (length - from > kMinSegment) { // not if a value is NaN
+            while (length - from > kMinSegment) { // false if the length is NaN
                 const double to = std::min(from + remaining, length);
                 if (dash % 2 == 0) {
                     segments << QLineF(line.pointAt(from / length), line.pointAt(to / length));
@@ -121,7 +121,7 @@ double NumberTicker::getTickStep(const QCPRange &range)
         m_step = std::max(1.0, m_step);
     } else if (const double step = m_step * unit; mTickCount > 1 && std::floor((range.upper - mTickOrigin) / step) <=
                                                                         std::ceil((range.lower - mTickOrigin) / step)) {
-        // A single tick shows no scale. 1, 2 and 5 are at least this fraction of 2, 5 and 10.
+        // A single tick shows no scale. In the series 1, 2, 5, 10, each number is at least this fraction of the next.
         constexpr double kToNextSmaller = 0.4;
         m_step = nextRoundNumber(kToNextSmaller * m_step);
     }
@@ -184,7 +184,7 @@ void PlotDrawing::drawInto(QPaintDevice &device)
 
 void PlotDrawing::paint(QPainter &painter, const QSize &size)
 {
-    // QCustomPlot draws only with its own class of painter, so the drawing is recorded and replayed with any painter.
+    // QCustomPlot draws only with a QCPPainter. The drawing is recorded with one and replayed with the given painter.
     const QPaintEngine *engine = painter.paintEngine();
     const bool isVector = engine && (engine->type() == QPaintEngine::SVG || engine->type() == QPaintEngine::Pdf);
     QPicture recording;

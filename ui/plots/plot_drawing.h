@@ -44,7 +44,7 @@ protected:
     QString getTickLabel(double tick, const QLocale &locale, QChar format, int precision) override;
 
 private:
-    double m_step = 1.0;
+    double m_step = 1.0;              ///< from tick to tick, in units of the labels
     int m_digits = 6;                 ///< significant digits of the labels
     std::optional<int> m_commonPower; ///< exponent of the power of ten that all labels have
     bool m_isPartOfTurn = false;      ///< whether the step is a part or a multiple of a turn
@@ -75,7 +75,7 @@ public:
     QCPGraph *addCurve(QCPAxisRect *axes, std::span<const CurvePoint> points);
 
 private:
-    void updateLayout() override {} ///< called by QCustomPlot whenever it draws; layOut() is enough
+    void updateLayout() override {} ///< QCustomPlot calls it whenever it draws, but layOut() is enough
 };
 
 } // namespace slidercrank

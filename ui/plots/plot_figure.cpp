@@ -40,7 +40,7 @@ int lineHeight(const QFont &font)
 
 /// Clips the curve to the axes, inserts the points that are missing on a device whose smallest detail is `detail` (px),
 /// and removes the points that make no visible difference. The curve is then off by less than a third of the detail.
-void fit(PlotCurve &curve, const Interval &time, const Interval &values, const QSize &axes, double detail)
+void fitToAxes(PlotCurve &curve, const Interval &time, const Interval &values, const QSize &axes, double detail)
 {
     constexpr double kScreenDetail = 1.0; // px: a curve has points for details of this size, but not for smaller ones
     constexpr double kInsertTolerance = 0.1; // details
@@ -63,9 +63,9 @@ void fit(PlotCurve &curve, const Interval &time, const Interval &values, const Q
     curve.points = withoutNeedlessPoints(curve.points, kRemoveTolerance * detail * pixel);
 }
 
-/// Returns the number of plots side by side: two for the six plots of the motion and for four plots, whose rows are
-/// then complete, otherwise at most three. If these are more than `maxColumns`, up to three plots are one below the
-/// other, and more have that many columns.
+/// Returns the number of plots side by side. It is two for the six plots of the motion and for any four plots, so that
+/// their rows are complete, and otherwise at most three. If it exceeds `maxColumns`, up to three plots are placed one
+/// below the other, and more plots in `maxColumns` columns.
 std::size_t columnsFor(const std::vector<std::size_t> &plots, std::size_t maxColumns)
 {
     constexpr std::size_t kPair = 2;
@@ -79,8 +79,8 @@ std::size_t columnsFor(const std::vector<std::size_t> &plots, std::size_t maxCol
     return count <= kPlotColumns ? 1 : maxColumns;
 }
 
-/// Returns whether the last row of the figure has fewer plots than the others. Then every plot has numbers on its time
-/// axis, and space for them below it.
+/// Returns whether the last row of the figure has fewer plots than the other rows. Then every plot has numbers on its
+/// time axis, and space for them below it.
 bool isLastRowShort(const PlotStyle &style)
 {
     return style.plots.size() % columnsFor(style.plots, style.maxColumns) != 0;
@@ -253,7 +253,7 @@ void PlotFigure::drawCurves(Plot &plot)
 {
     const Interval values = plot.values.value_or(Interval());
     for (PlotCurve &curve : plot.curves) {
-        fit(curve, timeRange(), values, plot.axes->size(), m_style.detail);
+        fitToAxes(curve, timeRange(), values, plot.axes->size(), m_style.detail);
         const QPen pen = addCurve(plot, curve);
         if (std::ranges::none_of(m_legend, [&](const auto &entry) { return entry.first == curve.name; })) {
             m_legend.emplace_back(curve.name, pen);
@@ -377,7 +377,8 @@ void PlotFigure::setTimeScale()
     const double minTickDistance = labelWidth + kLabelDistance;
     setDistance(axesWidth < 2.0 * kMinTickDistance ? minTickDistance : std::max(kMinTickDistance, minTickDistance));
     const QString title = isOverAngle() ? QStringLiteral("θ₂ [%1]").arg(shownUnit(Measure::Angle)) : "t [s]";
-    const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0'); // until a value has more, no axis moves
+    // While no number of a value axis has more than kUsualDigits digits, the axes stay where they are.
+    const int valueWidth = kUsualDigits * metrics.horizontalAdvance(u'0');
     const QMargins minMargins(valueWidth + kTickLength + kLabelGap, 0, labelWidth / 2 + kMarginBesideLabel, 0);
     for (const std::size_t index : plots()) {
         const bool hasLabels = m_plots[index].hasTimeLabels;
@@ -486,7 +487,8 @@ QStringList PlotFigure::titles(std::size_t index) const
 QPen PlotFigure::addCurve(const Plot &plot, const PlotCurve &curve)
 {
     const QColor colour = m_colours.*curve.ink;
-    QPen pen(colour, curve.width * m_fonts.lineFactor, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin); // these draw fastest
+    // A flat cap and a round join are drawn fastest.
+    QPen pen(colour, curve.width * m_fonts.lineFactor, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin);
     if (!curve.dashes.empty()) {
         pen.setDashPattern(curve.dashes);
     }

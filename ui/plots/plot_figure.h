@@ -54,8 +54,8 @@ struct PlotCurve {
     Ink ink = &SeriesColours::model;
     std::vector<CurvePoint> points = {};
 
-    /// Returns the value for the cursor's label, in axis units, with its time: that of a row of the file, or of a time
-    /// step, may differ from the time that is read. Empty if the curve has no label.
+    /// Returns the value that a cursor shows, in axis units, and its time. This is that of the nearest row of the file
+    /// or time step if the curve has no value at the time of the cursor. Empty if a cursor shows no value.
     std::function<CurvePoint(const ReadTime &)> readout = {};
 
     /// Returns the exact value at a time, for drawing. Empty if the curve consists of samples.
@@ -78,7 +78,7 @@ struct Plot {
     QSharedPointer<NumberTicker> ticker;
     std::vector<PlotCurve> curves;
     std::optional<Interval> values;  ///< the range of the axis; nullopt if there are no values
-    QString note;                    ///< why something is missing
+    QString note;                    ///< says which values are missing, and why
     std::vector<QStaticText> titles; ///< variants of the title, the longest first
     std::size_t title = 0;           ///< index of the variant that is drawn
     bool hasTimeLabels = true;       ///< whether the time axis has numbers and a title
@@ -96,7 +96,7 @@ struct PlotReading {
 
 /// What an exported figure contains.
 struct FigureContent {
-    std::vector<std::size_t> plots = {};   ///< in their order; empty for all that can be shown
+    std::vector<std::size_t> plots = {};   ///< numbers of the plots, in order; empty for all that can be shown
     std::optional<double> cursorTime = {}; ///< s; the values at this time are written beside a line
     std::optional<Interval> time = {};     ///< s, the time range; nullopt for that of the screen
 };
@@ -106,9 +106,9 @@ struct PlotStyle {
     std::vector<std::size_t> plots;
     QFont font = {};
     QPalette palette = {};
-    std::size_t maxColumns = kPlotColumns; ///< plots side by side; where they are fewer, errors follow the motions
+    std::size_t maxColumns = kPlotColumns; ///< side by side; below kPlotColumns, the errors follow the motions
     double detail = 1.0;                   ///< size (px) of the smallest detail that the device shows
-    QString comparedWith{};                ///< the pinned motion whose differences are shown; empty for those of a file
+    QString comparedWith{};                ///< name of the pinned motion that is compared; may be empty
     bool isOfFile = false;                 ///< whether the errors are those of a file
     ErrorMeasure error = ErrorMeasure::OfPeak;
     Notation notation = slidercrank::notation(); ///< of the titles and axes
@@ -166,8 +166,8 @@ public:
     const std::vector<std::size_t> &plots() const { return m_style.plots; }
     const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }
 
-    /// Returns the time nearest to t at which all curves have values: a time stamp of the file or, if the motion is
-    /// sampled, a time step.
+    /// Returns the time nearest to t at which all curves have values: a time stamp of the file or, without one, a time
+    /// step if the motion is sampled.
     ReadTime readTime(double t) const;
 
     /// Returns the values of a plot that is shown, in the order of the legend.
@@ -259,7 +259,7 @@ private:
     std::optional<ShownMotion> m_model; ///< nullopt before setResult()
 
     // Computed for the time range and the pixels of the plots.
-    std::size_t m_columns = 1; ///< number of columns of details (about a pixel) in a plot
+    std::size_t m_columns = 1; ///< width of a plot in details (PlotStyle::detail)
     std::optional<MotionErrors> m_errors;
     std::array<Plot, kPlotCount> m_plots;
 
@@ -267,7 +267,7 @@ private:
     PlotFonts m_fonts;
     SeriesColours m_colours;
     std::vector<std::pair<QString, QPen>> m_legend;
-    QMap<QString, QStaticText> m_names; ///< in the legend, laid out
+    QMap<QString, QStaticText> m_names; ///< names of the curves in the legend, laid out
     QCPMarginGroup *m_margins;
     QSharedPointer<NumberTicker> m_timeTicker;
 };

@@ -153,7 +153,7 @@ void PlotGrid::refreshIfStale()
 
 void PlotGrid::refresh()
 {
-    requestRefresh();
+    requestRefresh(); // the panes stay transparent until there is a new picture
     compose({.plots = plotsToShow(m_maximized), .font = font(), .palette = palette()}, size());
     m_picture = QPixmap();
     for (std::size_t index = 0; index < kPlotCount; ++index) {
@@ -168,11 +168,11 @@ void PlotGrid::refresh()
     for (QAction *choice : m_errorChoices) {
         choice->setVisible(hasErrors());
     }
-    const bool isAlone = !result()->isCompared() && !m_maximized && !isPresentation();
+    const bool needsHint = !result()->isCompared() && !m_maximized && !isPresentation();
     constexpr int kGap = 12; // px, to the edge of the figure
     const int hintWidth = m_hint->sizeHint().width();
     m_hint->setGeometry(width() - hintWidth - kGap, 0, hintWidth, m_legendSize.height());
-    m_hint->setVisible(isAlone && m_legendSize.width() < m_hint->x());
+    m_hint->setVisible(needsHint && m_legendSize.width() < m_hint->x());
     placeCursors();
     update();
 }
@@ -201,7 +201,7 @@ std::vector<PlotCursor> PlotGrid::cursors(std::size_t plot)
         }
         std::optional<PlotCursor> atPointer = cursorAt(plot, hovered.t, headings);
         if (atPointer) {
-            atPointer->isLight = true;
+            atPointer->followsPointer = true;
         }
         add(std::move(atPointer));
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The figure of the reference report as a widget: three rows (position, velocity, acceleration) and three
-// columns (θ³, Rₓ⁴, error), with one legend, one time range and one time cursor for all nine plots. Without a reference
-// there are no errors, and the other six plots fill the figure.
+// The figure of the reference report as a widget: three rows (position, velocity, acceleration) and three columns (θ³,
+// Rₓ⁴, error), with one legend, one time range and one time cursor for all nine plots. Where nothing is compared there
+// are no errors, and the other six plots fill the figure.
 //
 // A left drag zooms into the box that it draws. A flat box zooms only the time, a narrow one only the values. Dragging
 // with Shift or with the middle button pans. The wheel zooms the time, or over a value axis the values.
@@ -107,7 +107,7 @@ private:
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
     QList<QAction *> m_errorChoices; ///< the actions about errors, which are hidden where nothing is compared
-    QLabel *m_hint;                  ///< how to compare with a file; to the right of the legend
+    QLabel *m_hint;                  ///< says how to compare with a file; to the right of the legend
     std::optional<std::size_t> m_maximized;
     std::optional<std::size_t> m_hovered;    ///< the plot under the pointer
     double m_hoverTime = 0.0;                ///< s

@@ -91,10 +91,10 @@ void PlotGrid::mousePressEvent(QMouseEvent *event)
     if (!plot || !(isLeft || event->button() == Qt::MiddleButton)) {
         return;
     }
-    endDrag(); // begun with another button, or its release was not received
+    endDrag(); // a drag with another button, or one whose release was not received
     const bool isPan = !isLeft || event->modifiers().testFlag(Qt::ShiftModifier);
     m_drag = Drag{.plot = *plot, .isPan = isPan, .start = event->pos(), .last = event->pos(), .before = zoom()};
-    m_hovered.reset(); // until the pointer moves over the new axes
+    m_hovered.reset(); // until the pointer moves again
 }
 
 void PlotGrid::mouseMoveEvent(QMouseEvent *event)
@@ -119,7 +119,7 @@ void PlotGrid::drag(const QPoint &to)
         return;
     }
     grabKeyboard(); // so that Escape reaches this widget
-    const QPointF movement = coordinates(plot, m_drag->last) - coordinates(plot, to); // of the axes
+    const QPointF movement = coordinates(plot, m_drag->last) - coordinates(plot, to); // time (s) and value
     m_drag->last = to;
     if (m_drag->isPan) {
         setCursor(Qt::ClosedHandCursor);
@@ -152,13 +152,13 @@ void PlotGrid::mouseReleaseEvent(QMouseEvent *event)
         m_timeBeforeClick = m_time;
         emit timeRequested(readTime(coordinates(drag.plot, event->pos()).x()).t);
     } else if (drag.hasMoved && box.isValid()) {
-        const QPointF first = coordinates(drag.plot, box.bottomLeft());
-        const QPointF last = coordinates(drag.plot, box.topRight());
+        const QPointF lowerLeft = coordinates(drag.plot, box.bottomLeft());
+        const QPointF upperRight = coordinates(drag.plot, box.topRight());
         if (box.width() < axes.width()) {
-            zoomTime({first.x(), last.x()});
+            zoomTime({lowerLeft.x(), upperRight.x()});
         }
         if (box.height() < axes.height() && shownPlot(drag.plot).values) {
-            zoomValues(drag.plot, {first.y(), last.y()});
+            zoomValues(drag.plot, {lowerLeft.y(), upperRight.y()});
         }
     }
 }
@@ -198,7 +198,8 @@ void PlotGrid::leaveEvent(QEvent *)
     moveCursors();
 }
 
-/// Handles the keys of the plot that has the focus or is being dragged. + and − zoom about the current time.
+/// Handles the keys of the plot that has the focus or is being dragged. + and − zoom about the current time or, if it
+/// is not shown, about the middle.
 void PlotGrid::keyPressEvent(QKeyEvent *event)
 {
     constexpr double kZoomPerKey = 0.7; // factor of the visible range

@@ -21,8 +21,8 @@ PlotPane::PlotPane(const QPixmap &picture, QWidget *figure)
 void PlotPane::setCursors(std::vector<PlotCursor> cursors, const QRect &axes)
 {
     const QRect before = m_paintedArea;
-    if (axes == m_axes) { // otherwise the line has moved because the axes have, and not in an animation
-        keepPlaces(cursors, m_cursors);
+    if (axes == m_axes) { // otherwise the line has moved with the axes and not in an animation
+        setPreviousPlaces(cursors, m_cursors);
     }
     m_axes = axes;
     m_cursors = std::move(cursors);

@@ -132,7 +132,7 @@ private slots:
         chart.show();
         settle();
         const QPointF place = chart.positionOf({0, 2});
-        QCOMPARE(chart.pointAt(place + QPointF(3.0, 3.0)), std::optional(Chart::Place{0, 2}));
+        QCOMPARE(chart.pointAt(place + QPointF(3.0, 3.0)), std::optional(Chart::PointIndex{0, 2}));
         QVERIFY(!chart.pointAt(place + QPointF(15.0, 15.0)));
         QVERIFY(!chart.pointAt(chart.positionOf({1, 0}))); // has no mark
         QTest::mouseMove(&chart, place.toPoint());

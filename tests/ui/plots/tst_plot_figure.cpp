@@ -811,13 +811,14 @@ private slots:
             std::vector<PlotCursor> before;
             for (int frame = 0; frame <= kFrames; ++frame) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, static_cast<double>(frame) / kFrames, {})};
-                keepPlaces(cursors, before);
+                setPreviousPlaces(cursors, before);
                 placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick,
                             CrowdedLabelPolicy::CoverLeast);
                 for (const PlotCursor::Label &label : cursors.front().labels) {
                     const QPointF fromDot = label.place.center() - anchorOf(cursors.front(), label);
                     ++values;
-                    jumps += label.lastPlace && QLineF(label.lastPlace->center(), fromDot).length() > kJump ? 1 : 0;
+                    jumps +=
+                        label.previousPlace && QLineF(label.previousPlace->center(), fromDot).length() > kJump ? 1 : 0;
                 }
                 before = cursors;
             }

@@ -248,14 +248,15 @@ private slots:
                 QTest::mouseMove(&shown.pane(kAngle), shown.at(kAngle, part));
                 settle();
                 for (const PlotPane *pane : shown.grid.findChildren<PlotPane *>()) {
-                    QVERIFY(pane->cursors().size() == 2 && pane->cursors()[1].isLight && !pane->cursors()[0].isLight);
+                    QVERIFY(pane->cursors().size() == 2 && pane->cursors()[1].followsPointer &&
+                            !pane->cursors()[0].followsPointer);
                     QCOMPARE(pane->cursors()[1].labels.size(), std::size_t(pane == &shown.pane(kAngle) ? 4 : 2));
                     for (const PlotCursor &cursor : pane->cursors()) {
                         for (const PlotCursor::Label &label : cursor.labels) {
-                            const bool isCovered = !cursor.isLight && label.text.text().isEmpty();
+                            const bool isCovered = !cursor.followsPointer && label.text.text().isEmpty();
                             QVERIFY(isCovered || QRectF(pane->rect()).contains(label.place));
                             for (const PlotCursor::Label &light : pane->cursors()[1].labels) {
-                                QVERIFY(cursor.isLight || !label.place.intersects(light.place));
+                                QVERIFY(cursor.followsPointer || !label.place.intersects(light.place));
                             }
                         }
                     }
@@ -267,7 +268,7 @@ private slots:
             }
             shown.drag(kAngle, shown.at(kAngle, 0.4),
                        shown.at(kAngle, 0.6)); // zooms: then the pointer is at a different time
-            QVERIFY(std::ranges::none_of(shown.pane(kAngle).cursors(), &PlotCursor::isLight));
+            QVERIFY(std::ranges::none_of(shown.pane(kAngle).cursors(), &PlotCursor::followsPointer));
             shown.grid.showAll();
             settle();
             QEvent leave(QEvent::Leave);
