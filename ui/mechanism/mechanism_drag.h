@@ -30,10 +30,11 @@ public:
     std::optional<Parameter> length() const { return m_length; }
     double lengthBefore() const; ///< at the beginning of the drag
 
-    /// Returns the length for a position of the pointer (px), a multiple of `grid` (a round number). Requires length().
+    /// Returns the length for a position of the pointer, rounded to a multiple of `grid` (a round number, mm). Requires
+    /// length().
     double lengthAt(QPointF pointer, double grid) const;
 
-    /// Returns the crank angle for a position of the pointer (px), up to whole turns. Requires !length().
+    /// Returns the crank angle for a position of the pointer, up to whole turns. Requires !length().
     double crankAngleAt(QPointF pointer);
 
 private:
@@ -46,11 +47,11 @@ private:
     QPointF m_start;     ///< the position of the pointer at the beginning
     QPointF m_direction; ///< unit vector; dragging in this direction increases the length
 
-    // A drag of the slider. Between two dead centres its position determines the crank angle. When the slider has
-    // reached a dead centre and comes back, the crank continues beyond the dead centre, as with a flywheel.
+    // A drag of the slider. Between two dead centres the position of the slider determines the crank angle. When the
+    // slider has reached a dead centre and comes back, the crank continues beyond the dead centre, as with a flywheel.
     std::optional<SliderStroke> m_stroke;
-    std::optional<CrankDirection> m_endReached; ///< counter-clockwise is the stroke's `to`, clockwise its `from`
-    QPointF m_grip;                             ///< from A or B to the pointer
+    std::optional<CrankDirection> m_endReached; ///< counter-clockwise: the stroke's `to`; clockwise: its `from`
+    QPointF m_grip;                             ///< vector from A or B to the pointer
 };
 
 } // namespace slidercrank

@@ -39,7 +39,7 @@ void MechanismDrawing::paint(QPainter &painter) const
     painter.setBrush(m_colours.grid);
     painter.drawRects(m_grid);
     painter.setRenderHint(QPainter::Antialiasing); // not of the grid, whose lines are whole pixels
-    // What is invisible is left out: some programs show a transparent shape of an SVG file in black.
+    // Invisible shapes are left out, because some programs show a transparent shape of an SVG file in black.
     for (const DrawnShape &shape : m_shapes) {
         const bool isFilled = shape.brush != Qt::NoBrush && shape.brush.color().alpha() > 0;
         if (isFilled || shape.pen.style() != Qt::NoPen) {
@@ -65,11 +65,12 @@ void MechanismDrawing::paint(QPainter &painter) const
 
 void MechanismDrawing::paintHighlight(QPainter &painter, DrawnPart part, const QColor &colour) const
 {
-    constexpr double kBeyondOutline = 5.0;
+    constexpr double kBeyondOutline = 5.0; // px, on both sides together
+    constexpr double kHighlightOpacity = 0.45;
     for (const DrawnShape &shape : m_shapes) {
         if (part != Background && shape.part == part && shape.pen.style() != Qt::NoPen) {
-            painter.strokePath(shape.path, QPen(withAlpha(colour, 0.45), shape.pen.widthF() + kBeyondOutline,
-                                                Qt::SolidLine, Qt::RoundCap));
+            painter.strokePath(shape.path, QPen(withAlpha(colour, kHighlightOpacity),
+                                                shape.pen.widthF() + kBeyondOutline, Qt::SolidLine, Qt::RoundCap));
         }
     }
 }
@@ -135,7 +136,8 @@ void MechanismDrawing::addDimension(QPointF from, QPointF to, const QColor &colo
 QSizeF MechanismDrawing::textSize(const QString &text, TextSize letters) const
 {
     const QFontMetricsF metrics(letters == TextSize::Small ? m_smallFont : m_font);
-    return {metrics.horizontalAdvance(text) + 4.0, metrics.height()};
+    constexpr double kSpaceBeside = 4.0; // px, on both sides together
+    return {metrics.horizontalAdvance(text) + kSpaceBeside, metrics.height()};
 }
 
 void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double gap, const QString &text,
@@ -160,7 +162,8 @@ void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double g
         const double larger = std::max(std::abs(away.x()), std::abs(away.y()));
         box.moveCenter(point + (gap + distance * box.height()) * away +
                        QPointF(0.5 * box.width() * away.x(), 0.5 * box.height() * away.y()) / larger);
-        const auto overlaps = std::ranges::count_if(m_occupied, [&](const QRectF &it) { return it.intersects(box); });
+        const auto overlaps =
+            std::ranges::count_if(m_occupied, [&](const QRectF &other) { return other.intersects(box); });
         const double cost = static_cast<double>(overlaps) + (inside.contains(box) ? 0.0 : kCostOutside);
         if (cost < lowestCost) {
             lowestCost = cost;
@@ -178,19 +181,23 @@ void MechanismDrawing::addLabelBeside(QPointF point, QPointF direction, double g
 
 void MechanismDrawing::addCornerLabel(int line, double indent, const QString &text)
 {
-    const QRectF box(QPointF(3.0 + indent, cornerLineTop(line)), textSize(text, TextSize::Small));
+    constexpr double kLeft = 3.0; // px
+    const QRectF box(QPointF(kLeft + indent, cornerLineTop(line)), textSize(text, TextSize::Small));
     m_labels.push_back({.text = text, .box = box, .ink = m_ink, .paper = m_paper, .isSmall = true});
 }
 
 double MechanismDrawing::cornerLineTop(int line) const
 {
-    return 6.0 + line * (textSize({}, TextSize::Small).height() + 2.0);
+    constexpr double kTop = 6.0;         // px
+    constexpr double kLineSpacing = 2.0; // px
+    return kTop + line * (textSize({}, TextSize::Small).height() + kLineSpacing);
 }
 
 void MechanismDrawing::avoid(const QLineF &line, double width)
 {
+    constexpr double kMinPiece = 3.0;     // px
     constexpr double kMaxPieces = 1000.0; // since an arrow can be much longer than the screen
-    const int pieces = 1 + static_cast<int>(std::min(kMaxPieces, line.length() / std::max(3.0, width)));
+    const int pieces = 1 + static_cast<int>(std::min(kMaxPieces, line.length() / std::max(kMinPiece, width)));
     for (int i = 0; i <= pieces; ++i) {
         QRectF box(0.0, 0.0, width, width);
         box.moveCenter(line.pointAt(static_cast<double>(i) / pieces));

@@ -29,7 +29,7 @@ inline constexpr double kBodyOutline = 1.6;   // bodies, joints
 inline constexpr double kArrowLine = 2.0;     // velocities, accelerations
 inline constexpr double kForbiddenLine = 3.0; // the angles that the crank does not reach
 
-/// How much of its colour a body is filled with.
+/// Share of the outline's colour in the colour that fills a body.
 inline constexpr double kBodyFill = 0.15;
 
 /// Half the width of the support of O2, and its height, px.
@@ -111,14 +111,14 @@ protected:
 
     /// Adds small text in the upper left corner. `line`: counted from 0; `indent`: px.
     void addCornerLabel(int line, double indent, const QString &text);
-    double cornerLineTop(int line) const;
+    double cornerLineTop(int line) const; ///< px, of a line in that corner
 
-    /// Labels added later do not overlap this rectangle.
+    /// Labels added later avoid the rectangle, the line of that width (px) or the surroundings of the point.
     void avoid(const QRectF &box) { m_occupied.push_back(box); }
     void avoid(const QLineF &line, double width);
     void avoidAround(QPointF centre, double radius); ///< px
 
-    /// Returns the colour mixed with the background.
+    /// Returns the colour mixed with the background. `share`: of the colour, 0 … 1.
     QColor faded(const QColor &colour, double share) const { return mixed(colour, m_paper, share); }
 
     SeriesColours m_colours;
@@ -127,7 +127,7 @@ protected:
     QColor m_muted; ///< text and lines of less importance
     QFont m_font;   ///< in pixels, so that text has the same size relative to the drawing on every device
     QFont m_smallFont;
-    QList<QRectF> m_grid; ///< thin rectangles, which Qt paints ten times as fast as smooth lines of width 1 or a path
+    QList<QRectF> m_grid; ///< lines as thin rectangles, which Qt paints ten times as fast as smooth lines or a path
     std::vector<DrawnShape> m_shapes;
     std::vector<Label> m_labels;
 

@@ -44,8 +44,8 @@ QRectF motionBounds(const Mechanism &mechanism, const MotionLimits &limits)
     const double a = mechanism.a();
     const double c = mechanism.c();
     Interval x{-a, a};
-    // The slider's extreme positions are its dead centres. The ends of a rocker's arcs need no space of their own:
-    // there the slider is at x = a cos θ2, within [-a, a].
+    // The slider's extreme positions are its dead centres. Where an oscillating crank reverses, the slider needs no
+    // further space, because it is at x = a cos θ2, within [-a, a].
     for (const std::optional<SliderPosition> &centre : {limits.outerDeadCentre, limits.innerDeadCentre}) {
         if (centre) {
             x.include(centre->R4x);
@@ -84,8 +84,8 @@ void MechanismFrame::fit(const QRectF &bounds)
 
 MechanismProjection MechanismFrame::projection(const QSizeF &size) const
 {
-    const QRectF nothing(-1.0, -1.0, 2.0, 2.0);
-    return projectionOnto(m_zoomed.value_or(m_fitted.isNull() ? nothing : m_fitted), size);
+    const QRectF defaultFrame(-1.0, -1.0, 2.0, 2.0); // mm
+    return projectionOnto(m_zoomed.value_or(m_fitted.isNull() ? defaultFrame : m_fitted), size);
 }
 
 void MechanismFrame::zoom(double factor, QPointF pixel, const QSizeF &size)
@@ -94,11 +94,13 @@ void MechanismFrame::zoom(double factor, QPointF pixel, const QSizeF &size)
     constexpr double kMinZoom = 0.05;
     constexpr double kMaxZoom = 100.0;
     const MechanismProjection now = projection(size);
-    const double whole = m_fitted.isNull() ? now.scale : projectionOnto(m_fitted, size).scale;
-    const double shrunk = now.scale / std::clamp(factor * now.scale, kMinZoom * whole, kMaxZoom * whole);
+    const double fittedScale = m_fitted.isNull() ? now.scale : projectionOnto(m_fitted, size).scale;
+    const double sizeFactor =
+        now.scale / std::clamp(factor * now.scale, kMinZoom * fittedScale, kMaxZoom * fittedScale);
     const QPointF fixed = now.toModel(pixel);
     const QRectF visible = now.visible();
-    m_zoomed = QRectF(fixed + shrunk * (visible.topLeft() - fixed), fixed + shrunk * (visible.bottomRight() - fixed));
+    m_zoomed =
+        QRectF(fixed + sizeFactor * (visible.topLeft() - fixed), fixed + sizeFactor * (visible.bottomRight() - fixed));
 }
 
 void MechanismFrame::pan(QPointF pixels, const QSizeF &size)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The part of the plane that a drawing of the mechanism shows. The frame does not move while the mechanism moves. While
-// lengths change, it follows in coarse steps; when they no longer change, it is fitted to them. If the user has zoomed,
-// it does not change at all.
+// The frame is the part of the plane that a drawing of the mechanism shows. It does not move while the mechanism moves.
+// While lengths change, the frame follows in coarse steps; when they no longer change, it is fitted to them. Once the
+// user has zoomed, the frame does not change at all.
 //
 // Model coordinates: mm, x to the right, y upwards, O2 at the origin. A rectangle of the model has its smallest y at
 // top().
@@ -52,7 +52,7 @@ public:
     /// Returns the projection that shows the whole frame, centred, in a drawing of that size (pixels).
     MechanismProjection projection(const QSizeF &size) const;
 
-    /// Zoom or pan in a drawing of the size `size` (px). A zoom does not move the point under `pixel`.
+    /// Zoom a drawing of the size `size` (px) about the point under `pixel`, or move it by `pixels`.
     void zoom(double factor, QPointF pixel, const QSizeF &size);
     void pan(QPointF pixels, const QSizeF &size);
 

@@ -22,6 +22,7 @@ namespace slidercrank
 namespace
 {
 
+// Sizes, px.
 constexpr double kCrankWidth = 10.5;
 constexpr double kCouplerWidth = 8.0;
 constexpr double kJointRadius = 6.0;  // covers the ends of the links
@@ -45,7 +46,7 @@ void MechanismSketch::addLinkage()
     }
     avoidScenery();
     addModel();
-    if (m_exists) {
+    if (m_poseExists) {
         addMotion();
     }
     if (m_scene->settings.names) {
@@ -53,7 +54,7 @@ void MechanismSketch::addLinkage()
     }
     addGhost();
     addMarkedPose();
-    if (!m_exists) {
+    if (!m_poseExists) {
         addMissingCoupler();
         if (!hasProblemInLegend()) {
             addAssemblyProblem();
@@ -65,9 +66,9 @@ void MechanismSketch::addLinkage()
 /// offset, and adds the captions of the dead centres.
 void MechanismSketch::avoidScenery()
 {
-    constexpr double kHeightOfGround = 24.0; // px, with the hatching
-    constexpr double kUsualLegendWidth = 240.0;
-    constexpr double kBesideOffset = 24.0; // px, for the letter c beside the dimension of the offset
+    constexpr double kHeightOfGround = 24.0;    // px, with the hatching
+    constexpr double kUsualLegendWidth = 240.0; // px
+    constexpr double kBesideOffset = 24.0;      // px, for the letter c beside the dimension of the offset
     avoid(QRectF(m_O2 - QPointF(kSupportSize, 0.0), QSizeF(2.0 * kSupportSize, kHeightOfGround)));
     avoid(rail());
     // The marks are rectangles of their own: where there is no free place, a label crosses a mark, which is thin,
@@ -103,7 +104,7 @@ void MechanismSketch::addMotion()
         addInstantCentre();
     }
     if (settings.dimensions) {
-        addLengths();
+        addLengthLetters();
     }
     if (settings.angles) {
         addAngle("θ₂", {m_O2, m_A}, degreesFromZero(m_scene->pose.motion.theta2) / kDegreesPerRadian, kLargestCrankArc);
@@ -126,7 +127,8 @@ void MechanismSketch::addCouplerAngle()
 void MechanismSketch::addLink(QPointF from, QPointF to, double width, const QColor &colour, DrawnPart part)
 {
     addLine(from, to, QPen(colour, width, Qt::SolidLine, Qt::FlatCap), part);
-    addLine(from, to, QPen(faded(colour, 0.3), width - 2.0 * kBodyOutline, Qt::SolidLine, Qt::FlatCap));
+    constexpr double kLinkFill = 0.3; // share of the outline's colour
+    addLine(from, to, QPen(faded(colour, kLinkFill), width - 2.0 * kBodyOutline, Qt::SolidLine, Qt::FlatCap));
 }
 
 void MechanismSketch::addJoint(QPointF centre, const QColor &edge, DrawnPart part)
@@ -136,10 +138,10 @@ void MechanismSketch::addJoint(QPointF centre, const QColor &edge, DrawnPart par
 
 void MechanismSketch::addModel()
 {
-    constexpr double kAroundPin = 14.0; // A is dragged most often, so the empty area around it reacts, too
-    const QColor &link = m_exists ? m_colours.model : m_colours.warning;
+    constexpr double kAroundPin = 14.0; // px: A is dragged most often, so the empty area around it reacts, too
+    const QColor &link = m_poseExists ? m_colours.model : m_colours.warning;
     addCircle(m_A, kAroundPin, Qt::NoPen, Qt::transparent, A);
-    if (m_exists) {
+    if (m_poseExists) {
         const QPainterPath slider = sliderPath(m_B);
         add(slider, QPen(m_ink, kBodyOutline), faded(m_ink, kBodyFill), Slider);
         avoid(slider.boundingRect());
@@ -152,16 +154,18 @@ void MechanismSketch::addModel()
     }
     addLink(m_O2, m_A, kCrankWidth, link, Crank);
     addJoint(m_O2, m_ink, O2);
-    if (m_exists) {
+    if (m_poseExists) {
         addCircle(0.5 * (m_A + m_B), kCentreRadius, QPen(m_ink, kHairline), m_ink, G3);
         addJoint(m_B, m_ink, B);
     }
-    addJoint(m_A, m_exists ? m_ink : link, A);
+    addJoint(m_A, m_poseExists ? m_ink : link, A);
 }
 
-/// Adds the circle that B can reach and its distance from the slider's line.
+/// Adds the circle of radius b about A, which B can reach, and the gap between the circle and the slider's line.
 void MechanismSketch::addMissingCoupler()
 {
+    constexpr double kLabelGap = 8.0; // px
+    constexpr int kGapDigits = 4;     // significant digits
     const QPointF pin = m_scene->crankPin();
     if (!std::isfinite(pin.x())) {
         return;
@@ -170,8 +174,8 @@ void MechanismSketch::addMissingCoupler()
     const double nearest = pin.y() + std::copysign(mechanism().b(), mechanism().c() - pin.y());
     const QLineF gap(toPixels({pin.x(), nearest}), toPixels({pin.x(), mechanism().c()}));
     addDimension(gap.p1(), gap.p2(), m_colours.warning);
-    addLabelBeside(gap.center(), {1.0, 0.0}, 8.0,
-                   tr("gap = %1").arg(lengthText(std::abs(mechanism().c() - nearest), 4)), m_ink);
+    addLabelBeside(gap.center(), {1.0, 0.0}, kLabelGap,
+                   tr("gap = %1").arg(lengthText(std::abs(mechanism().c() - nearest), kGapDigits)), m_ink);
 }
 
 /// Returns the reason why the mechanism cannot be assembled and what would help. A line does not end within an
@@ -242,7 +246,7 @@ void MechanismSketch::addGhost()
     if (!ghost.exists) {
         return;
     }
-    constexpr double kOccupiedWidth = 2.0; // px, where labels do not stand
+    constexpr double kOccupiedWidth = 2.0; // px
     constexpr double kLabelGap = 22.0;     // px from the slider
     const bool isFile = !m_scene->result->difference;
     const std::size_t pinnedCount = m_scene->result->pinned.size();

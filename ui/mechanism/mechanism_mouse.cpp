@@ -60,7 +60,7 @@ void MechanismView::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Return:
     case Qt::Key_Enter: emit fullWindowToggleRequested(); break;
     case Qt::Key_Escape:
-        if (!m_pressed && m_pointed == DrawnPart::Background) {
+        if (!m_pressed && m_pointedPart == DrawnPart::Background) {
             QWidget::keyPressEvent(event); // the window handles it
             break;
         }
@@ -84,7 +84,7 @@ void MechanismView::mousePressEvent(QMouseEvent *event)
         .drag = std::nullopt, .button = event->button(), .start = pixel, .last = pixel, .time = m_scene.pose.time};
     if (isLeft) {
         pointAt(partUnder(pixel), event->modifiers());
-        m_pressed->drag = MechanismDrag::begin(m_scene, m_pointed, withShift, projection().toModel(pixel));
+        m_pressed->drag = MechanismDrag::begin(m_scene, m_pointedPart, withShift, projection().toModel(pixel));
     }
     if (m_pressed->drag && m_pressed->drag->length()) {
         emit dragBegan();
@@ -115,7 +115,9 @@ void MechanismView::mouseMoveEvent(QMouseEvent *event)
     const QPointF pointer = projection().toModel(pixel);
     if (const std::optional<Parameter> length = m_pressed->drag->length()) {
         // Lengths are multiples of a round number, about one pixel or, with Control, much less.
-        const double pixels = event->modifiers().testFlag(Qt::ControlModifier) ? 0.02 : 1.0;
+        constexpr double kUsualStep = 1.0; // px
+        constexpr double kFineStep = 0.02; // px
+        const double pixels = event->modifiers().testFlag(Qt::ControlModifier) ? kFineStep : kUsualStep;
         emit lengthRequested(*length, m_pressed->drag->lengthAt(pointer, nextRoundNumber(pixels / projection().scale)));
     } else {
         goToCrankAngle(m_pressed->drag->crankAngleAt(pointer));
@@ -132,10 +134,10 @@ void MechanismView::mouseReleaseEvent(QMouseEvent *event)
     }
     const bool isClick = !m_pressed->hasMoved && event->button() == Qt::LeftButton;
     endDrag();
-    if (isClick && (m_pointed == DrawnPart::OuterDeadCentre || m_pointed == DrawnPart::InnerDeadCentre)) {
+    if (isClick && (m_pointedPart == DrawnPart::OuterDeadCentre || m_pointedPart == DrawnPart::InnerDeadCentre)) {
         const MotionLimits &limits = m_scene.result->limits;
         goToCrankAngle(
-            (m_pointed == DrawnPart::OuterDeadCentre ? limits.outerDeadCentre : limits.innerDeadCentre)->theta2);
+            (m_pointedPart == DrawnPart::OuterDeadCentre ? limits.outerDeadCentre : limits.innerDeadCentre)->theta2);
     }
     const bool isInside = rect().contains(event->position().toPoint());
     pointAt(isInside ? partUnder(event->position()) : DrawnPart::Background, event->modifiers());
@@ -183,7 +185,7 @@ void MechanismView::endDrag()
     unsetCursor();
 }
 
-/// Ends the drag and restores the length or the time from before it.
+/// Ends the drag and restores the length or the time that was current before the drag.
 void MechanismView::cancelDrag()
 {
     if (!m_pressed || !m_pressed->drag) {
@@ -209,8 +211,8 @@ DrawnPart MechanismView::partUnder(QPointF pixel) const
 
 void MechanismView::pointAt(DrawnPart part, Qt::KeyboardModifiers modifiers)
 {
-    if (part != m_pointed) {
-        m_pointed = part;
+    if (part != m_pointedPart) {
+        m_pointedPart = part;
         m_note->hide();
         m_noteDelay->start();
         update();
@@ -218,14 +220,14 @@ void MechanismView::pointAt(DrawnPart part, Qt::KeyboardModifiers modifiers)
     setCursor(m_scene.result ? cursorOver(m_scene, part, modifiers.testFlag(Qt::ShiftModifier)) : Qt::ArrowCursor);
 }
 
-/// Points at the next part, or with -1 at the previous one, in the order of DrawnPart.
+/// Points at the next part that is drawn, or with -1 at the previous one, in the order of DrawnPart.
 void MechanismView::pointAtNext(int step)
 {
     constexpr auto kCount = static_cast<int>(enumeratorCount<DrawnPart::ForbiddenArc>());
     if (!m_scene.result || m_pressed) {
         return;
     }
-    DrawnPart part = m_pointed;
+    DrawnPart part = m_pointedPart;
     do {
         part = static_cast<DrawnPart>((static_cast<int>(part) + step + kCount) % kCount);
     } while (part != DrawnPart::Background && !m_scenery.has(part) && !linkage().has(part));

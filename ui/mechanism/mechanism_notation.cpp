@@ -18,7 +18,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kBesideJoint = 9.0;
+constexpr double kBesideJoint = 9.0; // px from a joint to its label
 
 /// Returns the radius (px) of the arc of a link's angle.
 double arcRadius(const QLineF &link, double largest)
@@ -84,19 +84,26 @@ QString instantCentreText(const InstantCentre &centre, const Mechanism &mechanis
 /// only in colour.
 void MechanismSketch::addArrow(QPointF tail, QPointF tip, const ArrowScale &arrows, Qt::PenStyle line)
 {
+    constexpr double kMinLength = 1.0;     // px
+    constexpr double kMaxHead = 10.0;      // px
+    constexpr double kHeadFraction = 0.6;  // of the length of a short arrow
+    constexpr double kBeyondLine = 0.9;    // part of the head beyond the end of the line
+    constexpr double kHollowStart = 0.3;   // of the head, from its tip to that of the hollow
+    constexpr double kHollowLength = 0.5;  // of the head
+    constexpr double kOccupiedWidth = 4.0; // px
     const double length = QLineF(tail, tip).length();
-    if (length < 1.0) {
+    if (length < kMinLength) {
         return;
     }
     const QPointF direction = (tip - tail) / length;
-    const double head = std::min(10.0, 0.6 * length);
+    const double head = std::min(kMaxHead, kHeadFraction * length);
     const QColor &colour = arrows.isOfVelocity() ? m_colours.velocity : m_colours.acceleration;
-    addLine(tail, tip - 0.9 * head * direction, QPen(colour, kArrowLine, line, Qt::FlatCap));
+    addLine(tail, tip - kBeyondLine * head * direction, QPen(colour, kArrowLine, line, Qt::FlatCap));
     addArrowHead(tip, direction, head, colour);
     if (!arrows.isOfVelocity()) {
-        addArrowHead(tip - 0.3 * head * direction, direction, 0.5 * head, m_paper);
+        addArrowHead(tip - kHollowStart * head * direction, direction, kHollowLength * head, m_paper);
     }
-    avoid({tail, tip}, 4.0);
+    avoid({tail, tip}, kOccupiedWidth);
 }
 
 /// Adds an arrow for the velocity or the acceleration of each of the points.
@@ -123,7 +130,7 @@ void MechanismSketch::addMotionArrows(const ArrowScale &arrows, std::span<const 
 void MechanismSketch::addArrowName(const QLineF &arrow, LinkagePoint point, const ArrowScale &arrows)
 {
     constexpr double kMinNamedLength = 12.0; // px
-    constexpr double kGap = 3.0;
+    constexpr double kGap = 3.0;             // px
     if (arrow.length() < kMinNamedLength || !QRectF(QPointF(), projection().size).contains(arrow.p2())) {
         return;
     }
@@ -148,15 +155,18 @@ void MechanismSketch::addInstantCentre()
     addRay(LinkagePoint::A, P);
     addRay(LinkagePoint::B, P);
     if (QRectF(QPointF(), projection().size).contains(P)) {
+        constexpr double kRadius = 5.0;
+        constexpr double kHalfCross = 8.0;
+        constexpr double kLabelGap = 11.0;
         const QPen pen(m_colours.velocity, kPathLine); // as the arrows of velocities
-        addCircle(P, 5.0, pen);
-        addLine(P - QPointF(8.0, 0.0), P + QPointF(8.0, 0.0), pen);
-        addLine(P - QPointF(0.0, 8.0), P + QPointF(0.0, 8.0), pen);
-        addLabelBeside(P, {1.0, -0.3}, 11.0, "P", m_ink);
+        addCircle(P, kRadius, pen);
+        addLine(P - QPointF(kHalfCross, 0.0), P + QPointF(kHalfCross, 0.0), pen);
+        addLine(P - QPointF(0.0, kHalfCross), P + QPointF(0.0, kHalfCross), pen);
+        addLabelBeside(P, {1.0, -0.3}, kLabelGap, "P", m_ink);
     }
 }
 
-/// Adds the text of the legend about the instant centre, beginning in that line.
+/// Adds the text about the instant centre to the legend, beginning in that line.
 void MechanismSketch::addInstantCentreText(const InstantCentre &centre, int line)
 {
     for (const QString &lineText : instantCentreText(centre, mechanism()).split(u'\n')) {
@@ -169,42 +179,42 @@ void MechanismSketch::addLegend()
 {
     addScales(0);
     const std::optional<InstantCentre> centre =
-        m_scene->settings.instantCentre && m_exists ? instantCentre(mechanism(), m_scene->pose.time) : std::nullopt;
+        m_scene->settings.instantCentre && m_poseExists ? instantCentre(mechanism(), m_scene->pose.time) : std::nullopt;
     if (centre) {
         addInstantCentreText(*centre, scaleCount());
     }
     if (hasProblemInLegend()) {
         m_labels.push_back({.text = problemText(),
-                            .box = problemInLegend(),
+                            .box = problemBoxInLegend(),
                             .ink = m_ink,
                             .paper = Qt::transparent,
                             .alignment = Qt::TextWordWrap});
     }
 }
 
-/// Returns whether the reason why the mechanism cannot be assembled is below the drawing, which it would cover. A
-/// mechanism that can be assembled at other angles has the reason in a corner, since its drawing would otherwise jump
-/// while the crank turns.
+/// Returns whether the reason why the mechanism cannot be assembled is in the legend, because it would cover the
+/// drawing. A mechanism that can be assembled at other angles has the reason in a corner of the drawing, which would
+/// otherwise jump while the crank turns.
 bool MechanismSketch::hasProblemInLegend() const
 {
-    return m_legend == Legend::Separate && m_scene->result && !m_exists && limits().mobility == Mobility::Impossible;
+    return m_legend == Legend::Separate && m_scene->result && !m_poseExists &&
+           limits().mobility == Mobility::Impossible;
 }
 
-QRectF MechanismSketch::problemInLegend() const
+QRectF MechanismSketch::problemBoxInLegend() const
 {
-    constexpr double kMargin = 6.0; // px, at either side
-    constexpr double kLargestHeight = 1e4;
+    constexpr double kMargin = 6.0;          // px, at either side
+    constexpr double kUnlimitedHeight = 1e4; // px
     const QRectF available(kMargin, cornerLineTop(scaleCount()),
-                           std::max(1.0, projection().size.width() - 2.0 * kMargin), kLargestHeight);
+                           std::max(1.0, projection().size.width() - 2.0 * kMargin), kUnlimitedHeight);
     return QFontMetricsF(m_font).boundingRect(available, Qt::TextWordWrap, problemText());
 }
 
 double MechanismSketch::legendHeight() const
 {
     if (hasProblemInLegend()) {
-        return problemInLegend().bottom();
+        return problemBoxInLegend().bottom();
     }
-    constexpr int kLinesOfInstantCentre = 2;
     const int lines = scaleCount() + (m_scene->settings.instantCentre ? kLinesOfInstantCentre : 0);
     return lines == 0 ? 0.0 : cornerLineTop(lines);
 }
@@ -212,13 +222,14 @@ double MechanismSketch::legendHeight() const
 /// Adds a line from the point towards P and the mark of the right angle between this line and the velocity.
 void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
 {
-    constexpr double kMark = 15.0;
+    constexpr double kMark = 15.0; // px, side of the mark
     const PlaneVector velocity = m_scene->motion(point).velocity;
     const QPointF pin = point == LinkagePoint::A ? m_A : m_B;
     const QPointF ray = unitVector(centre - pin);
-    const double seen = std::min(QLineF(pin, centre).length(), projection().size.width() + projection().size.height());
-    addLine(pin, pin + seen * ray, QPen(m_muted, kHairline, Qt::DashLine));
-    if (seen > kMark && velocity.length() > 0.0) {
+    const double visibleLength =
+        std::min(QLineF(pin, centre).length(), projection().size.width() + projection().size.height());
+    addLine(pin, pin + visibleLength * ray, QPen(m_muted, kHairline, Qt::DashLine));
+    if (visibleLength > kMark && velocity.length() > 0.0) {
         const QPointF along = kMark * unitVector({velocity.x, -velocity.y});
         addLine(pin + kMark * ray, pin + kMark * ray + along, QPen(m_muted, kHairline));
         addLine(pin + kMark * ray + along, pin + along, QPen(m_muted, kHairline));
@@ -227,19 +238,22 @@ void MechanismSketch::addRay(LinkagePoint point, QPointF centre)
 
 void MechanismSketch::addNames()
 {
-    const QPointF coupler = m_exists ? unitVector(m_B - m_A) : QPointF();
+    constexpr double kBesideSupport = kBesideJoint + 8.0; // px, from O2
+    constexpr double kBesideArc = 3.0;                    // px
+    constexpr double kBesideSlider = 20.0;                // px, from B
+    const QPointF coupler = m_poseExists ? unitVector(m_B - m_A) : QPointF();
     const double arc = m_scene->settings.angles ? arcRadius({m_O2, m_A}, kLargestCrankArc) : 0.0;
-    addLabelBeside(m_O2, {-1.0, 0.4}, std::max(kBesideJoint + 8.0, arc + 3.0), "O₂", m_ink);
+    addLabelBeside(m_O2, {-1.0, 0.4}, std::max(kBesideSupport, arc + kBesideArc), "O₂", m_ink);
     addLabelBeside(m_A, unitVector(m_A - m_O2) - coupler, kBesideJoint, "A", m_ink);
-    if (m_exists) {
+    if (m_poseExists) {
         const QPointF across(coupler.y(), -coupler.x());
-        addLabelBeside(m_B, {0.0, -1.0}, 20.0, "B", m_ink);
+        addLabelBeside(m_B, {0.0, -1.0}, kBesideSlider, "B", m_ink);
         addLabelBeside(0.5 * (m_A + m_B), across.y() < 0.0 ? across : -across, kBesideJoint, "G₃", m_ink);
     }
 }
 
 /// Adds the letters a and b below their links.
-void MechanismSketch::addLengths()
+void MechanismSketch::addLengthLetters()
 {
     for (const auto &[letter, link] : {std::pair("a", QLineF(m_O2, m_A)), {"b", QLineF(m_A, m_B)}}) {
         const QPointF across(-link.dy(), link.dx());
@@ -253,11 +267,11 @@ void MechanismSketch::addLengths()
 /// the angle is larger than a whole turn, the arc shows the part beyond whole turns.
 void MechanismSketch::addAngle(const QString &name, const QLineF &link, double angle, double largestRadius)
 {
-    constexpr double kBeyondArc = 8.0;  // px, by which the base line is longer than the radius
-    constexpr double kInk = 0.7;        // share of the ink in the colour of the arc
-    constexpr double kBaseWidth = 2.0;  // px, where labels do not stand
-    constexpr double kLabelGap = 20.0;  // px
-    constexpr double kLabelSlope = 0.5; // slope of the direction from the joint to the label
+    constexpr double kBeyondArc = 8.0;     // px, by which the base line is longer than the radius
+    constexpr double kInk = 0.7;           // share of the ink in the colour of the arc
+    constexpr double kOccupiedWidth = 2.0; // px
+    constexpr double kLabelGap = 20.0;     // px
+    constexpr double kLabelSlope = 0.5;    // slope of the direction from the joint to the label
     constexpr double kDegreesPerTurn = 360.0;
     const double radius = arcRadius(link, largestRadius);
     const QLineF base(link.p1(), link.p1() + QPointF(radius + kBeyondArc, 0.0));
@@ -268,7 +282,7 @@ void MechanismSketch::addAngle(const QString &name, const QLineF &link, double a
     path.arcMoveTo(circle, 0.0);
     path.arcTo(circle, 0.0, std::fmod(kDegreesPerRadian * angle, kDegreesPerTurn));
     add(path, QPen(faded(m_ink, kInk), kHairline));
-    avoid(base, kBaseWidth);
+    avoid(base, kOccupiedWidth);
     constexpr double kStep = 0.1; // rad; smaller than a letter
     for (double along = 0.0; along < std::abs(std::fmod(angle, kTurn)); along += kStep) {
         const double direction = std::copysign(along, angle);

@@ -2,8 +2,8 @@
 #pragma once
 
 // The data that a drawing of the mechanism shows, and the scale of the velocity and acceleration arrows at A, B and G3.
-// The scale is the same for the whole motion, so that arrows can be compared, and it is a round number: "10 mm =
-// 50 mm/s". Much larger arrows than that of A (as at the limit of an oscillating crank) are shortened and dashed.
+// The scale is the same for the whole motion, so that arrows can be compared, and it is a round number: "10 mm = 50
+// mm/s". Arrows much longer than that of A (as at the limit of an oscillating crank) are shortened and dashed.
 
 #include "core/comparison/reference_pose.h"
 #include "core/limits/linkage_point.h"
@@ -20,7 +20,7 @@ namespace slidercrank
 /// The scale of the arrows of the velocities or of the accelerations.
 struct ArrowScale {
     PlaneVector PointMotion::*vector; ///< the vector that an arrow represents
-    double length = 0.0;              ///< mm of the drawing
+    double length = 0.0;              ///< mm of the model, a round number
     double amount = 0.0;  ///< speed (mm/s) or acceleration (mm/s²) of an arrow of this length; 0 if nothing moves
     double largest = 0.0; ///< arrows of larger amounts are shortened, mm/s or mm/s²
 
@@ -33,7 +33,7 @@ struct MechanismScene {
     ReferencePose ghost;      ///< the linkage of the reference or of the pinned motion
     ReferencePose markedPose; ///< the linkage in a position that a table refers to
     MechanismSettings settings;
-    QRectF button; ///< px of the drawing, which the button for the assembly covers in the window; empty in pictures
+    QRectF button; ///< px: the area of the button for the assembly; empty in pictures
 
     const Mechanism &mechanism() const { return result->mechanism; }
 

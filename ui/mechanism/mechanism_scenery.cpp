@@ -14,8 +14,8 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kBelowLine = 13.0; // from the slider's line to the rail
-constexpr double kHatch = 7.0;      // height of the hatching below a line of ground
+constexpr double kBelowLine = 13.0; // px, from the slider's line to the rail
+constexpr double kHatch = 7.0;      // px, height of the hatching below a line of ground
 
 } // namespace
 
@@ -29,7 +29,7 @@ MechanismSketch::MechanismSketch(const MechanismScene &scene, const MechanismPro
     if (scene.result) {
         m_A = toPixels(scene.crankPin());
         m_B = toPixels(scene.wristPin());
-        m_exists = scene.pose.exists();
+        m_poseExists = scene.pose.exists();
     }
 }
 
@@ -53,7 +53,7 @@ void MechanismSketch::addGrid()
     const double shownStep = nextRoundNumber(kMinSpacing / projection().scale * perMm); // in the chosen unit
     const double step = shownStep / perMm;
     const QRectF visibleArea = projection().visible();
-    const auto captions = deadCentreCaptions(); // near an edge, they replace numbers
+    const auto captions = deadCentreCaptions(); // a number that one of them would cover is left out
     const auto addNumber = [&](QPointF lowerLeft, const QString &text) {
         const QSizeF extent = textSize(text, TextSize::Small);
         const QRectF box(lowerLeft - QPointF(-1.0, extent.height()), extent);
@@ -74,7 +74,8 @@ void MechanismSketch::addGrid()
     // The offset's dimension, with its letter on the left, may lie over the left edge.
     const MechanismSettings &settings = m_scene->settings;
     const bool isCovered = settings.dimensions && offsetDimension().x1() < 2.0 * corner.right();
-    const int legendLines = cornerLineCount() + (m_legend == Legend::InCorner ? 2 * int(settings.instantCentre) : 0);
+    const int legendLines =
+        cornerLineCount() + (m_legend == Legend::InCorner ? kLinesOfInstantCentre * int(settings.instantCentre) : 0);
     const double top = isCovered ? corner.top() : cornerLineTop(legendLines);
     for (double i = std::ceil(visibleArea.top() / step); i <= std::floor(visibleArea.bottom() / step); i += 1.0) {
         const double y = std::floor(toPixels({0.0, i * step}).y());
@@ -234,9 +235,11 @@ void MechanismSketch::addDimensionsAndScales()
     if (settings.dimensions) {
         const QLineF offset = offsetDimension();
         addLine(offset.p1(), m_O2, QPen(m_muted, kHairline));
+        constexpr double kOccupiedWidth = 2.0; // px
+        constexpr double kLabelGap = 3.0;      // px
         addDimension(offset.p1(), offset.p2(), m_muted);
-        avoid(offset, 2.0);
-        addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, 3.0, "c", m_ink);
+        avoid(offset, kOccupiedWidth);
+        addLabelBeside(offset.center(), {m_O2.x() < offset.x1() ? 1.0 : -1.0, 0.0}, kLabelGap, "c", m_ink);
     }
     if (m_legend == Legend::InCorner) {
         const QStringList lengths = lengthLines();
@@ -252,16 +255,18 @@ void MechanismSketch::addDimensionsAndScales()
 /// Adds the scales of the arrows to the legend, beginning in that line.
 void MechanismSketch::addScales(int line)
 {
-    constexpr double kSample = 26.0;
+    constexpr double kLeft = 7.0;    // px
+    constexpr double kSample = 26.0; // px, length of the arrow
+    constexpr double kGap = 8.0;     // px
     const MechanismSettings &settings = m_scene->settings;
     const auto addScale = [&](const ArrowScale &arrows) {
-        const QPointF left(7.0, cornerLineTop(line) + 0.5 * textSize({}, TextSize::Small).height());
+        const QPointF left(kLeft, cornerLineTop(line) + 0.5 * textSize({}, TextSize::Small).height());
         addArrow(left, left + QPointF(kSample, 0.0), arrows, Qt::SolidLine);
         const double alpha2 = m_scene->alpha2();
         const bool hasCrankAcceleration = !arrows.isOfVelocity() && alpha2 != 0.0;
         const QString condition =
             hasCrankAcceleration ? QStringLiteral(", α₂ = %1 rad/s²").arg(numberText(alpha2)) : QString();
-        addCornerLabel(line++, kSample + 8.0, arrowScaleText(arrows) + condition);
+        addCornerLabel(line++, kSample + kGap, arrowScaleText(arrows) + condition);
     };
     if (settings.showsVelocity()) {
         addScale(m_scene->arrows(&PointMotion::velocity));
@@ -280,7 +285,7 @@ int MechanismSketch::scaleCount() const
 /// from the coupler.
 QLineF MechanismSketch::offsetDimension() const
 {
-    constexpr double kBesideCircle = 14.0;
+    constexpr double kBesideCircle = 14.0; // px
     const double side = mechanism().branch() == Branch::Open ? -1.0 : 1.0;
     const double x = toPixels({side * mechanism().a(), 0.0}).x() + side * kBesideCircle;
     return {x, m_O2.y(), x, toPixels({0.0, mechanism().c()}).y()};
@@ -290,7 +295,7 @@ QLineF MechanismSketch::offsetDimension() const
 /// circle. In a very low drawing it would.
 bool MechanismSketch::isSpaceInCorner(qsizetype lines) const
 {
-    const double top = toPixels({0.0, std::max(mechanism().a(), mechanism().c())}).y(); // px, of circle and line
+    const double top = toPixels({0.0, std::max(mechanism().a(), mechanism().c())}).y(); // of both, px
     return cornerLineTop(static_cast<int>(lines)) < top;
 }
 

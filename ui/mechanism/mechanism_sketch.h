@@ -22,8 +22,8 @@ class MechanismSketch : public MechanismDrawing
     Q_DECLARE_TR_FUNCTIONS(slidercrank::MechanismSketch)
 
 public:
-    /// Whether the lengths, the scales of the arrows and the text about the instant centre are in the upper left
-    /// corner, as on the screen, or are omitted, because addLegend() draws them beside the drawing.
+    /// Where the scales of the arrows and the text about the instant centre are written: below the lengths in the upper
+    /// left corner, as on the screen, or by addLegend(), and then the lengths are not written.
     enum class Legend { InCorner, Separate };
 
     /// Radii (px) of the arcs of θ2 and θ3, if the links are long enough.
@@ -46,7 +46,7 @@ public:
     /// between this circle and the slider's line, and the reason.
     void addLinkage();
 
-    /// Adds the legend of a separate drawing: the scales of the arrows, the text about the instant centre, and the
+    /// Adds the legend, in a sketch of its own: the scales of the arrows, the text about the instant centre, and the
     /// reason why the mechanism cannot be assembled at any angle.
     void addLegend();
     double legendHeight() const; ///< px; 0 if the settings need no legend
@@ -91,7 +91,7 @@ private:
     QString problemText() const;
     void addAssemblyProblem();
     bool hasProblemInLegend() const;
-    QRectF problemInLegend() const; ///< px, where the legend states the reason
+    QRectF problemBoxInLegend() const; ///< px, where the legend states the reason
     void addGhost();
     void addCouplerAngle();
     void addMarkedPose();
@@ -105,7 +105,7 @@ private:
     void addRay(LinkagePoint point, QPointF centre);
 
     void addNames();
-    void addLengths();
+    void addLengthLetters();
     void addAngle(const QString &name, const QLineF &link, double angle, double largestRadius);
 
     const MechanismScene *m_scene;
@@ -113,7 +113,9 @@ private:
     QPointF m_O2;
     QPointF m_A;
     QPointF m_B; ///< undefined where the mechanism cannot be assembled
-    bool m_exists = false;
+    bool m_poseExists = false;
+
+    static constexpr int kLinesOfInstantCentre = 2; ///< lines of the text about the instant centre
 };
 
 } // namespace slidercrank

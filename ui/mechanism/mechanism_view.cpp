@@ -91,13 +91,13 @@ std::optional<QRectF> areaOfObtuseAngleVertex(const MechanismScene &scene)
     return QRectF(left, mechanism.c(), right - left, 0.0);
 }
 
-/// Returns the projection of a picture: the whole frame, with space around the slider, below its line for the rail, the
-/// names of the dead centres and the numbers of the grid, and around the arc of a wide angle.
+/// Returns the projection of a picture. It shows the frame and, unless the user has zoomed, also the slider, below its
+/// line the rail, the names of the dead centres and the numbers of the grid, and the arc of an obtuse angle.
 MechanismProjection pictureProjection(const MechanismScene &scene, const MechanismFrame &frame, const QSizeF &size,
                                       const QFont &font)
 {
     constexpr double kRailHeight = 22.0; // px
-    constexpr int kRounds = 3;           // the space in mm depends on the scale, and the scale on the space
+    constexpr int kIterations = 3;       // the space in mm depends on the scale, and the scale on the space
     MechanismProjection projection = frame.projection(size);
     if (!scene.result || frame.zoomed() || frame.fitted().isNull()) {
         return projection;
@@ -107,7 +107,7 @@ MechanismProjection pictureProjection(const MechanismScene &scene, const Mechani
     const auto [left, right] = sliderTravel(scene.result->mechanism, scene.result->limits);
     const QRectF travel(left, scene.result->mechanism.c(), right - left, 0.0);
     MechanismFrame enlarged = frame;
-    for (int round = 0; round < kRounds; ++round) {
+    for (int i = 0; i < kIterations; ++i) {
         const double lowest = scene.result->mechanism.c() - pixelsBelow / projection.scale;
         QRectF visibleArea = frame.fitted();
         visibleArea.setTop(std::min(visibleArea.top(), lowest)); // y points upwards
@@ -127,7 +127,7 @@ MechanismProjection pictureProjection(const MechanismScene &scene, const Mechani
     return projection;
 }
 
-/// Paints a drawing that shows the scales of its arrows below it.
+/// Paints the mechanism with its legend below the drawing.
 void paintPicture(QPainter &painter, const QSize &size, const MechanismScene &scene, const MechanismFrame &frame,
                   const QPalette &palette)
 {
@@ -153,7 +153,7 @@ void paintPicture(QPainter &painter, const QSize &size, const MechanismScene &sc
     painter.setClipRect(QRectF(QPointF(), drawing), Qt::IntersectClip);
     scenery.paint(painter);
     linkage.paint(painter);
-    if (!scene.settings.angles) {       // the angle of the crank is not written beside it
+    if (!scene.settings.angles) {       // otherwise θ₂ is written beside the crank
         constexpr double kMargin = 6.0; // px
         painter.setFont(font);
         painter.setPen(palette.color(QPalette::Text));
@@ -168,7 +168,7 @@ void paintPicture(QPainter &painter, const QSize &size, const MechanismScene &sc
 MechanismView::MechanismView(QWidget *parent)
     : QWidget(parent)
     , m_scenery(newSketch(size(), palette()))
-    , m_flip(new QToolButton(this))
+    , m_flipButton(new QToolButton(this))
     , m_note(makeNote(this))
     , m_noteDelay(makeTimer(this, kNoteDelay))
     , m_refitDelay(makeTimer(this, kRefitDelay))
@@ -183,10 +183,10 @@ MechanismView::MechanismView(QWidget *parent)
     m_refitDelay->setObjectName("refitDelay");
     connect(m_noteDelay, &QTimer::timeout, this, &MechanismView::showNote);
     connect(m_refitDelay, &QTimer::timeout, this, &MechanismView::fitFrame);
-    m_flip->setObjectName("flipButton");
-    m_flip->setFocusPolicy(Qt::TabFocus);
-    m_flip->hide();
-    connect(m_flip, &QToolButton::clicked, this, [this] {
+    m_flipButton->setObjectName("flipButton");
+    m_flipButton->setFocusPolicy(Qt::TabFocus);
+    m_flipButton->hide();
+    connect(m_flipButton, &QToolButton::clicked, this, [this] {
         emit branchRequested(m_scene.mechanism().branch() == Branch::Open ? Branch::Crossed : Branch::Open);
     });
     makeChoices();
@@ -281,24 +281,24 @@ void MechanismView::setResult(const std::shared_ptr<const Result> &result)
         m_frame.follow(bounds());
     }
     m_refitDelay->start();
-    describe();
+    updateTexts();
     refresh();
 }
 
 void MechanismView::refreshNotation()
 {
-    describe();
+    updateTexts();
     refresh();
 }
 
-void MechanismView::describe()
+void MechanismView::updateTexts()
 {
     const Mechanism &mechanism = m_scene.mechanism();
     const bool isOpen = mechanism.branch() == Branch::Open;
-    m_flip->setText(isOpen ? tr("Assembly: open") : tr("Assembly: crossed"));
-    m_flip->setToolTip(isOpen ? tr("Flip to the crossed assembly: the same links, with B to the left of A")
-                              : tr("Flip to the open assembly: the same links, with B to the right of A"));
-    m_flip->show();
+    m_flipButton->setText(isOpen ? tr("Assembly: open") : tr("Assembly: crossed"));
+    m_flipButton->setToolTip(isOpen ? tr("Flip to the crossed assembly: the same links, with B to the left of A")
+                                    : tr("Flip to the open assembly: the same links, with B to the right of A"));
+    m_flipButton->show();
     setAccessibleDescription(
         tr("Slider-crank drawn to scale: crank %1, coupler %2, offset %3. The keys of the Playback menu move "
            "it, the sliders and boxes below change its lengths. Plus, minus and 0 zoom, Control with the arrows moves "
@@ -343,7 +343,7 @@ void MechanismView::setMarkedPose(const ReferencePose &pose)
 
 void MechanismView::highlight(MechanismPart part)
 {
-    m_highlighted = drawnPart(part);
+    m_highlightedPart = drawnPart(part);
     update();
 }
 
@@ -358,14 +358,15 @@ QRectF MechanismView::bounds() const
     return fits ? commonBounds : mechanismBounds; // also if the ghost's bounds are not finite
 }
 
-/// With letters that are larger than usual, as in presentation mode, links, joints and arrows are larger, too.
+/// Returns the factor by which letters, links, joints and arrows are larger than usual, as in presentation mode.
 double MechanismView::magnification() const
 {
     const int usual = QFontInfo(QApplication::font(this)).pixelSize();
     return std::max(1.0, static_cast<double>(QFontInfo(font()).pixelSize()) / usual);
 }
 
-/// Returns an empty sketch for a drawing of that size (px), to be painted with magnification().
+/// Returns an empty sketch for a drawing of that size (px), which is to be painted larger by the factor
+/// magnification().
 MechanismSketch MechanismView::newSketch(const QSizeF &size, const QPalette &palette) const
 {
     const double magnified = magnification();
@@ -381,9 +382,9 @@ void MechanismView::refresh()
     m_scenery.addScenery();
     m_isSceneryNew = true;
     m_sceneryPicture = QPixmap();
-    m_flip->resize(m_flip->sizeHint());
-    m_flip->move(width() - m_flip->width() - kInset, m_scene.result ? flipButtonTop() : kInset);
-    const QRectF button(m_flip->geometry());
+    m_flipButton->resize(m_flipButton->sizeHint());
+    m_flipButton->move(width() - m_flipButton->width() - kInset, m_scene.result ? flipButtonTop() : kInset);
+    const QRectF button(m_flipButton->geometry());
     m_scene.button = QRectF(button.topLeft() / magnification(), button.size() / magnification());
     update();
 }
@@ -394,8 +395,8 @@ int MechanismView::flipButtonTop() const
 {
     constexpr int kAroundLine = 40; // px, the slider and its mark
     const double line = toPixels({0.0, m_scene.mechanism().c()}).y();
-    const int lowest = height() - m_flip->height() - fontMetrics().height() - kInset;
-    return line - kAroundLine < kInset + m_flip->height() ? std::max(kInset, lowest) : kInset;
+    const int lowest = height() - m_flipButton->height() - fontMetrics().height() - kInset;
+    return line - kAroundLine < kInset + m_flipButton->height() ? std::max(kInset, lowest) : kInset;
 }
 
 /// Returns the parts that move, in the current pose.
@@ -435,8 +436,8 @@ void MechanismView::paintEvent(QPaintEvent *)
     linkage.paint(painter);
     const QColor colour = palette().color(QPalette::Highlight);
     for (const MechanismSketch *sketch : {&m_scenery, &linkage}) {
-        sketch->paintHighlight(painter, m_pointed, colour);
-        sketch->paintHighlight(painter, m_highlighted, sketch->colours().highlight);
+        sketch->paintHighlight(painter, m_pointedPart, colour);
+        sketch->paintHighlight(painter, m_highlightedPart, sketch->colours().highlight);
     }
     if (hasFocus() && window()->testAttribute(Qt::WA_KeyboardFocusChange)) {
         constexpr double kFocusFrame = 2.0; // px
@@ -476,7 +477,7 @@ int MechanismView::pictureHeight(int width) const
 void MechanismView::showNote()
 {
     constexpr int kMaxWidth = 330; // px
-    const QString text = m_scene.pose.exists() ? partText(m_scene, m_pointed) : QString();
+    const QString text = m_scene.pose.exists() ? partText(m_scene, m_pointedPart) : QString();
     m_note->setVisible(!text.isEmpty());
     if (text.isEmpty()) {
         return;
@@ -485,7 +486,7 @@ void MechanismView::showNote()
     const int noteWidth = std::min(kMaxWidth, width() - 2 * kInset);
     const QRectF inside = QRectF(rect()).adjusted(kInset, kInset, -kInset, -kInset);
     const QSizeF noteSize(noteWidth, m_note->heightForWidth(noteWidth));
-    const QRectF button = m_flip->geometry().adjusted(-kInset, -kInset, kInset, kInset);
+    const QRectF button = m_flipButton->geometry().adjusted(-kInset, -kInset, kInset, kInset);
     m_note->setGeometry(m_scene.inFreeCorner(inside, noteSize, button).toRect());
 }
 

@@ -36,7 +36,7 @@ public:
     /// of the arrows are below it. The lengths are not written, since every picture names the parameters once.
     void paintMechanism(QPainter &painter, const QSize &size, const QPalette &palette) const;
 
-    /// Returns a function that paints the drawing as it is now, also when the view has changed.
+    /// Returns a function that paints the drawing as it is now, even if the view changes before the call.
     std::function<void(QPainter &, const QSize &)> picture(const QPalette &palette) const;
 
     /// Returns the height of a picture of that width in landscape format, with the aspect ratio of the part in view.
@@ -78,7 +78,7 @@ public slots:
     /// Highlights the part that an equation or a coordinate refers to.
     void highlight(slidercrank::MechanismPart part);
 
-    /// Shows everything in the chosen notation and units.
+    /// Shows everything in the notation and units that are chosen now.
     void refreshNotation();
 
     /// Shows the whole mechanism.
@@ -130,7 +130,7 @@ private:
     int flipButtonTop() const;
     MechanismSketch linkage() const;
     void paintScenery(QPainter &painter) const;
-    void describe();
+    void updateTexts();
     void fitFrame();
     void zoomBy(double steps, QPointF pixel);
     void showNote();
@@ -150,9 +150,9 @@ private:
     bool m_isSceneryNew = true; ///< not painted yet
     QPixmap m_sceneryPicture;   ///< null if it is out of date
     std::optional<PressedButton> m_pressed;
-    DrawnPart m_pointed = DrawnPart::Background;     ///< under the pointer
-    DrawnPart m_highlighted = DrawnPart::Background; ///< by highlight()
-    QToolButton *m_flip;
+    DrawnPart m_pointedPart = DrawnPart::Background;     ///< under the pointer
+    DrawnPart m_highlightedPart = DrawnPart::Background; ///< by highlight()
+    QToolButton *m_flipButton;
     QLabel *m_note;
     QTimer *m_noteDelay;
     QTimer *m_refitDelay; ///< restarts at every change, so that the frame is fitted when the changes have ended
