@@ -151,8 +151,8 @@ void readFigure(const OptionReader &options, FigureOptions &figure)
     if (options.has("width")) {
         const auto [width, unit] = readLength(options, "width", {"mm", "px"});
         const bool isInPixels = unit == u"px";
-        checkRange("width", width, isInPixels ? kSmallestPicture : kSmallestFigure,
-                   isInPixels ? kLargestPicture : kLargestFigure, unit);
+        checkRange("width", width, isInPixels ? kMinFigureWidthPx : kMinFigureWidthMm,
+                   isInPixels ? kMaxFigureWidthPx : kMaxFigureWidthMm, unit);
         figure.width = width;
         figure.unit = isInPixels ? FigureOptions::Unit::Pixel : FigureOptions::Unit::Millimetre;
     }

@@ -47,7 +47,7 @@ Problem findFault(const QString &path)
     return std::nullopt;
 }
 
-/// Draws the frames into a folder that lasts until they are at `path`. Returns nullopt on success, a message on
+/// Draws the frames into a temporary folder, which messages call `path`. Returns nullopt on success, a message on
 /// failure, or an empty text if it was cancelled.
 Problem drawFrames(const QTemporaryDir &folder, const QString &path, const Animation &animation,
                    const FrameDrawing &draw, const AnimationProgress &progress)
@@ -105,7 +105,7 @@ Problem makeVideo(const QTemporaryDir &folder, const QString &path, const Animat
     return writeWhole(path, file.readAll());
 }
 #else
-/// Where no other program can be run, as in a browser, hasVideoEncoder() is false.
+/// Never called: where no other program can be run, as in a browser, hasVideoEncoder() is false.
 Problem makeVideo(const QTemporaryDir &, const QString &, const Animation &, const AnimationProgress &)
 {
     return QString();
@@ -127,11 +127,11 @@ double Animation::timeOfFrame(int frame) const
 
 FigureSize videoSize(const QSize &pixels)
 {
-    constexpr int kLinesPerScale = 360; // of a small window, in which links and letters have their usual size
-    constexpr int kLettersOnSide = 30;  // as many letters above one another are legible from the back of a lecture room
+    constexpr int kUsualSide = 360;      // px, of a small window, in which links and letters have their usual size
+    constexpr int kLettersOnSide = 30;   // heights of letters that are legible from the back of a lecture room
     constexpr int kSmallestLetters = 12; // px
     const int shorterSide = std::min(pixels.width(), pixels.height());
-    int scale = std::max(1, shorterSide / kLinesPerScale);
+    int scale = std::max(1, shorterSide / kUsualSide);
     while (pixels.width() % scale != 0 || pixels.height() % scale != 0) {
         --scale; // so that the frames have exactly the size `pixels`
     }
@@ -166,7 +166,7 @@ std::optional<QString> exportAnimation(const QString &path, const Animation &ani
         problem = makeVideo(folder, path, animation, progress);
     } else if (!problem) {
         QFile::setPermissions(folder.path(), QFile::permissions(target.absolutePath()));
-        target.absoluteDir().rmdir(target.fileName()); // it exists only if it is empty
+        target.absoluteDir().rmdir(target.fileName()); // findFault() allows only an empty one
         if (QDir().rename(folder.path(), target.absoluteFilePath())) {
             folder.setAutoRemove(false);
         } else {

@@ -26,8 +26,8 @@ struct Animation {
 
     QSize pixels() const { return (QSizeF(size.size) * size.scale).toSize(); } ///< of a frame
 
-    /// Each frame represents the time until the next one, so that the last frame of a whole turn is not the first one
-    /// again.
+    /// Returns the number of frames, at most kMaxFrames + 1. Each represents the time until the next one, so that the
+    /// last frame of a whole turn differs from the first one.
     int frameCount() const;
     double timeOfFrame(int frame) const; ///< s
 };

@@ -31,7 +31,6 @@ namespace slidercrank
 namespace
 {
 
-/// The suffixes of the names of files.
 constexpr EnumText<FigureFormat> kSuffixes[] = {
     {FigureFormat::Png, "png"}, {FigureFormat::Svg, "svg"}, {FigureFormat::Pdf, "pdf"}};
 static_assert(isCompleteTable(kSuffixes, FigureFormat::Pdf));
@@ -84,25 +83,25 @@ ParameterLines parameterLines(const QStringList &equations, const QSize &figure,
     return {lines.join(",\n"), {0, figure.height() - height, figure.width(), height}};
 }
 
-/// Corrects what Qt's generator writes: millimetres with three decimals, which viewers round up to one pixel too many,
-/// and fonts without a fallback for computers on which they are missing.
-QByteArray polished(const QByteArray &svg, const FigureSize &size)
+/// Corrects the text of QSvgGenerator, which states millimetres with three decimals, so that viewers round up to one
+/// pixel too many, and fonts without a fallback for computers on which they are missing.
+QByteArray correctedSvg(const QByteArray &svg, const FigureSize &size)
 {
     const double unit = size.paperPixel * (size.isInMillimetres ? kMmPerInch / kLogicalPixelsPerInch : 1.0);
     const auto side = [&](int pixels) {
         return QString::number(unit * pixels, 'g', 7) + (size.isInMillimetres ? "mm" : "");
     };
-    static const QRegularExpression kMillimetres(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
+    static const QRegularExpression kSizeAttributes(QStringLiteral(R"re(<svg width="[^"]*" height="[^"]*")re"));
     static const QRegularExpression kFamily(QStringLiteral(R"re(font-family="([^",]*)")re"));
     QString text = QString::fromUtf8(svg);
     text.replace(
-        kMillimetres,
+        kSizeAttributes,
         QStringLiteral(R"re(<svg width="%1" height="%2")re").arg(side(size.size.width()), side(size.size.height())));
     text.replace(kFamily, QStringLiteral(R"re(font-family="'\1', sans-serif")re"));
     return text.toUtf8();
 }
 
-// All formats are drawn in memory, since neither the generator nor the writer reports a full disk.
+// All formats are drawn in memory, since neither QSvgGenerator nor QPdfWriter reports a full disk.
 
 QByteArray makeSvg(const FigureSize &figure, const QString &title, const FigureDrawing &draw)
 {
@@ -118,7 +117,7 @@ QByteArray makeSvg(const FigureSize &figure, const QString &title, const FigureD
     painter.setFont(figureFont(figure.fontPixels));
     draw(painter, size);
     painter.end();
-    return polished(buffer.data(), figure);
+    return correctedSvg(buffer.data(), figure);
 }
 
 QByteArray makePdf(const FigureSize &figure, const QString &title, const FigureDrawing &draw)
@@ -137,7 +136,7 @@ QByteArray makePdf(const FigureSize &figure, const QString &title, const FigureD
     return buffer.data();
 }
 
-QByteArray pngOf(const QImage &image)
+QByteArray pngBytes(const QImage &image)
 {
     QByteArray bytes;
     QBuffer buffer(&bytes);
@@ -226,7 +225,7 @@ QImage figureImage(const FigureSize &size, const FigureDrawing &draw)
     painter.setFont(figureFont(size.fontPixels));
     draw(painter, size.size);
     painter.end();
-    if (size.isInMillimetres) { // after drawing, since it would scale a QPicture
+    if (size.isInMillimetres) { // after drawing, since the resolution would scale a QPicture
         const int dotsPerMetre =
             static_cast<int>(std::lround(size.scale / size.paperPixel * kLogicalPixelsPerInch * 1000.0 / kMmPerInch));
         image.setDotsPerMeterX(dotsPerMetre);
@@ -252,7 +251,7 @@ FigureWriter drawFigure(const QString &path, const FigureSize &size, const QStri
     case FigureFormat::Png: {
         QImage image = figureImage(size, draw);
         image.setText("Title", title);
-        return [write, image](const std::stop_token &stop) { return write(pngOf(image), stop); };
+        return [write, image](const std::stop_token &stop) { return write(pngBytes(image), stop); };
     }
     case FigureFormat::Svg: bytes = makeSvg(size, title, draw); break;
     case FigureFormat::Pdf: bytes = makePdf(size, title, draw); break;

@@ -62,12 +62,12 @@ struct FigureOptions {
 };
 
 /// The width and the font size that a figure can have.
-inline constexpr double kSmallestFigure = 20.0;     ///< mm
-inline constexpr double kLargestFigure = 1000.0;    ///< mm
-inline constexpr double kSmallestPicture = 100.0;   ///< px
-inline constexpr double kLargestPicture = 20'000.0; ///< px
-inline constexpr double kSmallestFont = 4.0;        ///< pt
-inline constexpr double kLargestFont = 48.0;        ///< pt
+inline constexpr double kMinFigureWidthMm = 20.0;
+inline constexpr double kMaxFigureWidthMm = 1000.0;
+inline constexpr double kMinFigureWidthPx = 100.0;
+inline constexpr double kMaxFigureWidthPx = 20'000.0;
+inline constexpr double kSmallestFont = 4.0; ///< pt
+inline constexpr double kLargestFont = 48.0; ///< pt
 
 /// Returns the height (logical pixels) of a figure with the given width and font.
 using FigureHeight = std::function<int(int width, const QFont &)>;
@@ -93,7 +93,8 @@ QImage figureImage(const FigureSize &size, const FigureDrawing &draw);
 std::optional<QString> exportFigure(const QString &path, const FigureSize &size, const QString &title,
                                     const FigureDrawing &draw);
 
-/// Writes a figure that has been drawn, as exportFigure(). Can run in any thread. Writes nothing if stopped.
+/// Writes a figure that has been drawn, with the result of exportFigure(). Can run in any thread. Writes nothing if
+/// stopped.
 using FigureWriter = std::function<std::optional<QString>(const std::stop_token &stop)>;
 
 /// Draws the figure in memory. The returned function compresses it, which takes longer, and writes it.

@@ -49,8 +49,8 @@ FigureOptions storedFigureOptions()
     options.unit = settings.value(kUnit).toString() == u"px" ? WidthUnit::Pixel : WidthUnit::Millimetre;
     const bool isInPixels = options.unit == WidthUnit::Pixel;
     options.width =
-        std::clamp(settings.value(kWidth, options.width).toDouble(), isInPixels ? kSmallestPicture : kSmallestFigure,
-                   isInPixels ? kLargestPicture : kLargestFigure);
+        std::clamp(settings.value(kWidth, options.width).toDouble(), isInPixels ? kMinFigureWidthPx : kMinFigureWidthMm,
+                   isInPixels ? kMaxFigureWidthPx : kMaxFigureWidthMm);
     options.fontSize = std::clamp(settings.value(kFontSize, options.fontSize).toDouble(), kSmallestFont, kLargestFont);
     options.plots = settings.value(kPlots).toStringList();
     options.showsCursor = settings.value(kCursor, false).toBool();
@@ -120,7 +120,7 @@ FigureForm::FigureForm(const FigureSubject &subject, const FigureOptions &option
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     prepareFields(options);
     QLayout *form = makeForm();
-    QLayout *plots = makePlots(options);
+    QLayout *plots = makePlotBoxes(options);
     enum Row { Fields, Plots, Buttons };
     enum Column { Left, Preview, ColumnCount };
     auto *layout = new QGridLayout(this);
@@ -163,12 +163,12 @@ void FigureForm::prepareFields(const FigureOptions &options)
     m_summary->setWordWrap(true);
 }
 
-/// Makes the preview so small that the dialog fits the screen. `others`: the width beside it and the height below it,
-/// px.
-void FigureForm::fitPreview(const QSize &others)
+/// Makes the preview so small that the dialog fits the screen. `occupied`: the width beside the preview and the height
+/// below it, px.
+void FigureForm::fitPreview(const QSize &occupied)
 {
     constexpr QSize kMargins(60, 100); // px, with the space between the rows, the frame and the title bar
-    const QSize available = screen()->availableSize() - others - kMargins;
+    const QSize available = screen()->availableSize() - occupied - kMargins;
     m_preview->setMinimumSize(available.boundedTo(kMaxPreviewSize).expandedTo(kMinPreviewSize));
 }
 
@@ -190,10 +190,10 @@ QLayout *FigureForm::makeForm()
 }
 
 /// Arranges a check box for each plot as the plots are arranged in the window.
-QLayout *FigureForm::makePlots(const FigureOptions &options)
+QLayout *FigureForm::makePlotBoxes(const FigureOptions &options)
 {
     const bool hasErrorPlots = m_subject.plots.size() >= kPlotCount;
-    const int columns = hasErrorPlots ? 3 : 2;
+    const int columns = static_cast<int>(hasErrorPlots ? kPlotColumns : kErrorColumn);
     auto *grid = new QGridLayout;
     const auto isChosen = [&](const QString &name) { return options.plots.isEmpty() || options.plots.contains(name); };
     // If none of the plots is chosen, the stored choice is that of a different figure: then all plots are checked.
@@ -229,10 +229,10 @@ FigureOptions FigureForm::options() const
 void FigureForm::limitWidth()
 {
     if (chosen<WidthUnit>(m_unit) == WidthUnit::Pixel) {
-        m_width->setRange(kSmallestPicture, kLargestPicture);
+        m_width->setRange(kMinFigureWidthPx, kMaxFigureWidthPx);
         m_width->clearUnit();
     } else {
-        m_width->setRange(kSmallestFigure, kLargestFigure);
+        m_width->setRange(kMinFigureWidthMm, kMaxFigureWidthMm);
         m_width->setUnit(kMillimetre);
     }
 }

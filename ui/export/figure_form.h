@@ -26,7 +26,7 @@ class NumberBox;
 struct FigureSubject {
     QString name;                      ///< proposed file name
     std::vector<NamedPlot> plots = {}; ///< the plots that can be chosen
-    bool hasCursor = false;            ///< whether it can show the values at the current time
+    bool hasCursor = false;            ///< whether the figure can show the values at the current time
     std::function<FigureHeight(const FigureOptions &)> height;
     std::function<FigureDrawing(const FigureOptions &)> draw;
 };
@@ -35,11 +35,11 @@ struct FigureSubject {
 FigureOptions storedFigureOptions();
 void storeFigureOptions(const FigureOptions &options);
 
-/// Write or draw the figure for a file with the suffix of its format, as the functions of the same names for a drawing.
+/// Export or draw the figure of a subject, like the functions of the same names in figure_export.h.
 std::optional<QString> exportFigure(const QString &path, const FigureSubject &subject, const FigureOptions &options);
 FigureWriter drawFigure(const QString &path, const FigureSubject &subject, const FigureOptions &options);
 
-/// Opens the dialog, and then the one for the name of the file. `write` is called when both have been answered.
+/// Opens the dialog, and then the one for the name of the file. `write` is called when both have been accepted.
 void chooseFigure(QWidget *parent, const FigureSubject &subject,
                   const std::function<void(const FigureOptions &, const QString &path)> &write);
 
@@ -55,8 +55,8 @@ public:
 private:
     void prepareFields(const FigureOptions &options);
     QLayout *makeForm();
-    void fitPreview(const QSize &others);
-    QLayout *makePlots(const FigureOptions &options);
+    void fitPreview(const QSize &occupied);
+    QLayout *makePlotBoxes(const FigureOptions &options);
     void limitWidth();
     void changeUnit();
     void showPreview();

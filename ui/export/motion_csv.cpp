@@ -20,7 +20,7 @@ constexpr qsizetype kFullBuffer = 1 << 20; // bytes
 using TextSink = std::function<bool(const QByteArray &text)>;
 
 /// Returns the channels in the order of indexOf().
-std::vector<Channel> listed(const ChannelSet &channels)
+std::vector<Channel> channelList(const ChannelSet &channels)
 {
     std::vector<Channel> list;
     for (std::size_t index = 0; index < kChannelCount; ++index) {
@@ -45,7 +45,8 @@ QByteArray csvHeader(const std::vector<Channel> &channels, const MotionCsvOption
     return header + '\n';
 }
 
-/// Writes one row per time step, with the values of each channel in its scale. Returns false if the sink stopped it.
+/// Writes one row per time step, with the values of each channel in its scale. Returns false if the sink stopped the
+/// writing.
 bool writeCsvRows(const Trajectory &trajectory, const std::vector<Channel> &channels,
                   const std::vector<ShownScale> &scales, const TextSink &sink)
 {
@@ -90,7 +91,7 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
     const Sampling &sampling = result.sampling;
     ChannelSet columns = options.channels;
     columns.set(indexOf({Coordinate::Theta2, Order::Position}));
-    const std::vector<Channel> list = listed(columns);
+    const std::vector<Channel> list = channelList(columns);
     WholeFile file(path);
     bool goesOn = file.open() && file.write(csvHeader(list, options));
     std::vector<ShownScale> scales;
@@ -99,7 +100,7 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
     }
     double writtenSteps = 0.0;
     const TextSink sink = [&](const QByteArray &text) { return file.write(text) && !stop.stop_requested(); };
-    const auto take = [&](const Trajectory &piece) {
+    const auto writePiece = [&](const Trajectory &piece) {
         goesOn = writeCsvRows(piece, list, scales, sink);
         writtenSteps += static_cast<double>(piece.time.size());
         if (progress) {
@@ -108,7 +109,7 @@ std::optional<QString> exportMotion(const QString &path, const Result &result, c
         return goesOn;
     };
     if (goesOn) {
-        sampleInPieces(result.mechanism, sampling, columns, result.solver, take, stop);
+        sampleInPieces(result.mechanism, sampling, columns, result.solver, writePiece, stop);
     }
     const bool isWritten = goesOn && file.commit(stop);
     if (isWritten || stop.stop_requested()) {

@@ -21,7 +21,7 @@ namespace slidercrank
 /// Appends the number with 17 significant digits, which identify a double. Writes 0 without a sign, and "nan" for NaN.
 void appendNumber(QByteArray &text, double value);
 
-/// The column of θ3 in the notation of textbooks, which measure it at B. The reader of files knows the name.
+/// The column of θ3 in the notation of textbooks, which measure it at B. The import recognizes the name.
 inline constexpr const char *kCouplerAngleAtB = "theta3 at B";
 
 struct MotionCsvOptions {

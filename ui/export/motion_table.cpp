@@ -111,18 +111,20 @@ std::vector<OutputChannel> tableChannels()
 std::vector<TablePosition> tablePositions(const MotionTableSettings &settings, const Mechanism &mechanism,
                                           const Sampling &sampling)
 {
+    constexpr double kDegreesPerTurn = 360.0;
+    constexpr double kRounding = 1.0 + 1e-12; // keeps the last step despite rounding errors
     std::vector<TablePosition> positions;
     if (settings.step == TableStep::Time) {
         const int steps = static_cast<int>(
-            std::min(sampling.duration / settings.timeStep * (1.0 + 1e-12), static_cast<double>(kMaxTableRows - 1)));
+            std::min(sampling.duration / settings.timeStep * kRounding, static_cast<double>(kMaxTableRows - 1)));
         for (int i = 0; i <= steps; ++i) {
             const double t = sampling.start + i * settings.timeStep;
             positions.push_back({crankAngle(mechanism.omega2(), t, mechanism.theta20()).hi, t});
         }
         return positions;
     }
-    const int steps =
-        static_cast<int>(std::min(360.0 / settings.angleStep * (1.0 + 1e-12), static_cast<double>(kMaxTableRows - 1)));
+    const int steps = static_cast<int>(
+        std::min(kDegreesPerTurn / settings.angleStep * kRounding, static_cast<double>(kMaxTableRows - 1)));
     for (int i = 0; i <= steps; ++i) {
         const double theta2 = i * settings.angleStep / kDegreesPerRadian;
         positions.push_back({theta2, timeOf({.theta2 = theta2}, mechanism, sampling)});

@@ -14,7 +14,6 @@
 namespace slidercrank
 {
 
-/// The largest number of rows.
 inline constexpr int kMaxTableRows = 5000;
 
 /// Return the channels that the table can show, and the channels that it shows at first.
@@ -27,18 +26,18 @@ struct TablePosition {
     std::optional<double> time = {}; ///< s; nullopt if the crank is not there within the time range
 };
 
-/// Returns the positions of the rows: at equal steps of θ2 from 0° to 360°, or the time steps. An angle has the first
-/// time at which the crank has it, except that the row of 360° ends the revolution that the row of 0° begins if the
-/// crank turns counter-clockwise.
+/// Returns the positions of the rows: at equal steps of θ2 from 0° to 360°, or the time steps. Each angle has the first
+/// time at which the crank reaches it. The exception is 360° if the crank turns counter-clockwise: it has the time at
+/// which the revolution ends that begins at 0°.
 std::vector<TablePosition> tablePositions(const MotionTableSettings &settings, const Mechanism &mechanism,
                                           const Sampling &sampling);
 
 /// The first column of motionTableColumns() that shows a channel of the settings; t and θ₂ are before it.
 inline constexpr int kFirstChannelColumn = 2;
 
-/// Returns the columns: t, θ₂, and the channels of the settings, in the chosen notation and units. In files, θ3 at B
-/// and θ3 at A have different names; and "first time" is no time stamp, since the angles of the rows need not be
-/// reached in the order of time.
+/// Returns the columns: t, θ₂, and the channels of the settings, in the chosen notation and units. In CSV files, θ3 at
+/// B and θ3 at A have different names, and the time of an angle is named "first time" and not "time", since the angles
+/// need not be reached in the order of the rows.
 std::vector<TableColumn> motionTableColumns(const MotionTableSettings &settings);
 
 /// Returns the row of a position, at which the crank has the acceleration alpha2 (rad/s²). A value that is only a
@@ -49,7 +48,7 @@ TableRow motionTableRow(const MotionTableSettings &settings, const Mechanism &me
 /// How numbers are written to a file.
 struct CsvStyle {
     bool hasEveryDigit = false; ///< otherwise six significant digits
-    bool isLocal = false;       ///< decimal sign of the language, and a semicolon if that is a comma
+    bool isLocal = false;       ///< decimal sign of the language, and semicolons between cells if it is a comma
 
     friend bool operator==(const CsvStyle &, const CsvStyle &) = default;
 };

@@ -23,8 +23,7 @@ struct PolygonText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::PolygonText)
 };
 
-/// Returns the symbol of a vector.
-QString vectorText(PolygonVector vector)
+QString vectorSymbol(PolygonVector vector)
 {
     switch (vector) {
     case PolygonVector::PinVelocity: return QStringLiteral("v_A");
@@ -63,12 +62,17 @@ void drawArrow(QPainter &painter, QPointF from, QPointF to)
 {
     const QLineF line(from, to);
     painter.drawLine(line);
-    const double head = std::min(9.0, 0.5 * line.length()); // px
-    if (head < 1.0) {
+    constexpr double kMaxHead = 9.0;          // px
+    constexpr double kMinHead = 1.0;          // px
+    constexpr double kHeadFraction = 0.5;     // of a short arrow
+    constexpr double kHalfAngleOfHead = 18.0; // °
+    const double head = std::min(kMaxHead, kHeadFraction * line.length());
+    if (head < kMinHead) {
         return;
     }
-    QLineF left = QLineF::fromPolar(head, line.angle() + 180.0 - 18.0).translated(to);
-    QLineF right = QLineF::fromPolar(head, line.angle() + 180.0 + 18.0).translated(to);
+    const double backwards = line.angle() + 180.0; // °
+    QLineF left = QLineF::fromPolar(head, backwards - kHalfAngleOfHead).translated(to);
+    QLineF right = QLineF::fromPolar(head, backwards + kHalfAngleOfHead).translated(to);
     painter.setBrush(painter.pen().color());
     painter.drawPolygon(QPolygonF{to, left.p2(), right.p2()});
 }
@@ -88,7 +92,7 @@ QStringList magnitudes(const std::vector<PlacedVector> &polygon, Measure measure
         const double length = lengths[i] > kRounding * largest ? lengths[i] : 0.0;
         const QString amount = shortNumber(shownValue(measure, length, notation().units));
         const bool isLast = i + 1 == polygon.size();
-        texts << QStringLiteral("%1 = %2").arg(vectorText(polygon[i].vector),
+        texts << QStringLiteral("%1 = %2").arg(vectorSymbol(polygon[i].vector),
                                                isLast ? withUnit(amount, shownUnit(measure)) : amount);
     }
     return texts;
@@ -216,7 +220,7 @@ private:
         if (line.length() < kMinNamedLength) {
             return;
         }
-        const QStaticText text = withSubscripts(vectorText(placed.vector), m_painter.font());
+        const QStaticText text = withSubscripts(vectorSymbol(placed.vector), m_painter.font());
         const QRectF box = namePlace(line, text.size(), isSum(placed.vector) ? Side::Right : Side::Left);
         m_names.push_back(box);
         m_painter.setPen(m_palette.color(QPalette::Text));
@@ -225,8 +229,8 @@ private:
 
     enum class Side { Left, Right };
 
-    /// Returns where a name beside a vector covers neither a vector nor another name, and is clearly nearer to its own
-    /// vector than to the others: if possible on the side `side` of its middle.
+    /// Returns a box for the name of a vector. If possible, the box covers neither a vector nor another name, is
+    /// clearly nearer to its own vector than to every other one, and is on the side `side` of its middle.
     QRectF namePlace(const QLineF &line, const QSizeF &size, Side side) const
     {
         const QLineF normal = line.normalVector().unitVector();
@@ -264,11 +268,11 @@ private:
     /// Returns whether the point is clearly nearer to the vector than to every other vector of the polygon.
     bool isNearest(const QPointF &point, const QLineF &vector) const
     {
-        constexpr double kClearly = 1.5;
+        constexpr double kMinDistanceRatio = 1.5;
         const double own = distance(point, vector);
         return std::ranges::all_of(m_polygon, [&](const PlacedVector &placed) {
             const QLineF other(toPixels(placed.from), toPixels(placed.to));
-            return other == vector || distance(point, other) >= kClearly * own;
+            return other == vector || distance(point, other) >= kMinDistanceRatio * own;
         });
     }
 
@@ -343,10 +347,10 @@ QString positionText(double theta2, double alpha2)
 
 bool hasVectors(const Polygons &polygons)
 {
-    const auto isLong = [](const PlacedVector &placed) {
+    const auto isNonZero = [](const PlacedVector &placed) {
         return placed.from.x != placed.to.x || placed.from.y != placed.to.y;
     };
-    return std::ranges::any_of(polygons.velocity, isLong) || std::ranges::any_of(polygons.acceleration, isLong);
+    return std::ranges::any_of(polygons.velocity, isNonZero) || std::ranges::any_of(polygons.acceleration, isNonZero);
 }
 
 void drawPolygons(QPainter &painter, const QRectF &area, const Polygons &polygons, const QPalette &palette)

@@ -26,7 +26,8 @@ bool hasVectors(const Polygons &polygons);
 /// space.
 void drawPolygons(QPainter &painter, const QRectF &area, const Polygons &polygons, const QPalette &palette);
 
-/// Returns a drawing of both polygons at time t (s), with the crank acceleration alpha2 (rad/s²), below their position.
+/// Returns a drawing of both polygons at time t (s), with the crank acceleration alpha2 (rad/s²), below a heading that
+/// states θ₂ and α₂.
 FigureDrawing polygonFigure(const Mechanism &mechanism, double t, double alpha2, const QPalette &palette);
 
 /// Returns the height (px) of a figure of the polygons.

@@ -83,7 +83,7 @@ void insertDrawing(QTextDocument &document, const QString &placeholder, int type
     }
 }
 
-/// The sections after that of a drawing that are on the same page.
+/// The sections after the section of a drawing that shall be on its page.
 enum class Followers {
     None,
     NextOrAll ///< all sections to the end, if they leave enough space for the drawing; otherwise only the next one
@@ -157,14 +157,14 @@ private:
         const double spaceBefore = std::fmod(boxOf(heading).top(), m_page.height());
         setPageBreak(heading, QTextFormat::PageBreak_AlwaysBefore); // for the measurement
         const auto heightUntil = [&](double bottom) { return bottom - boxOf(heading).top() + kReservedHeight; };
-        double others = heightUntil(bottomOf(heading));
+        double occupiedHeight = heightUntil(bottomOf(heading)); // by everything except the drawing
         if (flexible.followers == Followers::NextOrAll) {
             const QTextBlock next = headingAfter(heading);
             const double withAll = heightUntil(boxOf(m_document.lastBlock()).bottom());
             const bool isSpaceForAll = m_page.height() - withAll >= flexible.minHeight;
-            others = isSpaceForAll ? withAll : heightUntil(bottomOf(next.isValid() ? next : heading));
+            occupiedHeight = isSpaceForAll ? withAll : heightUntil(bottomOf(next.isValid() ? next : heading));
         }
-        double space = m_page.height() - others;
+        double space = m_page.height() - occupiedHeight;
         if (space - spaceBefore >= flexible.minHeight) {
             setPageBreak(heading, QTextFormat::PageBreak_Auto);
             space -= spaceBefore;
@@ -358,8 +358,8 @@ private:
     std::optional<Pages> m_sections;
 };
 
-/// Chooses the largest letters with which no line is wider than the page, or the smallest ones. Slightly smaller
-/// letters than these are chosen if they save a last page with only a few lines.
+/// Writes a report in pieces, with the largest letters with which no line is wider than the page, or the smallest ones.
+/// Slightly smaller letters are used if they save a last page with only a few lines.
 class ReportPieces : public ReportExport
 {
 public:
@@ -394,7 +394,7 @@ private:
     static constexpr int kLargestLetters = 12; // px, 9 pt
     static constexpr int kSmallestLetters = 9;
     static constexpr double kMargin = 18.0 / kMmPerInch * kLogicalPixelsPerInch; // px
-    static constexpr double kLayoutFraction = 0.6;                               // of the whole time
+    static constexpr double kLayoutFraction = 0.6;                               // of the progress
 
     // Each of these functions does a piece, and returns the next one.
 
@@ -409,9 +409,9 @@ private:
 
     Piece arrangeSection()
     {
-        const bool isLeft = m_report->sections().arrangeNext();
+        const bool hasArranged = m_report->sections().arrangeNext();
         m_progress = std::max(m_progress, kLayoutFraction * m_report->sections().arrangedPart());
-        return isLeft ? Piece::Section : chooseLetters();
+        return hasArranged ? Piece::Section : chooseLetters();
     }
 
     /// Accepts the letters, or tries smaller ones.
@@ -467,7 +467,7 @@ private:
     int m_page = 0;                          ///< to be printed next
     QBuffer m_buffer;
     QPdfWriter m_writer{&m_buffer};
-    QPainter m_painter; ///< draws until it is destroyed
+    QPainter m_painter; ///< the last member, since it draws until it is destroyed
 };
 
 } // namespace

@@ -38,9 +38,9 @@ struct ReportContent {
     QDateTime timeOfWriting = QDateTime::currentDateTime();
 };
 
-/// Returns the time range (s) that the plots of a report show: that of the zoom or, if there is none and the crank is
-/// so fast that the curves would look like bands, the first revolution. Otherwise returns nullopt: the whole time
-/// range, also of motions that are compared.
+/// Returns the time range (s) that the plots of a report show: that of the zoom, if there is one, otherwise the first
+/// revolution if the crank is so fast that the curves would look like bands and no motions are compared. Returns
+/// nullopt for the whole time range.
 std::optional<Interval> plottedTime(const Result &result, const PlotZoom &zoom);
 
 /// The texts in reportHtml() that the drawings replace.
@@ -71,8 +71,8 @@ protected:
     std::optional<QString> m_problem;
 };
 
-/// Returns a report to be written, with the drawings `mechanism` and `figure`, on white. It keeps the notation of now;
-/// neither the drawings nor the language may change before it is written.
+/// Returns a report to be written, with the drawings `mechanism` and `figure`, on white, in the notation that is chosen
+/// now. Neither the drawings nor the language may change before the report is written.
 std::shared_ptr<ReportExport> beginReport(const QString &path, const ReportContent &content,
                                           const FigureDrawing &mechanism, const FigureDrawing &figure);
 

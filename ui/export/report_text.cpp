@@ -68,7 +68,6 @@ enum class TableKind {
     NamesNumbersAndText ///< names in the first column, text in the last one
 };
 
-/// What a column of a table contains.
 enum class ColumnKind { Name, Number, Text };
 
 ColumnKind columnKind(TableKind table, qsizetype column, qsizetype columnCount)
@@ -173,7 +172,6 @@ QString accelerationNote(const ReportContent &content)
                : note(Report::tr("The motion limits and the plots are those of a constant crank speed, without α₂."));
 }
 
-/// Returns the section with the motion limits.
 QString limitSection(const Result &result)
 {
     const std::vector<MotionFact> facts = motionFacts(result.mechanism, result.limits, result.sampling, notation());
@@ -211,13 +209,12 @@ MotionTableSettings printedTable(const ReportContent &content)
     return settings;
 }
 
-/// Returns the rows of the table of the motion.
 std::vector<TableRow> motionRows(const ReportContent &content, const MotionTableSettings &settings)
 {
     const Mechanism &mechanism = content.result->mechanism;
     std::vector<TableRow> rows;
-    for (const TablePosition &place : tablePositions(settings, mechanism, content.result->sampling)) {
-        rows.push_back(motionTableRow(settings, mechanism, content.alpha2, place));
+    for (const TablePosition &position : tablePositions(settings, mechanism, content.result->sampling)) {
+        rows.push_back(motionTableRow(settings, mechanism, content.alpha2, position));
     }
     return rows;
 }
@@ -383,11 +380,12 @@ QString plotSection(const ReportContent &content)
     if (!isMoving && !result.isCompared()) {
         return {};
     }
-    QString shown;
+    QString timeRange;
     if (const std::optional<Interval> &time = content.plottedTime) {
-        shown = Report::tr("The plots show t = %1 s to %2 s.").arg(numberText(time->lower), numberText(time->upper));
+        timeRange =
+            Report::tr("The plots show t = %1 s to %2 s.").arg(numberText(time->lower), numberText(time->upper));
     }
-    return heading(Report::tr("Motion")) + paragraph(shown) + paragraph(pinnedText(result)) +
+    return heading(Report::tr("Motion")) + paragraph(timeRange) + paragraph(pinnedText(result)) +
            QStringLiteral("<p>%1</p>").arg(kFigurePlaceholder);
 }
 

@@ -65,7 +65,7 @@ void MechanismDrawing::paint(QPainter &painter) const
 
 void MechanismDrawing::paintHighlight(QPainter &painter, DrawnPart part, const QColor &colour) const
 {
-    constexpr double kBeyondOutline = 5.0; // px, on both sides together
+    constexpr double kBeyondOutline = 5.0; // px, both sides together
     constexpr double kHighlightOpacity = 0.45;
     for (const DrawnShape &shape : m_shapes) {
         if (part != Background && shape.part == part && shape.pen.style() != Qt::NoPen) {
@@ -136,7 +136,7 @@ void MechanismDrawing::addDimension(QPointF from, QPointF to, const QColor &colo
 QSizeF MechanismDrawing::textSize(const QString &text, TextSize letters) const
 {
     const QFontMetricsF metrics(letters == TextSize::Small ? m_smallFont : m_font);
-    constexpr double kSpaceBeside = 4.0; // px, on both sides together
+    constexpr double kSpaceBeside = 4.0; // px, both sides together
     return {metrics.horizontalAdvance(text) + kSpaceBeside, metrics.height()};
 }
 

@@ -39,7 +39,7 @@ void MechanismSketch::addScenery()
         addGrid();
         addCrankCircle();
         addGuide();
-        addPath();
+        addPathOfG3();
         addPivot();
         addDimensionsAndScales();
     }
@@ -195,8 +195,7 @@ std::vector<MechanismSketch::Caption> MechanismSketch::deadCentreCaptions() cons
     return captions;
 }
 
-/// Adds the path of G3.
-void MechanismSketch::addPath()
+void MechanismSketch::addPathOfG3()
 {
     if (!m_scene->settings.path) {
         return;
@@ -323,7 +322,6 @@ QStringList MechanismSketch::lengthLines() const
     return isSpaceInCorner(lengths.size()) ? lengths : QStringList();
 }
 
-/// Returns the number of text lines in the upper left corner.
 int MechanismSketch::cornerLineCount() const
 {
     const int scales = hasScalesInCorner() ? scaleCount() : 0;

@@ -60,7 +60,7 @@ private:
     void addCrankCircle();
     QRectF rail() const;
     void addGuide();
-    void addPath();
+    void addPathOfG3();
     void addPivot();
     void addDimensionsAndScales();
     QLineF offsetDimension() const;

@@ -375,7 +375,6 @@ MechanismSketch MechanismView::newSketch(const QSizeF &size, const QPalette &pal
     return {m_scene, m_frame.projection(size / magnified), palette, letters};
 }
 
-/// Draws everything anew.
 void MechanismView::refresh()
 {
     m_scenery = newSketch(size(), palette());

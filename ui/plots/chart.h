@@ -58,7 +58,6 @@ public:
     void setContent(const ChartContent &content);
     const ChartContent &content() const { return m_content; }
 
-    /// Identifies a point of a series.
     struct PointIndex {
         std::size_t series = 0;
         std::size_t point = 0;

@@ -44,8 +44,8 @@ struct CurveScale {
 std::vector<CurvePoint> refine(std::span<const CurvePoint> points, const std::function<double(double)> &valueAt,
                                const CurveScale &scale, double tolerance, const Interval &values);
 
-/// Removes the points that lie within `tolerance` (in values) of the line between the remaining points. A smooth curve
-/// keeps about a quarter of its points. Gaps and the points beside them are never removed.
+/// Removes the points that lie within `tolerance` (in values) of the line between the remaining points. Gaps and the
+/// points beside them are never removed.
 std::vector<CurvePoint> withoutNeedlessPoints(std::span<const CurvePoint> points, double tolerance);
 
 /// Returns the range of the values within the time range; nullopt if there are none. If `isUnbounded` is set or a value

@@ -341,7 +341,6 @@ void placeHeadings(PlotCursor &cursor, const QRectF &axes, const QFont &font)
     }
 }
 
-/// Places the labels of one cursor.
 void placeLabelsOf(PlotCursor &cursor, const QRectF &wholeAxes, const QFont &font, CrowdedLabelPolicy policy)
 {
     // Close to the left edge, a value could be taken for one of the numbers of the axis. In an exported figure, which

@@ -390,7 +390,6 @@ void PlotFigure::setTimeScale()
     }
 }
 
-/// Returns the unit of the errors of that order.
 QString PlotFigure::errorUnit(Order order) const
 {
     switch (m_style.error) {

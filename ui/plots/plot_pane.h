@@ -2,8 +2,8 @@
 #pragma once
 
 // A widget that shows one plot. It paints its part of the figure's picture and, over it, what moves: the lines at the
-// current time and at the pointer, and the dots on the curves with their values. Moving the lines and dots replots
-// nothing: the widget repaints the one rectangle that contains them.
+// current time and at the pointer, and the dots on the curves with their values. Moving the lines and dots repaints
+// only the one rectangle that contains them.
 
 #include "ui/plots/plot_cursor.h"
 
