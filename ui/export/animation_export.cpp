@@ -41,7 +41,8 @@ Problem findFault(const QString &path)
                                  .arg(QDir::toNativeSeparators(path)))
                    : std::nullopt;
     }
-    if (target.isDir() ? !QDir(path).isEmpty() : target.exists()) {
+    const bool isOccupied = target.isDir() ? !QDir(path).isEmpty() : target.exists();
+    if (isOccupied) {
         return cannotWrite(path, AnimationExport::tr("it exists already"));
     }
     return std::nullopt;

@@ -172,7 +172,6 @@ void FigureForm::fitPreview(const QSize &occupied)
     m_preview->setMinimumSize(available.boundedTo(kMaxPreviewSize).expandedTo(kMinPreviewSize));
 }
 
-/// Arranges the fields with their labels.
 QLayout *FigureForm::makeForm()
 {
     auto *width = new QHBoxLayout;

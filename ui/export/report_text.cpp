@@ -197,7 +197,7 @@ QString crankText(const ReportContent &content)
 }
 
 /// Returns the settings of the table of the motion. A step that gives more rows than a report should have is replaced.
-MotionTableSettings printedTable(const ReportContent &content)
+MotionTableSettings printedTableSettings(const ReportContent &content)
 {
     constexpr std::size_t kMaxPrintedRows = 361; // every degree, about nine pages
     const MotionTableSettings usual{.columns = usualTableChannels()};
@@ -252,15 +252,15 @@ QString dashNotes(const std::vector<TableRow> &rows)
     return html;
 }
 
-/// Returns the section with the table of the motion, on a new page. Columns for which the page is too narrow follow
-/// in sections of their own. Returns an empty text if there is none.
-QString motionTable(const ReportContent &content)
+/// Returns the section with the table of the motion, on a new page. Columns for which the page is too narrow follow in
+/// sections of their own. Returns an empty text if there is a reference or the mechanism cannot be assembled.
+QString motionTableSection(const ReportContent &content)
 {
     if (content.result->reference || content.result->limits.mobility == Mobility::Impossible) {
         return {};
     }
     constexpr std::size_t kMaxChannels = 8; // side by side
-    const MotionTableSettings settings = printedTable(content);
+    const MotionTableSettings settings = printedTableSettings(content);
     const std::vector<TableColumn> columns = motionTableColumns(settings);
     const std::vector<TableRow> rows = motionRows(content, settings);
     const bool isOverTime = settings.step == TableStep::Time;
@@ -282,7 +282,7 @@ QString motionTable(const ReportContent &content)
     return html + dashNotes(rows);
 }
 
-/// Returns the section with the polygons; an empty text if there is no vector to be drawn.
+/// Returns the section with the polygons; an empty text if there is a reference or no vector to be drawn.
 QString polygonSection(const ReportContent &content)
 {
     const Polygons polygons = polygonsAt(content.result->mechanism, content.time, content.alpha2);
@@ -345,7 +345,7 @@ QString fileText(const Reference &reference)
 }
 
 /// Returns the section about the reference: the verdict, its cause, the mechanism found and the errors.
-QString comparisonText(const ReportContent &content)
+QString comparisonSection(const ReportContent &content)
 {
     const Result &result = *content.result;
     const Identification &found = content.found;
@@ -364,7 +364,7 @@ QString comparisonText(const ReportContent &content)
 }
 
 /// Returns the section about the difference from the motion that was pinned last.
-QString differenceText(const Result &result)
+QString differenceSection(const Result &result)
 {
     const QString pinned = pinnedText(result.pinned.back(), result.mechanism.parameters());
     return heading(Report::tr("Difference from the pinned motion")) +
@@ -372,7 +372,7 @@ QString differenceText(const Result &result)
            errorTable(result.difference->channels, nullptr);
 }
 
-/// Returns the section with the plots; an empty text if they would contain no curve.
+/// Returns the section with the plots; an empty text if nothing moves and nothing is compared.
 QString plotSection(const ReportContent &content)
 {
     const Result &result = *content.result;
@@ -463,7 +463,7 @@ QString reportHtml(const ReportContent &content)
     }
     QString comparison;
     if (result.isCompared()) {
-        comparison = result.reference ? comparisonText(content) : differenceText(result);
+        comparison = result.reference ? comparisonSection(content) : differenceSection(result);
     }
     return element("h1", Report::tr("Motion of an offset slider-crank")) +
            note(Report::tr("%1, by %2 %3")
@@ -471,7 +471,7 @@ QString reportHtml(const ReportContent &content)
                          QCoreApplication::applicationName(), QCoreApplication::applicationVersion())) +
            sideBySide(parameterTable(content), kMechanismPlaceholder) + note(caption) +
            heading(Report::tr("At %1").arg(crankText(content))) + valueTable(content) + derivedValues(content) +
-           jumpNote(content) + accelerationNote(content) + limitSection(result) + motionTable(content) +
+           jumpNote(content) + accelerationNote(content) + limitSection(result) + motionTableSection(content) +
            polygonSection(content) + plotSection(content) + heading(Report::tr("Method")) +
            paragraph(methodText(result)) + comparison;
 }

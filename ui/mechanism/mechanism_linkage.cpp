@@ -45,9 +45,10 @@ void MechanismSketch::addLinkage()
         return; // no pose has been set
     }
     avoidScenery();
+    addDeadCentreCaptions();
     addModel();
     if (m_poseExists) {
-        addMotion();
+        addAnnotations();
     }
     if (m_scene->settings.names) {
         addNames();
@@ -63,7 +64,7 @@ void MechanismSketch::addLinkage()
 }
 
 /// Keeps labels away from the ground, the rail, the marks of the dead centres, the legend and the dimension of the
-/// offset, and adds the captions of the dead centres.
+/// offset.
 void MechanismSketch::avoidScenery()
 {
     constexpr double kHeightOfGround = 24.0;    // px, with the hatching
@@ -82,14 +83,19 @@ void MechanismSketch::avoidScenery()
     if (m_scene->settings.dimensions) {
         avoid(offsetDimension(), kBesideOffset);
     }
-    for (const auto &[name, box] : deadCentreCaptions()) { // over the coupler, which may pass them and stays visible
+}
+
+/// Adds the captions over the coupler, which may pass them and stays visible.
+void MechanismSketch::addDeadCentreCaptions()
+{
+    for (const auto &[name, box] : deadCentreCaptions()) {
         m_labels.push_back({.text = name, .box = box, .ink = m_muted, .paper = Qt::transparent, .isSmall = true});
         avoid(box);
     }
 }
 
 /// Adds what moves with the linkage: arrows, the instant centre, lengths and angles.
-void MechanismSketch::addMotion()
+void MechanismSketch::addAnnotations()
 {
     const MechanismSettings &settings = m_scene->settings;
     if (settings.acceleration) {

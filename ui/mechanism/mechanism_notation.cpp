@@ -106,7 +106,6 @@ void MechanismSketch::addArrow(QPointF tail, QPointF tip, const ArrowScale &arro
     avoid({tail, tip}, kOccupiedWidth);
 }
 
-/// Adds an arrow for the velocity or the acceleration of each of the points.
 void MechanismSketch::addMotionArrows(const ArrowScale &arrows, std::span<const LinkagePoint> points)
 {
     for (const LinkagePoint point : points) {

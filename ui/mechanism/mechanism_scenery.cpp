@@ -38,9 +38,9 @@ void MechanismSketch::addScenery()
     if (m_scene->result) {
         addGrid();
         addCrankCircle();
-        addGuide();
+        addGuideAndDeadCentres();
         addPathOfG3();
-        addPivot();
+        addSupport();
         addDimensionsAndScales();
     }
 }
@@ -141,7 +141,7 @@ std::vector<MechanismSketch::DeadCentreMark> MechanismSketch::deadCentreMarks() 
 }
 
 /// Adds the slider's line, the rail and the dead centres.
-void MechanismSketch::addGuide()
+void MechanismSketch::addGuideAndDeadCentres()
 {
     const double y = toPixels({0.0, mechanism().c()}).y();
     addLine({0.0, y}, {projection().size.width(), y}, QPen(m_muted, kHairline, Qt::DashDotLine), Guide);
@@ -218,7 +218,7 @@ void MechanismSketch::addPathOfG3()
 }
 
 /// Adds the support of O2.
-void MechanismSketch::addPivot()
+void MechanismSketch::addSupport()
 {
     constexpr double kHalfFoot = 11.0; // px, of the bracket
     const QPointF foot = m_O2 + QPointF(0.0, kSupportSize);

@@ -59,9 +59,9 @@ private:
     void addGround(QPointF from, double to, DrawnPart part);
     void addCrankCircle();
     QRectF rail() const;
-    void addGuide();
+    void addGuideAndDeadCentres();
     void addPathOfG3();
-    void addPivot();
+    void addSupport();
     void addDimensionsAndScales();
     QLineF offsetDimension() const;
     int cornerLineCount() const;
@@ -85,8 +85,9 @@ private:
     void addLink(QPointF from, QPointF to, double width, const QColor &colour, DrawnPart part);
     void addJoint(QPointF centre, const QColor &edge, DrawnPart part);
     void avoidScenery();
+    void addDeadCentreCaptions();
     void addModel();
-    void addMotion();
+    void addAnnotations();
     void addMissingCoupler();
     QString problemText() const;
     void addAssemblyProblem();

@@ -70,7 +70,6 @@ public:
     /// Returns the position (px) of a point in the widget.
     QPointF positionOf(const PointIndex &index);
 
-    /// Paints the chart on any paint device.
     void paint(QPainter &painter, const QSize &size, const QPalette &palette);
 
 protected:

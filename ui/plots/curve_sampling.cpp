@@ -106,7 +106,7 @@ namespace
 /// Inserts further points of a curve between two given ones.
 struct CurveRefinement {
     const std::function<double(double)> &valueAt;
-    CurveScale scale;                 ///< px
+    CurveScale scale;
     double tolerance;                 ///< px
     Interval values;                  ///< the visible range
     std::vector<CurvePoint> &refined; ///< receives the points

@@ -28,7 +28,7 @@ public:
         double factor = 1.0;                     ///< converts an absolute error to the unit shown
         double peak = 0.0;                       ///< largest magnitude of the reference; may be infinite
         bool isUnbounded = false;                ///< whether the errors have no finite maximum
-        std::span<const double> reference;       ///< its values; empty if the channel is not in the file
+        std::span<const double> reference;       ///< values; empty if the channel is not in the file
         std::vector<double> values;              ///< in the chosen measure; not finite where undefined
         std::vector<double> undefined;           ///< time stamps (s) at which a percentage would divide by zero
     };
@@ -43,7 +43,7 @@ private:
     PlotSettings m_settings;
     std::span<const double> m_time;
     std::array<Errors, kPlottedChannels.size()> m_errors;
-    Trajectory m_pinned; ///< at m_time; empty if there is a file
+    Trajectory m_pinned; ///< the pinned motion at m_time; empty if there is a file
 };
 
 } // namespace slidercrank

@@ -41,7 +41,6 @@ const QVector<double> kRoundingDashes{2.0, 3.0};
 const auto kPinnedDashes = std::to_array<QVector<double>>({{}, {13.0, 4.0}, {5.0, 4.0}, {2.0, 3.0}});
 static_assert(kPinnedDashes.size() == kMaxPinned && kPinnedColours.size() == kMaxPinned);
 
-/// Returns the colour of the errors of a channel.
 Ink errorInk(std::size_t channel)
 {
     return kPlottedChannels[channel].coordinate == R4x ? &SeriesColours::sliderError : &SeriesColours::couplerError;
@@ -223,7 +222,7 @@ PlotCurve PlotFigure::modelCurve(std::size_t channel) const
     return curve;
 }
 
-/// Returns the curve of the file. Requires the channel to be in the file.
+/// Requires the channel to be in the file.
 PlotCurve PlotFigure::fileCurve(std::size_t channel) const
 {
     const Reference &file = *m_result->reference;

@@ -5,9 +5,9 @@
 // painter, so that screen, image, SVG and PDF look alike. QCustomPlot's own painting and interactions are not used.
 //
 // The reason is speed. For nine plots with three curves of 440 points, QCustomPlot with QCPLegend and QCPTextElement
-// needs 3.8 to 4.2 ms of CPU time (median of 260 frames), and this class, which draws directly on the widget, 3.1 to
-// 3.4 ms; at a pixel ratio of 2, they need 9.9 and 7.5 ms. Moreover, QCPLegend does not wrap, and QCustomPlot has no
-// interaction in which one box zooms the time of nine plots and the values of one.
+// needs 3.8 to 4.2 ms of CPU time (median of 260 frames), and this class 3.1 to 3.4 ms; at a pixel ratio of 2, they
+// need 9.9 and 7.5 ms. Moreover, QCPLegend does not wrap, and QCustomPlot has no interaction in which one box zooms the
+// time of nine plots and the values of one.
 
 #include "ui/plots/curve_sampling.h"
 #include "ui/plots/plot_fonts.h"

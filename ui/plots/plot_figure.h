@@ -54,8 +54,8 @@ struct PlotCurve {
     Ink ink = &SeriesColours::model;
     std::vector<CurvePoint> points = {};
 
-    /// Returns the value that a cursor shows, in axis units, and its time. This is that of the nearest row of the file
-    /// or time step if the curve has no value at the time of the cursor. Empty if a cursor shows no value.
+    /// Returns the value that a cursor shows, in axis units, and the time of the value: that of the nearest row of the
+    /// file or time step if the curve has no value in between. Empty if a cursor shows no value of the curve.
     std::function<CurvePoint(const ReadTime &)> readout = {};
 
     /// Returns the exact value at a time, for drawing. Empty if the curve consists of samples.
@@ -106,7 +106,7 @@ struct PlotStyle {
     std::vector<std::size_t> plots;
     QFont font = {};
     QPalette palette = {};
-    std::size_t maxColumns = kPlotColumns; ///< side by side; below kPlotColumns, the errors follow the motions
+    std::size_t maxColumns = kPlotColumns; ///< of plots; if it is below kPlotColumns, the errors follow the motions
     double detail = 1.0;                   ///< size (px) of the smallest detail that the device shows
     QString comparedWith{};                ///< name of the pinned motion that is compared; may be empty
     bool isOfFile = false;                 ///< whether the errors are those of a file
@@ -132,7 +132,7 @@ public:
     const PlotSettings &settings() const { return m_settings; }
 
     /// In presentation mode pinned curves are as thick as the model's, every motion is named by the parameters that
-    /// differ, and errors are shown only relative to a file.
+    /// differ, and no errors are shown.
     void setPresentation(bool isPresentation);
     bool isPresentation() const { return m_isPresentation; }
 
@@ -166,8 +166,8 @@ public:
     const std::vector<std::size_t> &plots() const { return m_style.plots; }
     const Plot &shownPlot(std::size_t plot) const { return m_plots[plot]; }
 
-    /// Returns the time nearest to t at which all curves have values: a time stamp of the file or, without one, a time
-    /// step if the motion is sampled.
+    /// Returns the time nearest to t at which all curves have values: a time stamp of the file or, outside its time or
+    /// without a file, a time step of a sampled motion, or any time of an exact one.
     ReadTime readTime(double t) const;
 
     /// Returns the values of a plot that is shown, in the order of the legend.

@@ -2,8 +2,8 @@
 #pragma once
 
 // The figure of the reference report as a widget: three rows (position, velocity, acceleration) and three columns (θ³,
-// Rₓ⁴, error), with one legend, one time range and one time cursor for all nine plots. Where nothing is compared there
-// are no errors, and the other six plots fill the figure.
+// Rₓ⁴, error), with one legend, one time range and one time cursor for all nine plots. Where nothing is compared, and
+// in presentation mode, the six plots without errors fill the figure.
 //
 // A left drag zooms into the box that it draws. A flat box zooms only the time, a narrow one only the values. Dragging
 // with Shift or with the middle button pans. The wheel zooms the time, or over a value axis the values.
@@ -106,7 +106,7 @@ private:
     QPixmap m_picture; ///< of the figure, under the moving cursors; null until a cursor moves
     std::array<PlotPane *, kPlotCount> m_panes{};
     QList<QAction *> m_choices;
-    QList<QAction *> m_errorChoices; ///< the actions about errors, which are hidden where nothing is compared
+    QList<QAction *> m_errorChoices; ///< the actions about errors, which are hidden where no errors are shown
     QLabel *m_hint;                  ///< says how to compare with a file; to the right of the legend
     std::optional<std::size_t> m_maximized;
     std::optional<std::size_t> m_hovered;    ///< the plot under the pointer
