@@ -139,7 +139,7 @@ private:
     /// Moves a section that a page break would divide to the next page, unless this left a large part of a page empty.
     void keepTogether(const QTextBlock &heading)
     {
-        constexpr double kMaxEmptyPart = 0.4;
+        constexpr double kMaxEmptyPart = 0.4; // of a page
         const double top = boxOf(heading).top();
         const bool isDivided = pageAt(top) != pageAt(bottomOf(heading));
         const double space = m_page.height() - std::fmod(top, m_page.height()); // on the page where it begins
@@ -250,9 +250,9 @@ void setText(QTextDocument &document, const QFont &font, const QString &html)
 /// Returns the size (px) of the mechanism's drawing beside the table of the parameters.
 QSize drawingSize(const ReportContent &content, const QFont &font, double textWidth)
 {
-    constexpr double kSpacing = 48.0; // px, between table and drawing
-    constexpr double kMinWidth = 240.0;
-    constexpr double kMaxWidth = 380.0;
+    constexpr double kSpacing = 48.0;    // px, between table and drawing
+    constexpr double kMinWidth = 240.0;  // px
+    constexpr double kMaxWidth = 380.0;  // px
     constexpr double kHeightRatio = 0.6; // height of the drawing over its width
     QTextDocument table;
     setText(table, font, parameterTable(content));

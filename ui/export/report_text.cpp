@@ -105,7 +105,7 @@ QString tableClass(TableKind kind)
     return "plain";
 }
 
-/// Returns an HTML table. The first row is the header, which is repeated on each page.
+/// The first row is the header, which is repeated on each page.
 QString table(const std::vector<QStringList> &rows, TableKind kind = TableKind::NamesAndNumbers)
 {
     QString html = QStringLiteral("<table class=%1 cellspacing=0 cellpadding=2>").arg(tableClass(kind));

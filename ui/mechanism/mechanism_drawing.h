@@ -46,7 +46,7 @@ enum class DrawnPart {
     A,
     B,
     Guide, ///< the slider's line
-    G3,
+    G3,    ///< the coupler's centre of mass
     OuterDeadCentre,
     InnerDeadCentre,
     ForbiddenArc

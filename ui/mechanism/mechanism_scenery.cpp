@@ -40,7 +40,7 @@ void MechanismSketch::addScenery()
         addCrankCircle();
         addGuideAndDeadCentres();
         addPathOfG3();
-        addSupport();
+        addSupportOfO2();
         addDimensionsAndScales();
     }
 }
@@ -140,7 +140,6 @@ std::vector<MechanismSketch::DeadCentreMark> MechanismSketch::deadCentreMarks() 
     return marks;
 }
 
-/// Adds the slider's line, the rail and the dead centres.
 void MechanismSketch::addGuideAndDeadCentres()
 {
     const double y = toPixels({0.0, mechanism().c()}).y();
@@ -217,8 +216,7 @@ void MechanismSketch::addPathOfG3()
     add(path, QPen(faded(m_colours.model, kPathInk), kPathLine));
 }
 
-/// Adds the support of O2.
-void MechanismSketch::addSupport()
+void MechanismSketch::addSupportOfO2()
 {
     constexpr double kHalfFoot = 11.0; // px, of the bracket
     const QPointF foot = m_O2 + QPointF(0.0, kSupportSize);
@@ -304,10 +302,10 @@ bool MechanismSketch::hasScalesInCorner() const
 }
 
 /// Returns the lengths as they are written in the upper left corner: in one line if the button for the assembly leaves
-/// space for it, otherwise below each other; none where there is no space.
+/// space for it, otherwise below each other; empty where there is no space.
 QStringList MechanismSketch::lengthLines() const
 {
-    constexpr double kButton = 0.45; // largest fraction of the width that the button takes
+    constexpr double kMaxButtonFraction = 0.45; // fraction of the width that the button takes
     if (!m_scene->settings.dimensions) {
         return {};
     }
@@ -316,7 +314,7 @@ QStringList MechanismSketch::lengthLines() const
         lengths << lengthText(mechanism(), length);
     }
     const QString line = lengths.join("   ");
-    if (textSize(line, TextSize::Small).width() < (1.0 - kButton) * projection().size.width()) {
+    if (textSize(line, TextSize::Small).width() < (1.0 - kMaxButtonFraction) * projection().size.width()) {
         lengths = QStringList(line);
     }
     return isSpaceInCorner(lengths.size()) ? lengths : QStringList();

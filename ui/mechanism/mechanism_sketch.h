@@ -61,7 +61,7 @@ private:
     QRectF rail() const;
     void addGuideAndDeadCentres();
     void addPathOfG3();
-    void addSupport();
+    void addSupportOfO2();
     void addDimensionsAndScales();
     QLineF offsetDimension() const;
     int cornerLineCount() const;

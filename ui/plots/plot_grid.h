@@ -91,7 +91,7 @@ private:
 
     void refreshIfStale();
     void refresh();
-    void moveCursors();
+    void moveCursors(); ///< over m_picture, which it makes if necessary
     void placeCursors();
     std::vector<PlotCursor> cursors(std::size_t plot);
 
