@@ -24,16 +24,17 @@ namespace
 
 #if QT_CONFIG(future)
 constexpr int kProgressSteps = 1000; // Qt reports progress as a whole number
-constexpr int kMaxThreads = 1000;    // a thread for each task, so that short tasks do not wait for long ones
+constexpr int kMaxThreads = 1000;    // enough for a thread for each task: short tasks do not wait for long ones
 #else
-constexpr std::chrono::milliseconds kPause{20}; // before the work, in which the window is painted
+constexpr std::chrono::milliseconds kPause{20}; // before the work starts: the window is painted
 #endif
-constexpr std::chrono::milliseconds kPaintInterval{40}; // duration of the pieces between two paintings
+constexpr std::chrono::milliseconds kPaintInterval{40}; // the window is painted between two such intervals
 
 #if QT_CONFIG(future)
 
-/// Returns the threads of all tasks. They are not those of QThreadPool::globalInstance(), with which Qt paints and
-/// whose number suits the processors. The application owns them, and waits for them before it destroys anything else.
+/// Returns the thread pool of all tasks. QThreadPool::globalInstance() is not used, because Qt paints with its threads,
+/// and they are only as many as the processors. The application owns the pool, and waits for its threads before it
+/// destroys anything else.
 QThreadPool &taskThreads()
 {
     static QPointer<QThreadPool> threads;
@@ -55,8 +56,8 @@ BackgroundTask::~BackgroundTask()
     m_stop.request_stop();
 }
 
-/// Does the work. Returns a message on failure, otherwise an empty text.
-QString BackgroundTask::problemOf(const std::function<void()> &work)
+/// Does the work. Returns a message if it threw an exception, otherwise an empty text.
+QString BackgroundTask::runAndCatch(const std::function<void()> &work)
 {
     try {
         work();
@@ -68,7 +69,7 @@ QString BackgroundTask::problemOf(const std::function<void()> &work)
     return {};
 }
 
-/// Discards what is running. Returns the object that stands for the new work.
+/// Discards what is running, and marks the task as running. Returns a new object that identifies the new work.
 template <typename Watcher>
 Watcher *BackgroundTask::begin()
 {
@@ -95,7 +96,7 @@ void BackgroundTask::finish(const QObject *watcher, const QString &problem, cons
 
 #if QT_CONFIG(future)
 
-void BackgroundTask::run(const Work &work, const std::function<void()> &done, const Failed &failed)
+void BackgroundTask::run(const WorkFunction &work, const std::function<void()> &done, const Failed &failed)
 {
     auto *const watcher = begin<QFutureWatcher<QString>>();
     connect(watcher, &QFutureWatcherBase::progressValueChanged, this,
@@ -104,7 +105,7 @@ void BackgroundTask::run(const Work &work, const std::function<void()> &done, co
             [this, watcher, done, failed] { finish(watcher, watcher->result(), done, failed); });
     watcher->setFuture(QtConcurrent::run(&taskThreads(), [work, stop = m_stop.get_token()](QPromise<QString> &promise) {
         promise.setProgressRange(0, kProgressSteps);
-        promise.addResult(problemOf([&] {
+        promise.addResult(runAndCatch([&] {
             work(stop, [&promise](double part) { promise.setProgressValue(static_cast<int>(part * kProgressSteps)); });
         }));
     }));
@@ -122,12 +123,12 @@ void BackgroundTask::runPieces(const Pieces &pieces, const std::function<void()>
 
 #else // there are no threads: the window waits for the work, but first shows what has changed
 
-void BackgroundTask::run(const Work &work, const std::function<void()> &done, const Failed &failed)
+void BackgroundTask::run(const WorkFunction &work, const std::function<void()> &done, const Failed &failed)
 {
     auto *const watcher = begin<QObject>();
     QTimer::singleShot(kPause, watcher, [this, watcher, work, done, failed, stop = m_stop.get_token()] {
         if (m_watcher == watcher) { // otherwise it has been discarded
-            finish(watcher, problemOf([&] { work(stop, [](double) {}); }), done, failed);
+            finish(watcher, runAndCatch([&] { work(stop, [](double) {}); }), done, failed);
         }
     });
 }
@@ -149,9 +150,9 @@ void BackgroundTask::runPiecesInGuiThread(const Pieces &pieces, const std::funct
             return;
         }
         bool isDone = false;
-        const QDeadlineTimer pause(kPaintInterval);
-        const QString problem = problemOf([&] {
-            while (!isDone && !pause.hasExpired()) {
+        const QDeadlineTimer deadline(kPaintInterval);
+        const QString problem = runAndCatch([&] {
+            while (!isDone && !deadline.hasExpired()) {
                 isDone = !pieces.advance();
             }
         });
@@ -164,7 +165,7 @@ void BackgroundTask::runPiecesInGuiThread(const Pieces &pieces, const std::funct
     timer->start(0);
 }
 
-/// Stops the work, and disconnects from it.
+/// Asks the work to stop, and disconnects from it.
 void BackgroundTask::release()
 {
     m_stop.request_stop();

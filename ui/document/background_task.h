@@ -32,7 +32,7 @@ public:
     using Failed = std::function<void(const QString &message)>;
 
     /// Discards what is running, and runs work(std::stop_token, const Progress &) in another thread. Then calls done()
-    /// with the value that it returned, or failed() if it threw an exception.
+    /// with the value that work() returned, or failed() if work() threw an exception.
     template <typename Work, typename Done>
     void start(Work work, Done done, Failed failed)
     {
@@ -43,9 +43,9 @@ public:
             [done, value] { done(std::as_const(**value)); }, failed);
     }
 
-    /// Discards what is running, and does work in small pieces, which a program without threads does between the
-    /// events: calls pieces->advance() until it returns false, and then done(*pieces), or failed() if a piece threw an
-    /// exception. pieces->progress() is the part that is done.
+    /// Discards what is running, and calls pieces->advance() until it returns false: in another thread or, if the
+    /// program has no threads, in the GUI thread between events. Then calls done(*pieces), or failed() if advance()
+    /// threw an exception. pieces->progress() returns the fraction of the work that is done.
     template <typename Work, typename Done>
     void startPieces(const std::shared_ptr<Work> &pieces, Done done, Failed failed)
     {
@@ -53,7 +53,7 @@ public:
             piecesOf(pieces), [pieces, done] { done(std::as_const(*pieces)); }, failed);
     }
 
-    /// The same in the GUI thread between the events, also in a program with threads: for work that uses widgets.
+    /// Does what startPieces() does, but always in the GUI thread between events: for work that uses widgets.
     template <typename Work, typename Done>
     void startPiecesInGuiThread(const std::shared_ptr<Work> &pieces, Done done, Failed failed)
     {
@@ -71,10 +71,10 @@ signals:
     void runningChanged(bool running); ///< false after done() or failed(), and when the work is discarded
 
 private:
-    using Work = std::function<void(const std::stop_token &stop, const Progress &progress)>;
-    void run(const Work &work, const std::function<void()> &done, const Failed &failed);
+    using WorkFunction = std::function<void(const std::stop_token &stop, const Progress &progress)>;
+    void run(const WorkFunction &work, const std::function<void()> &done, const Failed &failed);
     void release();
-    static QString problemOf(const std::function<void()> &work);
+    static QString runAndCatch(const std::function<void()> &work);
 
     struct Pieces {
         std::function<bool()> advance;

@@ -16,7 +16,7 @@ namespace slidercrank
 namespace
 {
 
-/// Returns the settings key for files with the headings. It is a hash, because headings may contain characters that
+/// Returns the settings key for files of this layout. It is a hash, because headings may contain characters that
 /// are not allowed in keys.
 QString settingsKey(const FileLayout &layout, const QStringList &paths)
 {

@@ -2,8 +2,8 @@
 #pragma once
 
 // Stores the meanings that the user chose for the columns of a file, in the settings of the program. They apply to
-// every file with the same headings; if the file has no headings, to the same path; and if several files are joined, to
-// files with the same names and headings.
+// every file with the same headings and units; to joined files only if their names are the same, too; and if there are
+// no headings, only to files with the same paths.
 
 #include "core/import/file_layout.h"
 

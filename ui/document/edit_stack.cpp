@@ -17,15 +17,15 @@ namespace
 constexpr int kUndoLimit = 200;
 constexpr std::chrono::seconds kMergeInterval{1}; // longer than the delay before a held key repeats
 
-/// Bits of EditName::identity. The lower bits identify the parameters: 1 << indexOf(parameter).
-constexpr int kBranchIdentity = 1 << kParameterCount;
-constexpr int kSamplingIdentity = kBranchIdentity << 1;
-constexpr int kSolverIdentity = kBranchIdentity << 2;
-constexpr int kAccelerationIdentity = kBranchIdentity << 3;
+/// Bits of EditName::changes. The lower bits are those of the parameters: 1 << indexOf(parameter).
+constexpr int kBranchBit = 1 << kParameterCount;
+constexpr int kSamplingBit = kBranchBit << 1;
+constexpr int kSolverBit = kBranchBit << 2;
+constexpr int kAccelerationBit = kBranchBit << 3;
 
 struct EditName {
     QString text;
-    int identity = 0; ///< identifies the settings that change; 0 if the edit is always a step of its own
+    int changes = 0; ///< a bit for each setting that changes; 0 if the edit is always a step of its own
 };
 
 bool haveSameFile(const Choices &first, const Choices &second)
@@ -34,8 +34,8 @@ bool haveSameFile(const Choices &first, const Choices &second)
                                                : first.reference == second.reference;
 }
 
-/// Names the edit by the most important of the choices that differ: an edit of the reference or of parameters may also
-/// change the time range.
+/// Returns the name of an edit, and what it changes: the most important of the choices that differ, because an edit of
+/// the reference or of parameters may also change the time range.
 EditName nameEdit(const Choices &before, const Choices &after)
 {
     if (after.reference != before.reference) {
@@ -59,22 +59,22 @@ EditName nameEdit(const Choices &before, const Choices &after)
     const bool isBranchChanged = before.parameters.branch != after.parameters.branch;
     const bool isMechanismChanged = isBranchChanged || !changed.empty();
     if (!isMechanismChanged && after.alpha2 != before.alpha2) {
-        return {.text = EditStack::tr("change of %1").arg(QStringLiteral("α₂")), .identity = kAccelerationIdentity};
+        return {.text = EditStack::tr("change of %1").arg(QStringLiteral("α₂")), .changes = kAccelerationBit};
     }
     if (!isMechanismChanged && after.sampling != before.sampling) {
-        return {.text = EditStack::tr("change of the time range"), .identity = kSamplingIdentity};
+        return {.text = EditStack::tr("change of the time range"), .changes = kSamplingBit};
     }
     if (!isMechanismChanged) {
-        return {.text = EditStack::tr("change of the method"), .identity = kSolverIdentity};
+        return {.text = EditStack::tr("change of the method"), .changes = kSolverBit};
     }
-    int identity = isBranchChanged ? kBranchIdentity : 0;
+    int changes = isBranchChanged ? kBranchBit : 0;
     for (const Parameter parameter : changed) {
-        identity |= 1 << indexOf(parameter);
+        changes |= 1 << indexOf(parameter);
     }
     const bool isOneParameter = changed.size() == 1 && !isBranchChanged;
     return {.text = isOneParameter ? EditStack::tr("change of %1").arg(symbolText(changed.front()))
                                    : EditStack::tr("change of the mechanism"),
-            .identity = identity};
+            .changes = changes};
 }
 
 /// Restores the choices before or after an edit. Qt merges successive commands with the same id().
@@ -92,8 +92,8 @@ public:
     {
     }
 
-    /// Returns whether a reference file is opened or closed, which does not modify the scene.
-    bool isOpening() const { return !haveSameFile(m_before, m_after); }
+    /// Returns whether the edit opens or closes a reference file, which does not modify the scene.
+    bool opensOrClosesFile() const { return !haveSameFile(m_before, m_after); }
 
     const Choices &before() const { return m_before; }
     const Choices &after() const { return m_after; }
@@ -105,10 +105,10 @@ public:
 
     bool mergeWith(const QUndoCommand *next) override
     {
-        const auto *edit = static_cast<const EditCommand *>(next);
-        m_after = edit->m_after;
-        if (m_time && edit->m_time) {
-            m_time->after = edit->m_time->after;
+        const auto *nextEdit = static_cast<const EditCommand *>(next);
+        m_after = nextEdit->m_after;
+        if (m_time && nextEdit->m_time) {
+            m_time->after = nextEdit->m_time->after;
         }
         setObsolete(m_after == m_before);
         return true;
@@ -137,12 +137,12 @@ void EditStack::edit(const Choices &before, const Choices &after, const QString 
                      const std::optional<TimeChange> &time)
 {
     const EditName name = text.isEmpty() ? nameEdit(before, after) : EditName{.text = text};
-    const bool isRepeated = m_mergeTimer.isActive() && name.identity == m_identity;
-    const bool isMergeable = name.identity != 0 && m_identity != 0;
+    const bool isRepeated = m_mergeTimer.isActive() && name.changes == m_lastChanges;
+    const bool isMergeable = name.changes != 0 && m_lastChanges != 0;
     if (!isMergeable || !(m_isDragging || isRepeated)) {
         ++m_step;
     }
-    m_identity = name.identity;
+    m_lastChanges = name.changes;
     m_mergeTimer.start(kMergeInterval);
     push(new EditCommand(before, after, time, name.text, m_step, m_apply));
 }
@@ -153,6 +153,7 @@ void EditStack::takeOver(const EditStack &other)
     // push() and setIndex() apply the choices of the steps that they pass. Meanwhile that must have no effect, because
     // the session already has the choices of other.index().
     const Apply apply = std::exchange(m_apply, [](const Choices &, std::optional<double>) {});
+    // The steps call the m_apply of the moment when they are undone or redone.
     const auto applyByMember = [this](const Choices &choices, std::optional<double> time) { m_apply(choices, time); };
     for (int i = 0; i < other.count(); ++i) {
         const auto *step = static_cast<const EditCommand *>(other.command(i));
@@ -172,14 +173,14 @@ void EditStack::takeOver(const EditStack &other)
 void EditStack::setDragging(bool isDragging)
 {
     m_isDragging = isDragging;
-    m_identity = 0; // the next edit is a new step
+    m_lastChanges = 0; // the next edit is a new step
 }
 
 bool EditStack::isModified() const
 {
     const auto [first, last] = std::minmax({cleanIndex(), index()});
     for (int i = first; i < last; ++i) {
-        if (i < 0 || !static_cast<const EditCommand *>(command(i))->isOpening()) {
+        if (i < 0 || !static_cast<const EditCommand *>(command(i))->opensOrClosesFile()) {
             return true;
         }
     }

@@ -21,7 +21,7 @@ class EditStack : public QUndoStack
     Q_OBJECT
 
 public:
-    /// The times (s) of the present position before and after an edit that moves it.
+    /// The current time (s) before and after an edit that changes it.
     struct TimeChange {
         double before = 0.0;
         double after = 0.0;
@@ -44,14 +44,15 @@ public:
     /// named in the current language.
     void takeOver(const EditStack &other);
 
-    /// Returns whether anything but opening and closing files was done since the stack was clean.
+    /// Returns whether any edit was done or undone since the stack was clean, except opening and closing reference
+    /// files.
     bool isModified() const;
 
 private:
     Apply m_apply;
-    int m_identity = 0;  ///< identifies the settings that the last edit changed; 0 if the next edit starts a new step
-    int m_step = 0;      ///< number of the current step; edits with the same number are undone together
-    QTimer m_mergeTimer; ///< runs for kMergeInterval after each edit, while the next one can be merged with it
+    int m_lastChanges = 0; ///< EditName::changes of the last edit; 0 if the next edit starts a new step
+    int m_step = 0;        ///< number of the current step; edits with the same number are undone together
+    QTimer m_mergeTimer;   ///< runs for kMergeInterval after each edit, while the next one can be merged with it
     bool m_isDragging = false;
 };
 

@@ -22,7 +22,7 @@ QJsonValue JsonNode::exchange(const QJsonValue &current)
     return value.type() == current.type() ? value : current;
 }
 
-void JsonNode::field(const char *name, const std::function<void(JsonNode &)> &readOrWriteValue)
+void JsonNode::readOrWriteField(const char *name, const std::function<void(JsonNode &)> &readOrWriteValue)
 {
     QJsonObject object = value.toObject();
     JsonNode node{.isReading = isReading, .value = object.value(QLatin1String(name))};

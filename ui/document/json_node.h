@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Reads or writes JSON values. A function readOrWrite(value, node) reads the value from the node, or writes it into the
-// node, as the node says: here for the types of single values and lists, in settings_fields.h for structs of settings.
+// Reads or writes JSON values. A function readOrWrite(value, node) reads the value from the node if node.isReading;
+// otherwise it writes the value into the node. The functions for single values and lists are here, those for structs of
+// settings in settings_fields.h.
 //
 // A value that is missing or not valid is replaced by a default, which is valid. So JSON is valid if writing what was
 // read gives the same JSON again.
@@ -33,17 +34,17 @@ struct JsonNode {
     QJsonValue value = {};
 
     /// When writing, stores `current` in the node and returns it. When reading, returns the value of the node, or
-    /// `current` if that has a different type.
+    /// `current` if the value has a different type.
     QJsonValue exchange(const QJsonValue &current);
 
-    /// Reads or writes the field `name` of an object: calls readOrWriteValue() with a node for its value.
-    void field(const char *name, const std::function<void(JsonNode &)> &readOrWriteValue);
+    /// Reads or writes a field of the object in this node: calls readOrWriteValue() with a node for the field's value.
+    void readOrWriteField(const char *name, const std::function<void(JsonNode &)> &readOrWriteValue);
 
-    /// Reads or writes the field `name` of an object, whose value is `member`.
+    /// Reads `member` from the field `name` of the object in this node, or writes it into the field.
     template <typename Value, typename... Limits>
     void operator()(const char *name, Value &member, const Limits &...limits)
     {
-        field(name, [&](JsonNode &node) { readOrWrite(member, node, limits...); });
+        readOrWriteField(name, [&](JsonNode &node) { readOrWrite(member, node, limits...); });
     }
 };
 
@@ -57,10 +58,11 @@ void readOrWrite(Channel &channel, JsonNode &node);
 void readOrWrite(Interval &interval, JsonNode &node); ///< a list of its two ends
 void readOrWrite(QRectF &rectangle, JsonNode &node);  ///< a list of its left, top, right and bottom edges
 
+/// Return whether an optional value that was read may be used; otherwise it becomes nullopt.
 bool isValid(const Interval &interval);
 bool isValid(const QRectF &rectangle);
 
-/// An enumerator as its word.
+/// Reads or writes an enumerator as its word in EnumWords.
 template <typename Enum>
 requires std::is_enum_v<Enum>
 void readOrWrite(Enum &value, JsonNode &node)
@@ -71,7 +73,7 @@ void readOrWrite(Enum &value, JsonNode &node)
     value = row == std::end(rows) ? value : row->key;
 }
 
-/// A value that may be missing or null.
+/// Reads or writes a value that may be missing or null.
 template <typename Value>
 void readOrWrite(std::optional<Value> &value, JsonNode &node)
 {

@@ -106,7 +106,7 @@ QString readErrorText(const ReadError &error, const QStringList &files)
                      .arg(file, line, QString::number(error.column), QString::fromStdString(error.text), reason);
 }
 
-std::optional<QString> readWhole(const QString &path, Content content, QByteArray &bytes)
+std::variant<QByteArray, QString> readWhole(const QString &path, ExpectedContent expected)
 {
     constexpr qint64 kBlock = 1 << 18; // bytes
     const QString name = displayName(path);
@@ -117,11 +117,12 @@ std::optional<QString> readWhole(const QString &path, Content content, QByteArra
     if (!openForReading(file)) {
         return ReferenceFileText::tr("%1 cannot be opened: %2.").arg(name, withoutFullStop(file.errorString()));
     }
+    QByteArray bytes;
     const qint64 size = file.size(); // 0 for a pipe
     const auto isTooLarge = [&bytes, size] { return std::max<qint64>(size, bytes.size()) > kMaxFileSize; };
     try {
         bytes = file.read(kFileBeginning);
-        if (const auto error = content == Content::Table ? findForeignFormat(toView(bytes)) : std::nullopt) {
+        if (const auto error = expected == ExpectedContent::Table ? findForeignFormat(toView(bytes)) : std::nullopt) {
             return readErrorText(*error, {name});
         }
         bytes.reserve(static_cast<qsizetype>(std::min(size, kMaxFileSize)));
@@ -135,7 +136,10 @@ std::optional<QString> readWhole(const QString &path, Content content, QByteArra
     if (file.error() != QFileDevice::NoError) {
         return ReferenceFileText::tr("%1 cannot be read: %2.").arg(name, withoutFullStop(file.errorString()));
     }
-    return isTooLarge() ? std::optional(wholeFileFault(ReadFault::Kind::TooLarge, name)) : std::nullopt;
+    if (isTooLarge()) {
+        return wholeFileFault(ReadFault::Kind::TooLarge, name);
+    }
+    return bytes;
 }
 
 ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options, Advice advice)
@@ -148,27 +152,29 @@ ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions option
                    : ReferenceFileText::tr("%1 Or add %2").arg(sentence, optionText(error.advice));
     };
     if (source.paths.size() == 1 && isLong(source.paths.first())) {
-        ReadOptions ofBeginning = options;
-        ofBeginning.progress = {};
-        const auto beginning = readBytes(source.paths, readBeginnings(source.paths), ofBeginning);
+        ReadOptions optionsOfBeginning = options;
+        optionsOfBeginning.progress = {};
+        const auto beginning = readBytes(source.paths, readBeginnings(source.paths), optionsOfBeginning);
         if (const ReadError *error = std::get_if<ReadError>(&beginning)) {
             return refusal(*error);
         }
     }
-    auto reference = std::make_shared<Reference>();
-    QByteArrayList bytes;
+    QByteArrayList contents;
     std::vector<FileBytes> files;
     for (const QString &path : source.paths) {
-        if (const std::optional<QString> sentence = readWhole(path, Content::Table, bytes.emplaceBack())) {
+        std::variant<QByteArray, QString> content = readWhole(path, ExpectedContent::Table);
+        if (const QString *sentence = std::get_if<QString>(&content)) {
             return *sentence;
         }
-        files.push_back({.bytes = toView(bytes.last()), .name = fileName(path)});
+        contents += std::get<QByteArray>(std::move(content));
+        files.push_back({.bytes = toView(contents.last()), .name = fileName(path)});
     }
     std::variant<ReferenceData, ReadError> outcome = readFiles(files, options);
-    bytes.clear();
+    contents.clear();
     if (const ReadError *error = std::get_if<ReadError>(&outcome)) {
         return refusal(*error);
     }
+    auto reference = std::make_shared<Reference>();
     reference->source.paths = source.paths;
     reference->name = shortName(source.paths);
     reference->data = std::move(std::get<ReferenceData>(outcome));
@@ -196,15 +202,16 @@ ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const
     return timed;
 }
 
-std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to)
+std::shared_ptr<const Reference> applied(const Convention &convention,
+                                         const std::shared_ptr<const Reference> &reference)
 {
-    auto reference = std::make_shared<Reference>(*to);
-    reference->data = applied(convention, std::move(reference->data));
-    reference->source.conventions.push_back(convention);
-    if (!reference->asPrinted) {
-        reference->asPrinted = to;
+    auto converted = std::make_shared<Reference>(*reference);
+    converted->data = applied(convention, std::move(converted->data));
+    converted->source.conventions.push_back(convention);
+    if (!converted->asPrinted) {
+        converted->asPrinted = reference;
     }
-    return reference;
+    return converted;
 }
 
 std::optional<ReferenceSource> sourceOverCrankAngle(const Reference &reference)

@@ -24,7 +24,7 @@ namespace slidercrank
 struct ReferenceSource {
     QStringList paths;                        ///< as given; "-" is standard input
     std::vector<ColumnChoice> columns = {};   ///< the columns whose meaning the user chose
-    std::vector<Convention> conventions = {}; ///< are applied to the data, in this order
+    std::vector<Convention> conventions = {}; ///< applied to the data, in this order
 
     friend bool operator==(const ReferenceSource &, const ReferenceSource &) = default;
 };
@@ -41,11 +41,11 @@ struct Reference {
 using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>;
 
 /// What a file is expected to hold.
-enum class Content { Table, Scene };
+enum class ExpectedContent { Table, Scene };
 
-/// Reads a file, a pipe or standard input. Returns a message on failure, if the content is too large, or if a table is
-/// expected and the bytes have a different format; `bytes` may then contain a part. May run in any thread.
-std::optional<QString> readWhole(const QString &path, Content content, QByteArray &bytes);
+/// Returns the content of a file, a pipe or standard input; or a message on failure, if the content is too large, or if
+/// a table is expected and the bytes have a different format. May run in any thread.
+std::variant<QByteArray, QString> readWhole(const QString &path, ExpectedContent expected);
 
 /// What the message about a file that cannot be read ends with: nothing, or the option of the command line that would
 /// help.
@@ -54,12 +54,14 @@ enum class Advice { None, Option };
 /// Reads files, pipes or standard input. May run in any thread.
 ReferenceOutcome readReference(const ReferenceSource &source, ReadOptions options = {}, Advice advice = Advice::None);
 
-/// Returns an angle-indexed table with the time stamps at which the crank of that mechanism reaches its angles, or a
-/// sentence if the crank does not reach them in their order. Returns other data, and null, unchanged.
+/// Returns an angle-indexed table with the time stamps at which the crank of the mechanism reaches the angles of the
+/// rows, or a sentence if the crank does not reach them in the order of the rows. Returns null, and data that are not
+/// angle-indexed, unchanged.
 ReferenceOutcome timedBy(const Mechanism &mechanism, const std::shared_ptr<const Reference> &reference);
 
 /// Returns the reference with one more convention applied. Convention::Kind::OtherAssembly does not change the data.
-std::shared_ptr<const Reference> applied(const Convention &convention, const std::shared_ptr<const Reference> &to);
+std::shared_ptr<const Reference> applied(const Convention &convention,
+                                         const std::shared_ptr<const Reference> &reference);
 
 /// Returns how to read a file that contains both the time and θ2 as a table over the crank angle, as needed for a crank
 /// whose speed is not constant. Returns nullopt if it does not contain both, or if several files are joined.

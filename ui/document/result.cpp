@@ -15,7 +15,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr int kMaxStoredSteps = 100'000; // samples of longer motions in closed form are computed when they are needed
+constexpr int kMinUnstoredSteps = 100'000; // from here on, samples in closed form are computed when they are needed
 
 /// Returns the summary of a motion in closed form whose samples are not stored.
 SamplingSummary summarize(const Choices &choices, std::stop_token stop)
@@ -23,8 +23,10 @@ SamplingSummary summarize(const Choices &choices, std::stop_token stop)
     SamplingSummary summary;
     const auto &[start, duration, steps] = choices.sampling;
     const Mechanism mechanism(choices.parameters);
-    if (mechanism.b() > shortestCouplerForFullTurn(mechanism) && poseAt(choices.parameters, start).exists() &&
-        poseAt(choices.parameters, start + duration).exists()) {
+    const bool isSolvedEverywhere = mechanism.b() > shortestCouplerForFullTurn(mechanism) &&
+                                    poseAt(choices.parameters, start).exists() &&
+                                    poseAt(choices.parameters, start + duration).exists();
+    if (isSolvedEverywhere) {
         summary.timeSteps = static_cast<std::size_t>(steps) + 1;
         summary.withStatus(Status::Solved) = {.count = summary.timeSteps,
                                               .firstTime = start,
@@ -58,7 +60,7 @@ Pose poseAt(const Parameters &parameters, double seconds)
 Parameters mechanismToUse(const Identification &found)
 {
     Parameters parameters = found.rounded;
-    if (found.drive && found.drive->alpha2) { // ω2 is the speed at t = 0
+    if (found.drive && found.drive->alpha2) { // the ω2 found is the speed at t = 0
         parameters.omega2 = std::midpoint(found.drive->least, found.drive->greatest);
     }
     return parameters;
@@ -82,7 +84,7 @@ std::shared_ptr<const Result> compute(const Choices &choices, std::stop_token st
         const double end = sampling.start + sampling.duration;
         result->difference = differenceOf(mechanism, Mechanism(pinned.back()), sampling.start, end);
     }
-    if (solver.method == Method::ClosedForm && sampling.steps >= kMaxStoredSteps) {
+    if (solver.method == Method::ClosedForm && sampling.steps >= kMinUnstoredSteps) {
         result->summary = summarize(choices, stop);
         result->trajectory.complete = !stop.stop_requested();
     } else {

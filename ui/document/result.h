@@ -42,7 +42,7 @@ struct Choices {
     SolverSettings solver;
     std::shared_ptr<const Reference> reference; ///< may be null
     std::vector<Parameters> pinned = {};        ///< pinned motions, the oldest first
-    double alpha2 = 0.0; ///< rad/s²: acceleration of the crank in table, polygons and drawing; the curves are without it
+    double alpha2 = 0.0; ///< rad/s²: acceleration of the crank in table, polygons and drawing, not in the curves
 
     friend bool operator==(const Choices &, const Choices &) = default;
 };
@@ -54,13 +54,13 @@ struct Result {
     Sampling sampling;
     SolverSettings solver;
     SamplingSummary summary;
-    /// The six plotted channels. Empty for a long motion in closed form: computing it is faster than storing it.
+    /// The six plotted channels. Empty for a long motion in closed form, which is computed faster than it is stored.
     Trajectory trajectory;
     MotionLimits limits;
-    std::shared_ptr<const Reference> reference; ///< may be null; with the time stamps of this mechanism's crank angles
+    std::shared_ptr<const Reference> reference; ///< may be null; as timedBy() `mechanism` returns it
     std::vector<Parameters> pinned;             ///< pinned motions, the oldest first
 
-    /// How far the model is from the motion that was pinned last; nullopt if there is a reference.
+    /// How far the model is from the motion that was pinned last; nullopt if there is a reference or no pinned motion.
     std::optional<MotionDifference> difference;
 
     /// Returns whether the model is compared with a file or with a pinned motion.

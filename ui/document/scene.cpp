@@ -57,29 +57,31 @@ std::optional<QString> versionFault(const QJsonValue &version, const QString &fi
     return std::nullopt;
 }
 
-/// Returns the places, such as ".mechanism.b", at which the JSON `read` differs from `value`, the JSON that this
-/// program would write. Optional values may be missing or null in `read`: values of the view, empty lists, and null.
-QStringList findDifferences(const QJsonValue &value, const QJsonValue &read, const QString &place = {})
+/// Returns the fields, such as ".mechanism.b", in which `given`, the JSON of a file, differs from `expected`, the JSON
+/// that this program would write. A field may be missing or null in `given` if it belongs to the view, or if null or an
+/// empty list is expected.
+QStringList findDifferences(const QJsonValue &expected, const QJsonValue &given, const QString &field = {})
 {
-    const QJsonObject fields = value.toObject();
-    const QJsonArray items = value.toArray();
-    const bool isOptional = place.startsWith(".view") || value.isNull() || (value.isArray() && items.isEmpty());
-    if (isOptional && (read.isUndefined() || read.isNull())) {
+    const QJsonObject fields = expected.toObject();
+    const QJsonArray items = expected.toArray();
+    const bool isOptional = field.startsWith(".view") || expected.isNull() || (expected.isArray() && items.isEmpty());
+    if (isOptional && (given.isUndefined() || given.isNull())) {
         return {};
     }
     // The drawing's frame is stored as a corner and a size, which rounds its edges.
-    const bool isExact = !value.isObject() && !value.isArray() && !place.startsWith(".view.mechanism.frame");
-    if (value.type() != read.type() || items.size() != read.toArray().size() || (isExact && value != read)) {
-        return {place};
+    const bool mustBeEqual = !expected.isObject() && !expected.isArray() && !field.startsWith(".view.mechanism.frame");
+    if (expected.type() != given.type() || items.size() != given.toArray().size() ||
+        (mustBeEqual && expected != given)) {
+        return {field};
     }
-    QStringList places;
+    QStringList differences;
     for (const QString &name : fields.keys()) {
-        places += findDifferences(fields[name], read[name], place + u'.' + name);
+        differences += findDifferences(fields[name], given[name], field + u'.' + name);
     }
     for (qsizetype i = 0; i < items.size(); ++i) {
-        places += findDifferences(items[i], read[i], QStringLiteral("%1[%2]").arg(place).arg(i));
+        differences += findDifferences(items[i], given[i], QStringLiteral("%1[%2]").arg(field).arg(i));
     }
-    return places;
+    return differences;
 }
 
 } // namespace
@@ -95,12 +97,12 @@ static void readOrWrite(Scene &scene, JsonNode &node)
     node("kept", scene.pinned);
     scene.pinned.resize(std::min(scene.pinned.size(), kMaxPinned));
     scene.time = node.isReading ? scene.sampling.start : scene.time;
-    node.field("view", [&](JsonNode &view) {
+    node.readOrWriteField("view", [&](JsonNode &view) {
         view("time", scene.time, -kLargestTime, kLargestTime);
         view("alpha2", scene.alpha2, -kLargestParameter, kLargestParameter);
         readOrWrite(scene.plots, view);
         view("zoom", scene.zoom);
-        view.field("mechanism", [&](JsonNode &mechanism) {
+        view.readOrWriteField("mechanism", [&](JsonNode &mechanism) {
             readOrWrite(scene.mechanism, mechanism);
             mechanism("frame", scene.mechanismFrame);
         });
@@ -139,15 +141,15 @@ std::variant<Scene, QString> parseScene(const QByteArray &json, const QString &p
         return *sentence;
     }
     Scene scene = acceptedScene(object);
-    const QStringList faults = findDifferences(toJson(scene), object);
+    const QStringList faultyFields = findDifferences(toJson(scene), object);
     if (scene.reference) {
         for (QString &file : scene.reference->paths) {
             file = absolutePath(QFileInfo(path).absoluteDir(), file);
         }
     }
-    if (!faults.isEmpty()) {
+    if (!faultyFields.isEmpty()) {
         return SceneText::tr("%1: “%2” is missing, or its value is not valid. Correct it there, or open another scene.")
-            .arg(shownName, faults.first().mid(1));
+            .arg(shownName, faultyFields.first().mid(1));
     }
     return scene;
 }
@@ -161,11 +163,11 @@ std::variant<Scene, QString> readScene(const QString &path)
         return SceneText::tr("%1 is a pipe or a device: save the scene in a file, and open that.")
             .arg(displayName(path));
     }
-    QByteArray bytes;
-    if (const std::optional<QString> sentence = readWhole(path, Content::Scene, bytes)) {
+    const std::variant<QByteArray, QString> content = readWhole(path, ExpectedContent::Scene);
+    if (const QString *sentence = std::get_if<QString>(&content)) {
         return *sentence;
     }
-    return parseScene(bytes, path);
+    return parseScene(std::get<QByteArray>(content), path);
 }
 
 bool isNamedAsScene(const QString &path)

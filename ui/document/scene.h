@@ -17,17 +17,18 @@
 //       "view":      {"time", "alpha2", "error": "percent"|"absolute"|"of-peak", "logarithmicError", "roundingBand",
 //                     "abscissa": "time"|"crank-angle",
 //                     "zoom": {"time": null or [from, to], "plot_theta3": null or [from, to], …},
-//                     "mechanism": {"velocity", "acceleration", "path", "names", "dimensions": whether shown,
+//                     "mechanism": {"velocity", "acceleration", "path", "names", "dimensions", "angles",
+//                                   "instantCentre": true if shown,
 //                                   "frame": null or [left, lower, right, upper]},                     mm
 //                     "table": null or {"step": "crank-angle"|"time", "angleStep", "timeStep",         °, s
 //                                       "columns": ["theta3", "R4_x_diff", "transmission_angle", …]},
 //                     "notation": null or {"symbols": "absolute"|"textbook", "length": "mm"|"cm"|"m"|"in",
 //                                          "angle": "deg"|"rad"|"deg-rad/s", "crankSpeed": "rad/s"|"deg/s"|"rpm"}} }
 //
-// Columns count from 1. The path of the reference file is relative to the scene's folder if the file is in or below
-// that folder. For joined files "file" is a list, and their columns are numbered on from file to file. The reference,
-// the pinned motions ("kept") and everything in the view may be missing; the mechanism, the sampling and the solver
-// must be complete. Unknown keys are ignored, and are not written back.
+// Columns are numbered from 1. The path of the reference file is relative to the scene's folder if the file is in or
+// below that folder. For joined files "file" is a list, and their columns are numbered on from file to file. The
+// reference, the pinned motions ("kept") and everything in the view may be missing; the mechanism, the sampling and the
+// solver must be complete. Unknown keys are ignored, and are not written back.
 
 #include "core/mechanism/mechanism.h"
 #include "core/sampling/trajectory.h"
@@ -52,9 +53,9 @@ struct Scene {
     Sampling sampling;
     SolverSettings solver;
     std::optional<ReferenceSource> reference;
-    std::vector<Parameters> pinned; ///< pinned motions
+    std::vector<Parameters> pinned; ///< pinned motions, the oldest first
     double time = 0.0;              ///< current time, s
-    double alpha2 = 0.0;            ///< acceleration of the crank in the table and the polygons, rad/s²
+    double alpha2 = 0.0;            ///< acceleration of the crank in table, polygons and drawing, rad/s²
     PlotSettings plots;
     PlotZoom zoom;
     MechanismSettings mechanism;
@@ -68,7 +69,7 @@ struct Scene {
 /// Returns the scene as JSON text for a file at `path`, which the path of the reference is relative to.
 QByteArray sceneToJson(Scene scene, const QString &path);
 
-/// Returns the scene in which each field that is missing in `json`, or not valid, has a valid value.
+/// Returns the scene of `json`. Each field that is missing, or not valid, is replaced by a valid value.
 Scene acceptedScene(const QJsonObject &json);
 
 /// Return the scene, or a sentence that says what is wrong, where, and what to do.

@@ -86,18 +86,18 @@ QString numberInLink(const QString &field, double value)
 {
     constexpr int kSafeDigits = 15; // a decimal number with so few digits is read and written again unchanged
     const QList<NamedUnit> units = unitsOf(field);
-    const auto exactly = [](double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); };
+    const auto exactText = [](double number) { return QString::number(number, 'g', QLocale::FloatingPointShortest); };
     if (units.isEmpty()) {
-        return exactly(value);
+        return exactText(value);
     }
     const Unit &stored = units.first().unit;
-    QString shortest = exactly(value) + units.first().name;
-    qsizetype digits = exactly(value).size();
-    for (const NamedUnit &other : units.sliced(1)) {
-        const QString number = QString::number(value * stored.factor / other.unit.factor, 'g', kSafeDigits);
-        const bool isSame = readQuantity(number + other.name, stored, QLocale::c()).value == value;
+    QString shortest = exactText(value) + units.first().name;
+    qsizetype digits = exactText(value).size();
+    for (const NamedUnit &unit : units.sliced(1)) {
+        const QString number = QString::number(value * stored.factor / unit.unit.factor, 'g', kSafeDigits);
+        const bool isSame = readQuantity(number + unit.name, stored, QLocale::c()).value == value;
         if (isSame && number.size() < digits) {
-            shortest = number + other.name;
+            shortest = number + unit.name;
             digits = number.size();
         }
     }
@@ -112,8 +112,8 @@ QString textInLink(const QString &field, const QJsonValue &value)
     return value.isString() ? value.toString() : numberInLink(field, value.toDouble());
 }
 
-/// Reads a number into `value`. Returns a sentence if it is none.
-std::optional<QString> readNumber(const QString &field, const QString &text, QJsonValue &value)
+/// Returns the number in the unit of scene files, or a sentence if the text is none.
+std::variant<double, QString> readNumber(const QString &field, const QString &text)
 {
     const QList<NamedUnit> units = unitsOf(field);
     const std::optional<Unit> stored = units.isEmpty() ? std::nullopt : std::optional(units.first().unit);
@@ -126,8 +126,7 @@ std::optional<QString> readNumber(const QString &field, const QString &text, QJs
         return SceneLinkText::tr("The link says %1=%2. %3")
             .arg(field, printableText(text), quantityFaultText(text, *fault, stored));
     }
-    value = number;
-    return std::nullopt;
+    return number;
 }
 
 /// Returns the number that is nearest to `number` among those that a scene accepts in the field.
@@ -180,9 +179,11 @@ std::optional<QString> insertField(const QString &field, const QString &text, QJ
     if (fields.value(field).isBool() && (text == u"true" || text == u"false")) {
         value = text == u"true";
     } else if (fields.value(field).isDouble()) {
-        if (const auto sentence = readNumber(field, text, value)) {
-            return sentence;
+        const std::variant<double, QString> number = readNumber(field, text);
+        if (const QString *sentence = std::get_if<QString>(&number)) {
+            return *sentence;
         }
+        value = std::get<double>(number);
     }
     fields[field] = value;
     scene[*section] = fields;

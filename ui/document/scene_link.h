@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A link to the program in a browser that carries a scene, with the names of scene files:
+// A link to the program in a browser that carries a scene, with the field names of scene files:
 //
 //     slidercrank.html#a=40&b=120&c=20&omega2=60rpm&theta20=30deg
 //

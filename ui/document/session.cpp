@@ -137,11 +137,11 @@ void Session::edit(const Choices &choices, const QString &name, TimeRange timeRa
             emit referenceRefused(choices.reference->source.paths, *sentence);
         } else {
             emit problemFound(*sentence);
-            emit parametersChanged(m_choices.parameters);
+            emit parametersChanged(m_choices.parameters); // widgets that show refused values show these again
         }
         return;
     }
-    Choices complete = choices;
+    Choices adjusted = choices;
     if (choices.reference) {
         // If the time range is that of the file, it remains so: a new ω₂ changes the time stamps of an angle-indexed
         // file.
@@ -151,10 +151,10 @@ void Session::edit(const Choices &choices, const QString &name, TimeRange timeRa
         const auto &reference = std::get<std::shared_ptr<const Reference>>(timed);
         const Sampling range = rangeOf(reference->data.time, choices.sampling);
         const bool isReplaced = timeRange == TimeRange::OfReference && !contains(choices.sampling, range);
-        complete.sampling = isOfFile || isReplaced ? range : choices.sampling;
+        adjusted.sampling = isOfFile || isReplaced ? range : choices.sampling;
     }
     using TimeChange = EditStack::TimeChange;
-    m_edits.edit(m_choices, complete, name, time ? std::optional(TimeChange{m_time, *time}) : std::nullopt);
+    m_edits.edit(m_choices, adjusted, name, time ? std::optional(TimeChange{m_time, *time}) : std::nullopt);
 }
 
 void Session::applyChoices(const Choices &choices, std::optional<double> time)
@@ -283,7 +283,7 @@ void Session::read(const ReferenceSource &source, Asker asker)
                           asker == Asker::User ? TimeRange::OfReference : TimeRange::Kept);
         }
     };
-    m_reading.start(work, finish, finish);
+    m_reading.start(work, finish, finish); // an exception is reported as a sentence, like a file that is refused
 }
 
 void Session::loadReference(const QStringList &paths)

@@ -34,7 +34,7 @@ public:
     const Parameters &parameters() const { return m_choices.parameters; }
     const Sampling &sampling() const { return m_choices.sampling; }
     const SolverSettings &solver() const { return m_choices.solver; }
-    double alpha2() const { return m_choices.alpha2; } ///< acceleration of the crank in table and polygons, rad/s²
+    double alpha2() const { return m_choices.alpha2; } ///< rad/s²: acceleration of the crank (Choices::alpha2)
     double time() const { return m_time; }
     Pose pose() const { return poseAt(m_choices.parameters, m_time); }
     const std::shared_ptr<const Result> &result() const { return m_result; } ///< never null
@@ -77,10 +77,9 @@ public slots:
 
     void setTime(double seconds); ///< clamped to the time range
 
-    /// Reads a file, or joins several files, in the background. Uses the column choices that are saved for
-    /// files with the same headings (column_choices.h).
-    /// Emits referenceLoaded() or referenceRefused(). If the time range does not contain the data, it is replaced by
-    /// that of the data.
+    /// Reads a file, or joins several files, in the background. Uses the column choices that are saved for these files
+    /// (column_choices.h). Emits referenceLoaded() or referenceRefused(). If the time range does not contain the data,
+    /// it is replaced by that of the data.
     void loadReference(const QString &path) { loadReference(QStringList(path)); }
     void loadReference(const QStringList &paths);
 
@@ -89,7 +88,7 @@ public slots:
 
     /// Makes the mechanism that was found in the file the model, with nominal values, and reads the file with the
     /// conventions that were found. If the crank speed is not constant, reads it over the crank angle, in the
-    /// background, and says what the window then shows. Does nothing if no mechanism was found.
+    /// background, and says with confirmed() what the window then shows. Does nothing if no mechanism was found.
     void useFoundMechanism();
 
     /// Applies a convention to the reference data. Convention::Kind::OtherAssembly changes the assembly of the model

@@ -19,7 +19,7 @@ namespace slidercrank
 
 inline constexpr std::size_t kPlotRows = 3;
 inline constexpr std::size_t kPlotColumns = 3;
-inline constexpr std::size_t kPlotCount = kPlotRows * kPlotColumns; ///< numbered row by row
+inline constexpr std::size_t kPlotCount = kPlotRows * kPlotColumns; ///< plots are numbered row by row
 inline constexpr std::size_t kErrorColumn = 2; ///< the columns before it are the plots of θ3 and R4x
 inline constexpr std::size_t kChannelsPerRow = kErrorColumn;
 
@@ -35,7 +35,7 @@ constexpr Order orderOfPlot(std::size_t plot)
 }
 
 /// Returns the index in kPlottedChannels of the channel that a plot shows. Requires a plot that shows no errors.
-constexpr std::size_t channelOf(std::size_t plot)
+constexpr std::size_t channelIndex(std::size_t plot)
 {
     return plot / kPlotColumns * kChannelsPerRow + plot % kPlotColumns;
 }
@@ -45,7 +45,7 @@ consteval bool areChannelsInOrderOfPlots()
 {
     for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
         const Coordinate coordinate = plot % kPlotColumns == 0 ? Theta3 : R4x;
-        if (!isErrorPlot(plot) && kPlottedChannels[channelOf(plot)] != Channel{coordinate, orderOfPlot(plot)}) {
+        if (!isErrorPlot(plot) && kPlottedChannels[channelIndex(plot)] != Channel{coordinate, orderOfPlot(plot)}) {
             return false;
         }
     }
@@ -57,7 +57,7 @@ static_assert(areChannelsInOrderOfPlots());
 inline QString plotName(std::size_t plot)
 {
     if (!isErrorPlot(plot)) {
-        return "plot_" + QString::fromUtf8(nameOf(kPlottedChannels[channelOf(plot)]));
+        return "plot_" + QString::fromUtf8(nameOf(kPlottedChannels[channelIndex(plot)]));
     }
     switch (orderOfPlot(plot)) {
     case Order::Position: break;
@@ -85,7 +85,7 @@ enum class Abscissa { Time, CrankAngle };
 struct PlotSettings {
     ErrorMeasure error = ErrorMeasure::OfPeak;
     bool logarithmicError = false;
-    bool roundingBand = true; ///< half a rounding step of the file, under its errors
+    bool roundingBand = true; ///< a curve: the error that half a rounding step of the file causes
     Abscissa abscissa = Abscissa::Time;
 
     friend bool operator==(const PlotSettings &, const PlotSettings &) = default;
@@ -126,7 +126,7 @@ struct MotionTableSettings {
     friend bool operator==(const MotionTableSettings &, const MotionTableSettings &) = default;
 };
 
-/// Limits of both steps.
+/// Limits of angleStep (°) and of timeStep (s).
 inline constexpr double kShortestTableStep = 1e-3;
 inline constexpr double kLongestTableStep = 1e6;
 

@@ -159,7 +159,7 @@ double PlotFigure::zeroTime() const
 ShownScale PlotFigure::shownScaleOf(std::size_t plot) const
 {
     return isErrorPlot(plot) ? ShownScale()
-                             : shownScale(kPlottedChannels[channelOf(plot)], m_result->mechanism.branch());
+                             : shownScale(kPlottedChannels[channelIndex(plot)], m_result->mechanism.branch());
 }
 
 bool PlotFigure::isLogarithmic(std::size_t plot) const

@@ -217,7 +217,7 @@ void PlotFigure::computePlot(std::size_t index)
     plot.note.clear();
     plot.values.reset();
     if (!isErrorPlot(index)) {
-        computeMotions(plot, channelOf(index));
+        computeMotions(plot, channelIndex(index));
     } else if (m_errors) {
         computeErrors(plot, orderOfPlot(index));
     } else {
@@ -468,7 +468,7 @@ QStringList PlotFigure::titles(std::size_t index) const
         return titles;
     };
     if (!isErrorPlot(index)) {
-        const Channel channel = kPlottedChannels[channelOf(index)];
+        const Channel channel = kPlottedChannels[channelIndex(index)];
         return withUnits(motionTitles(channel), shownUnit(channel));
     }
     const Order order = orderOfPlot(index);

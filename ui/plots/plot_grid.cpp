@@ -29,7 +29,7 @@ PlotGrid::PlotGrid()
         m_panes[plot] = new PlotPane(m_picture, this);
         m_panes[plot]->setObjectName(plotName(plot));
         m_panes[plot]->setAccessibleName(isErrorPlot(plot) ? nameOfErrors(orderOfPlot(plot))
-                                                           : quantityName(kPlottedChannels[channelOf(plot)]));
+                                                           : quantityName(kPlottedChannels[channelIndex(plot)]));
     }
     setObjectName("plots");
     m_hint->setObjectName("no_reference_hint");

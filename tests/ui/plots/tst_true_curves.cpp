@@ -196,7 +196,7 @@ struct BareFigure {
     QString fault(std::size_t plot) const
     {
         const Plot &shown = figure.shownPlot(plot);
-        const Truth truth(*figure.result(), channelOf(plot), shown);
+        const Truth truth(*figure.result(), channelIndex(plot), shown);
         if (!shown.values) {
             return truth.isEmpty() ? QString() : "it is said not to exist";
         }
