@@ -32,8 +32,8 @@ constexpr std::chrono::milliseconds kPaintInterval{40}; // the window is painted
 
 #if QT_CONFIG(future)
 
-/// Returns the thread pool of all tasks. QThreadPool::globalInstance() is not used, because Qt paints with its threads,
-/// and they are only as many as the processors. The application owns the pool, and waits for its threads before it
+/// Returns the thread pool of all tasks. QThreadPool::globalInstance() has too few threads, and Qt paints with
+/// them. The application owns the pool, and waits for its threads before it
 /// destroys anything else.
 QThreadPool &taskThreads()
 {

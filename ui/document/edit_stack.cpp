@@ -153,7 +153,7 @@ void EditStack::takeOver(const EditStack &other)
     // push() and setIndex() apply the choices of the steps that they pass. Meanwhile that must have no effect, because
     // the session already has the choices of other.index().
     const Apply apply = std::exchange(m_apply, [](const Choices &, std::optional<double>) {});
-    // The steps call the m_apply of the moment when they are undone or redone.
+    // Later, the steps call the restored m_apply.
     const auto applyByMember = [this](const Choices &choices, std::optional<double> time) { m_apply(choices, time); };
     for (int i = 0; i < other.count(); ++i) {
         const auto *step = static_cast<const EditCommand *>(other.command(i));

@@ -58,11 +58,11 @@ void readOrWrite(Channel &channel, JsonNode &node);
 void readOrWrite(Interval &interval, JsonNode &node); ///< a list of its two ends
 void readOrWrite(QRectF &rectangle, JsonNode &node);  ///< a list of its left, top, right and bottom edges
 
-/// Return whether an optional value that was read may be used; otherwise it becomes nullopt.
+/// Return whether an optional value is kept; otherwise it becomes nullopt.
 bool isValid(const Interval &interval);
 bool isValid(const QRectF &rectangle);
 
-/// Reads or writes an enumerator as its word in EnumWords.
+/// An enumerator as its word in EnumWords.
 template <typename Enum>
 requires std::is_enum_v<Enum>
 void readOrWrite(Enum &value, JsonNode &node)
@@ -73,7 +73,7 @@ void readOrWrite(Enum &value, JsonNode &node)
     value = row == std::end(rows) ? value : row->key;
 }
 
-/// Reads or writes a value that may be missing or null.
+/// A value that may be missing or null.
 template <typename Value>
 void readOrWrite(std::optional<Value> &value, JsonNode &node)
 {

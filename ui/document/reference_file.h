@@ -40,7 +40,6 @@ struct Reference {
 /// The data, or one sentence that says what is wrong, where, and what to do.
 using ReferenceOutcome = std::variant<std::shared_ptr<const Reference>, QString>;
 
-/// What a file is expected to hold.
 enum class ExpectedContent { Table, Scene };
 
 /// Returns the content of a file, a pipe or standard input; or a message on failure, if the content is too large, or if

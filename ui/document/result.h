@@ -30,7 +30,6 @@ struct Pose {
     bool exists() const { return motion.status == Status::Solved || motion.status == Status::Singular; }
 };
 
-/// Returns the pose at a time.
 Pose poseAt(const Parameters &parameters, double seconds);
 
 inline constexpr std::size_t kMaxPinned = 4; ///< largest number of pinned motions: more curves could not be told apart
@@ -41,13 +40,13 @@ struct Choices {
     Sampling sampling;
     SolverSettings solver;
     std::shared_ptr<const Reference> reference; ///< may be null
-    std::vector<Parameters> pinned = {};        ///< pinned motions, the oldest first
+    std::vector<Parameters> pinned = {};        ///< the oldest first
     double alpha2 = 0.0; ///< rad/s²: acceleration of the crank in table, polygons and drawing, not in the curves
 
     friend bool operator==(const Choices &, const Choices &) = default;
 };
 
-/// Everything that the views draw; immutable once published.
+/// Everything that the views draw.
 struct Result {
     Choices choices; ///< from which the result was computed
     Mechanism mechanism;
@@ -58,7 +57,7 @@ struct Result {
     Trajectory trajectory;
     MotionLimits limits;
     std::shared_ptr<const Reference> reference; ///< may be null; as timedBy() `mechanism` returns it
-    std::vector<Parameters> pinned;             ///< pinned motions, the oldest first
+    std::vector<Parameters> pinned;             ///< the oldest first
 
     /// How far the model is from the motion that was pinned last; nullopt if there is a reference or no pinned motion.
     std::optional<MotionDifference> difference;

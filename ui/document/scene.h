@@ -53,7 +53,7 @@ struct Scene {
     Sampling sampling;
     SolverSettings solver;
     std::optional<ReferenceSource> reference;
-    std::vector<Parameters> pinned; ///< pinned motions, the oldest first
+    std::vector<Parameters> pinned; ///< the oldest first
     double time = 0.0;              ///< current time, s
     double alpha2 = 0.0;            ///< acceleration of the crank in table, polygons and drawing, rad/s²
     PlotSettings plots;

@@ -137,7 +137,7 @@ void Session::edit(const Choices &choices, const QString &name, TimeRange timeRa
             emit referenceRefused(choices.reference->source.paths, *sentence);
         } else {
             emit problemFound(*sentence);
-            emit parametersChanged(m_choices.parameters); // widgets that show refused values show these again
+            emit parametersChanged(m_choices.parameters); // widgets show these again
         }
         return;
     }
@@ -283,7 +283,7 @@ void Session::read(const ReferenceSource &source, Asker asker)
                           asker == Asker::User ? TimeRange::OfReference : TimeRange::Kept);
         }
     };
-    m_reading.start(work, finish, finish); // an exception is reported as a sentence, like a file that is refused
+    m_reading.start(work, finish, finish); // a failure is a refusal, too
 }
 
 void Session::loadReference(const QStringList &paths)

@@ -51,7 +51,6 @@ public:
     /// one.
     void takeOverSteps(const Session &other) { m_edits.takeOver(other.m_edits); }
 
-    /// Returns whether a file is being read.
     bool isReading() const { return m_reading.isRunning(); }
 
     /// Returns whether anything was edited since the undo stack was clean. Opening a reference file is not an edit.
@@ -72,8 +71,8 @@ public slots:
     void setSolver(const slidercrank::SolverSettings &solver);
     void setAlpha2(double alpha2); ///< rad/s²
 
-    void pinMotion();    ///< pins the current motion, in place of the oldest one if kMaxPinned motions are pinned
-    void unpinMotions(); ///< removes all pinned motions
+    void pinMotion(); ///< pins the current motion, in place of the oldest one if kMaxPinned motions are pinned
+    void unpinMotions();
 
     void setTime(double seconds); ///< clamped to the time range
 

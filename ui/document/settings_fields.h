@@ -46,7 +46,6 @@ inline bool isValid(const MotionTableSettings &)
     return true;
 }
 
-/// Returns the settings as JSON.
 template <typename Settings>
 QJsonValue toJson(Settings settings)
 {

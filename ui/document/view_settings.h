@@ -81,7 +81,6 @@ enum class ErrorMeasure {
 
 enum class Abscissa { Time, CrankAngle };
 
-/// Settings of the plots.
 struct PlotSettings {
     ErrorMeasure error = ErrorMeasure::OfPeak;
     bool logarithmicError = false;
@@ -116,7 +115,6 @@ struct MechanismSettings {
 
 enum class TableStep { CrankAngle, Time };
 
-/// Settings of the table of the motion.
 struct MotionTableSettings {
     TableStep step = TableStep::CrankAngle;
     double angleStep = 15.0; ///< °

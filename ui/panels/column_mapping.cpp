@@ -160,6 +160,8 @@ void ColumnMapping::addButtons(QBoxLayout *rows)
 
 QWidget *ColumnMapping::createRows()
 {
+    constexpr int kHeadingColumn = 0;
+    constexpr int kReasonColumn = 4; // "why"
     auto *page = new QWidget;
     auto *grid = new QGridLayout(page);
     grid->setHorizontalSpacing(14);
@@ -175,9 +177,9 @@ QWidget *ColumnMapping::createRows()
         }
         addRow(grid, line++, i);
     }
-    grid->setColumnMinimumWidth(0, 12 * fontMetrics().averageCharWidth()); // for usual headings
-    grid->setColumnStretch(0, 1);
-    grid->setColumnStretch(4, 2);
+    grid->setColumnMinimumWidth(kHeadingColumn, 12 * fontMetrics().averageCharWidth()); // for usual headings
+    grid->setColumnStretch(kHeadingColumn, 1);
+    grid->setColumnStretch(kReasonColumn, 2);
     grid->setRowStretch(line, 1);
     auto *scroll = new QScrollArea;
     scroll->setAccessibleName(tr("Columns of the file"));
@@ -200,10 +202,10 @@ void ColumnMapping::addRow(QGridLayout *grid, int line, std::size_t column)
     }
     auto *values = new QLabel(firstValues(m_layout, column));
     values->setTextFormat(Qt::PlainText);
-    int place = 0;
+    int gridColumn = 0;
     for (QWidget *widget : std::initializer_list<QWidget *>{plainText(headingAlone(m_layout, column)), values,
                                                             row.meaning, row.unit, row.why}) {
-        grid->addWidget(widget, line, place++);
+        grid->addWidget(widget, line, gridColumn++);
     }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// A dialog for choosing the meaning of the columns of a file. It starts with the meaning that the reader detected, and
-// reads the beginning of the file again with every change. The choice is stored for files with the same headings.
+// A dialog for choosing the meaning of the columns of a file. It starts with the stored choice or else with the
+// meaning that was detected. Every change reads the beginning of the file again. The choice is stored for files with
+// the same headings.
 
 #include "core/import/reference_data.h"
 
@@ -40,7 +41,7 @@ private:
         QComboBox *meaning = nullptr;
         QComboBox *unit = nullptr;
         QLabel *why = nullptr;
-        bool isChosen = false; ///< by the user; otherwise the row shows the meaning that the reader detected
+        bool isChosen = false; ///< by the user; otherwise the row shows the meaning that was detected
     };
 
     QWidget *createRows();

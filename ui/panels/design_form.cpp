@@ -127,30 +127,31 @@ void DesignForm::showParameters()
         takeRequestFrom(m_session->parameters());
     }
     const MotionLimits limits = motionLimits(Mechanism(m_parameters));
-    const bool turns = limits.mobility == Mobility::FullTurn;
+    const bool makesFullTurns = limits.mobility == Mobility::FullTurn;
     const std::optional<DesignRange> range = findDesignRange(m_request.timeRatio);
     const double best = range ? range->bestTransmissionAngle : 0.0; // rad
     const Units &units = notation().units;
-    const double perMillimetre = shownValue(Measure::Length, 1.0, units);
+    const double shownPerMillimetre = shownValue(Measure::Length, 1.0, units);
     m_stroke->setSuffix(u' ' + shownUnit(Measure::Length));
-    m_stroke->setUnit(Unit{Dimension::Length, 0, 1.0 / perMillimetre});
-    m_stroke->setValue(perMillimetre * m_request.stroke);
+    m_stroke->setUnit(Unit{Dimension::Length, 0, 1.0 / shownPerMillimetre});
+    m_stroke->setValue(shownPerMillimetre * m_request.stroke);
     m_timeRatio->setValue(std::max(m_request.timeRatio, 1.0 / m_request.timeRatio));
     const bool isRadian = units.angle == AngleUnit::Radian;
     m_transmissionAngle->setSuffix(isRadian ? u' ' + shownUnit(Measure::Angle) : shownUnit(Measure::Angle));
     m_transmissionAngle->setUnit(isRadian ? kRadian : kDegree);
     m_transmissionAngle->setValue(
-        shownValue(Measure::Angle, turns ? limits.coupler.minimumTransmissionAngle.angle : best, units));
-    m_ratio->setEnabled(turns && range);
+        shownValue(Measure::Angle, makesFullTurns ? limits.coupler.minimumTransmissionAngle.angle : best, units));
+    m_ratio->setEnabled(makesFullTurns && range);
     m_best->setEnabled(range.has_value());
-    showLengths(turns ? range : std::nullopt);
+    showRatio(makesFullTurns ? range : std::nullopt);
 }
 
-/// Shows the ratio b/a on the slider and as text. `range`: that of the time ratio; nullopt if the crank makes no full
-/// turns, or if no mechanism has the time ratio.
-void DesignForm::showLengths(const std::optional<DesignRange> &range)
+/// Shows the ratio b/a on the slider and as text. `range`: the mechanisms with the time ratio; nullopt if the crank
+/// makes no full turns, or if no mechanism has the time ratio.
+void DesignForm::showRatio(const std::optional<DesignRange> &range)
 {
     constexpr int kDigits = 5;
+    constexpr double kSliderSteps = 500.0;
     const auto number = [](double value) { return numberText(value, kDigits); };
     const double ratio = m_parameters.b / m_parameters.a;
     QString text = tr("b/a = %1.").arg(number(ratio));
@@ -158,7 +159,7 @@ void DesignForm::showLengths(const std::optional<DesignRange> &range)
         text += u' ' + tr("The crank does not make full turns: there is no time ratio.");
     } else if (range) {
         const double last = std::min(range->largestRatio, std::max(kLargestProposedRatio, ratio));
-        const double step = nextRoundNumber((last - 1.0) / 500.0);
+        const double step = nextRoundNumber((last - 1.0) / kSliderSteps);
         const int steps = static_cast<int>(std::ceil((last - 1.0) / step));
         m_ratio->setScale(1.0, step, 1, std::max(1, steps - 1)); // both ends are excluded
         m_ratio->setNumber(ratio);
@@ -183,7 +184,7 @@ void DesignForm::requestStroke(double stroke)
 
 void DesignForm::requestDesign(const DesignRequest &request)
 {
-    accept(design(request), request);
+    applyOrRefuse(design(request), request);
 }
 
 /// Changes the offset alone; the stroke follows from the offset.
@@ -195,10 +196,10 @@ void DesignForm::requestOffset(double timeRatio)
         const Mechanism mechanism(with(m_parameters, &Parameters::c, lengths->c));
         request.stroke = motionLimits(mechanism).stroke.value_or(m_request.stroke);
     }
-    accept(designed, request);
+    applyOrRefuse(designed, request);
 }
 
-void DesignForm::accept(const std::variant<Lengths, DesignFault> &designed, const DesignRequest &request)
+void DesignForm::applyOrRefuse(const std::variant<Lengths, DesignFault> &designed, const DesignRequest &request)
 {
     if (const DesignFault *fault = std::get_if<DesignFault>(&designed)) {
         refuse(designFaultText(*fault, request));

@@ -2,8 +2,8 @@
 #pragma once
 
 // A form that designs a mechanism for a given stroke and time ratio. The slider changes the ratio b/a, with the stroke
-// and the time ratio fixed. On demand, a time ratio changes the offset c alone. Every change sets a, b and c in one
-// edit.
+// and the time ratio fixed. If "keep a and b" is checked, a time ratio changes the offset c alone. Every change sets a,
+// b and c in one edit.
 
 #include "core/limits/design.h"
 #include "core/mechanism/mechanism.h"
@@ -36,12 +36,12 @@ private:
     void requestStroke(double stroke);
     void requestDesign(const DesignRequest &request);
     void requestOffset(double timeRatio);
-    void accept(const std::variant<Lengths, DesignFault> &designed, const DesignRequest &request);
+    void applyOrRefuse(const std::variant<Lengths, DesignFault> &designed, const DesignRequest &request);
     void apply(const Lengths &lengths);
     void refuse(const QString &sentence);
     void showParameters();
     void takeRequestFrom(const Parameters &parameters);
-    void showLengths(const std::optional<DesignRange> &range);
+    void showRatio(const std::optional<DesignRange> &range);
 
     Session *m_session;
     Parameters m_parameters; ///< the mechanism whose stroke and time ratio are in m_request

@@ -58,8 +58,8 @@ public:
         return {.text = value ? text + space + unit : text, .number = value};
     }
 
-    /// Returns the quantity, its largest error in the unit that is shown, that error in percent of the peak, and its
-    /// time.
+    /// Returns a row: the quantity, its largest error in the unit that is shown and in percent of the peak, and the
+    /// time of this error.
     static TableRow rowOf(const ChannelComparison &channel, const QString &explanation)
     {
         const QString unit = shownUnit(channel.channel);
@@ -75,6 +75,8 @@ public:
                 MechanismPart::None,
                 explanation};
     }
+
+    static constexpr int kVerdictColumn = 1; // after the quantity
 
     /// Returns the row of a channel that is compared with a file. Its tool tip contains all numbers of the comparison.
     static TableRow fileRow(const ChannelComparison &channel, const ReferenceData &data)
@@ -93,7 +95,7 @@ public:
         }
         TableRow row = rowOf(channel, explanation);
         const VerdictLook look = lookOf(channel.verdict);
-        row.cells.insert(row.cells.begin() + 1,
+        row.cells.insert(row.cells.begin() + kVerdictColumn,
                          {.text = look.mark + u' ' + look.word, .csv = verdictText(channel), .tone = look.tone});
         return row;
     }
@@ -107,8 +109,8 @@ public:
                                                      shownUnit(channel.channel)));
     }
 
-    /// Returns a table without rows, with the columns of rowOf(); `largest` is the column of the largest error.
-    static PageTable tableWith(const QString &name, const QString &title, const TableColumn &largest)
+    /// Returns a table without rows, with the columns of rowOf().
+    static PageTable tableWithoutRows(const QString &name, const QString &title, const TableColumn &largestErrorColumn)
     {
         return {
             name,
@@ -118,7 +120,7 @@ public:
               .csvName = "channel",
               .isNumber = false,
               .isFormula = true},
-             largest,
+             largestErrorColumn,
              {tr("% of peak"), tr("Largest error relative to the largest value of the reference"), "percent_of_peak"},
              {tr("t [s]"), tr("Time of the largest error"), "max_error_at [s]"}}};
     }
@@ -152,16 +154,16 @@ public:
         page.findings = findingsOf(result, identification);
         page.isSearching =
             belongsToCurrentFile(identification, result) && identification->parameters != result.mechanism.parameters();
-        bool isOffered = false; // one remedy at a time
+        bool isOffered = false; // only the first remedy is offered
         for (Finding &finding : page.findings) {
             if (finding.remedy != Remedy::None && std::exchange(isOffered, true)) {
                 finding.remedy = Remedy::None;
             }
         }
-        PageTable table = tableWith("errorTable", tr("Errors, a row for each channel"),
-                                    {tr("largest error"), tr("max |model − reference|"), "max_error"});
+        PageTable table = tableWithoutRows("errorTable", tr("Errors, a row for each channel"),
+                                           {tr("largest error"), tr("max |model − reference|"), "max_error"});
         table.columns.insert(
-            table.columns.begin() + 1,
+            table.columns.begin() + kVerdictColumn,
             {.title = tr("verdict"),
              .explanation =
                  tr("Rounding: half a unit of the last digit of the value, plus the motion during half a unit of "
@@ -193,8 +195,9 @@ public:
             page.sentence +=
                 u' ' + tr("Time steps at which one of the two mechanisms cannot be assembled are not compared.");
         }
-        PageTable table = tableWith("differenceTable", tr("Differences from the pinned motion, a row for each channel"),
-                                    {tr("largest difference"), tr("max |this − pinned|"), "max_difference"});
+        PageTable table =
+            tableWithoutRows("differenceTable", tr("Differences from the pinned motion, a row for each channel"),
+                             {tr("largest difference"), tr("max |this − pinned|"), "max_difference"});
         std::ranges::transform(result.difference->channels, std::back_inserter(table.rows), pinnedRow);
         page.tables = {table};
         return page;
@@ -233,11 +236,11 @@ std::vector<Finding> findingsOf(const Result &result, const ReferenceIdentificat
         const auto &[reference, given, found] = *identification;
         for (const Explanation &explanation : explainDifferences(found, given, reference->data.layout)) {
             if (explanation.cause == Explanation::Cause::Mechanism && found.change) {
-                continue; // the page of the reference shows it
+                continue; // the wrong length is named instead; the reference page shows the mechanism
             }
             Finding finding{explanation.text};
             if (explanation.action == Explanation::Action::Apply) {
-                finding.remedy = Remedy::Apply;
+                finding.remedy = Remedy::ApplyConvention;
                 finding.remedyText = ErrorPage::tr("Apply");
                 finding.convention = explanation.convention;
             } else if (explanation.action == Explanation::Action::UseMechanism) {

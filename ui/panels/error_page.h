@@ -10,11 +10,11 @@
 namespace slidercrank
 {
 
-/// `identification` is used only if it belongs to the current file; it may be null.
+/// `identification` may be null; otherwise it is used only if it belongs to the current file.
 Page errorPage(const Result &result, const ReferenceIdentification *identification);
 
-/// Returns the explanations of the difference with their remedies, unless every channel agrees, and the conventions
-/// that were applied.
+/// Returns a finding for each explanation of the differences, with its remedy, unless every channel agrees; and one
+/// that lists the conventions that are applied to the file, if there are any. Requires a reference.
 std::vector<Finding> findingsOf(const Result &result, const ReferenceIdentification *identification);
 
 /// Returns the title of the tab with the mark of the verdict on the file: "Errors ✗".
@@ -27,7 +27,8 @@ bool belongsToCurrentFile(const ReferenceIdentification *identification, const R
 /// Returns the finding of a page that is empty because no file is open: the sentence, and a button that opens a file.
 Finding noOpenFileFinding(const QString &sentence);
 
-/// Adds the remedy to use the mechanism that was found, with the conventions of the file, unless it is the given one.
+/// Adds the remedy to use the mechanism that was found, with the conventions of the file, if one was found and it is
+/// not the given one.
 void offerMechanism(Finding &finding, const Identification &found, const Parameters &given);
 
 } // namespace slidercrank

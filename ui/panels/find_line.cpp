@@ -58,7 +58,7 @@ FindLine::FindLine(Session *session, QWidget *parent)
     row->addWidget(next);
     row->addWidget(m_useAsSpeed);
     row->addStretch(1);
-    connect(m_quantity, &QComboBox::activated, this, &FindLine::showUnitOfQuantity);
+    connect(m_quantity, &QComboBox::activated, this, &FindLine::adaptToQuantity);
     connect(m_value, &NumberBox::edited, this, [this] { emit answered({}); });
     connect(m_value, &NumberBox::enterPressed, this, &FindLine::goToNext);
     connect(next, &QToolButton::clicked, this, &FindLine::goToNext);
@@ -75,7 +75,7 @@ void FindLine::refreshNotation()
         m_quantity->setItemData(m_quantity->count() - 1, nameText(channel), Qt::ToolTipRole);
     }
     m_quantity->setCurrentIndex(chosen);
-    showUnitOfQuantity();
+    adaptToQuantity();
 }
 
 OutputChannel FindLine::wantedChannel() const
@@ -90,7 +90,7 @@ double FindLine::wantedValue() const
     return scale.inFileUnit(m_value->value()) / toFileUnit(measureOf(channel), 1.0);
 }
 
-void FindLine::showUnitOfQuantity()
+void FindLine::adaptToQuantity()
 {
     const OutputChannel channel = wantedChannel();
     const Measure measure = measureOf(channel);
@@ -102,11 +102,12 @@ void FindLine::showUnitOfQuantity()
     emit answered({});
 }
 
-QString FindLine::noPosition() const
+QString FindLine::noPositionText() const
 {
     const OutputChannel channel = wantedChannel();
     const bool isCouplerAngle = channel == OutputChannel(Channel{Theta3, Order::Position});
     const Mechanism mechanism(m_session->parameters());
+    // Measured at the other end of the coupler, the angle differs by half a turn.
     if (isCouplerAngle && !crankAnglesAt(mechanism, channel, wantedValue() + 0.5 * kTurn)->empty()) {
         return notation().symbols == Symbols::Textbook
                    ? tr("There is no such position: this θ₃ is measured at B. Choose the angle at A in View > Notation "
@@ -133,7 +134,7 @@ void FindLine::goToNext()
     std::optional<std::vector<double>> angles = crankAnglesAt(mechanism, channel, wantedValue(), m_session->alpha2());
     QString answer;
     if (!angles || angles->empty()) {
-        answer = noPosition();
+        answer = noPositionText();
     } else if (mechanism.omega2() == 0.0) {
         m_session->setParameter(Parameter::Theta20, nextAngle(*angles, m_session->parameters().theta20));
     } else if (const auto time = nextTime(*angles, mechanism, m_session->sampling(), m_session->time())) {
@@ -159,7 +160,7 @@ void FindLine::useAsCrankSpeed()
     if (speed && std::abs(*speed) <= kLargestParameter) {
         emit answered({});
         m_session->setCrankSpeedHere(*speed);
-        emit timeRequested(m_session->time()); // also shows it in plots that are zoomed
+        emit timeRequested(m_session->time()); // shows the time in zoomed plots, too
         return;
     }
     emit answered(tr("No crank speed gives this velocity here: it is 0 at every speed, as at a dead centre."));

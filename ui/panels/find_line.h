@@ -33,9 +33,9 @@ signals:
 private:
     OutputChannel wantedChannel() const;
     double wantedValue() const; ///< in the core's unit: mm, rad, s
-    void showUnitOfQuantity();  ///< gives the box of the value the unit of the chosen quantity
+    void adaptToQuantity();     ///< sets the unit of the value, and shows or hides m_useAsSpeed
     void goToNext();
-    QString noPosition() const; ///< the answer if no position has the wanted value
+    QString noPositionText() const; ///< the answer if no position has the wanted value
     void useAsCrankSpeed();
 
     Session *m_session;

@@ -61,7 +61,7 @@ std::vector<TableRow> rowsOf(const std::vector<MotionFact> &facts)
 Page limitsPage(const Result &result)
 {
     const Mechanism &mechanism = result.mechanism;
-    const QString angle = shownUnit(Measure::Angle);
+    const QString angleUnit = shownUnit(Measure::Angle);
     Page page;
     page.sentence = mobilitySentence(mechanism, result.limits);
     page.tables = {
@@ -79,7 +79,7 @@ Page limitsPage(const Result &result)
                    "Positions are those of the slider, measured from O₂; x points to the right, angles are "
                    "counter-clockwise"),
                .csvName = "value"},
-              {.title = QStringLiteral("θ₂ [%1]").arg(angle),
+              {.title = QStringLiteral("θ₂ [%1]").arg(angleUnit),
                .explanation = LimitsPage::tr("Crank angle, 0 to 360°"),
                .csvName = nameWithAsciiUnit("theta2", Measure::Angle, notation().units)},
               {.title = LimitsPage::tr("t [s]"),

@@ -37,12 +37,12 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     , m_session(session)
     , m_step(new NumberBox)
     , m_stepKind(new QComboBox)
-    , m_columns(makeMenuButton("tableColumns", tr("Columns"), tr("Chooses the columns of the table")))
+    , m_columnsButton(makeMenuButton("tableColumns", tr("Columns"), tr("Chooses the columns of the table")))
     , m_alpha2(new NumberBox)
-    , m_constantSpeed(named("constantSpeed", plainText(tr("The curves are for a constant speed."))))
+    , m_constantSpeedNote(named("constantSpeed", plainText(tr("The curves are for a constant speed."))))
     , m_findLine(new FindLine(session))
     , m_answer(named("findAnswer", plainText()))
-    , m_judgement(named("judgement", plainText()))
+    , m_conclusion(named("judgement", plainText()))
     , m_layout(new QVBoxLayout(this))
     , m_currentRowLayout(new QHBoxLayout)
 {
@@ -52,14 +52,14 @@ MotionTablePanel::MotionTablePanel(Session *session, QWidget *parent)
     m_layout->setContentsMargins(kTabMargins);
     m_layout->setSpacing(kRowSpacing);
     m_layout->addLayout(makeControls());
-    m_layout->addWidget(m_constantSpeed); // beside the controls of a narrow window it would be a column of letters
-    m_layout->addLayout(makeFindLine());
+    m_layout->addWidget(m_constantSpeedNote); // beside the controls of a narrow window it would be a column of letters
+    m_layout->addLayout(makeFindAndExportLine());
     m_layout->addWidget(m_answer);
     m_answer->setTextFormat(Qt::RichText);
     m_answer->hide();
     m_layout->addLayout(m_currentRowLayout);
-    m_layout->addWidget(m_judgement);
-    m_judgement->setTextFormat(Qt::RichText);
+    m_layout->addWidget(m_conclusion);
+    m_conclusion->setTextFormat(Qt::RichText);
     makeTables();
     m_pause.setSingleShot(true);
     m_pause.setInterval(kReadingTime);
@@ -85,7 +85,7 @@ QLayout *MotionTablePanel::makeControls()
     addChoice(m_stepKind, TableStep::CrankAngle, tr("°"));
     addChoice(m_stepKind, TableStep::Time, tr("s"));
     row->addWidget(m_stepKind);
-    row->addWidget(m_columns);
+    row->addWidget(m_columnsButton);
     auto *label = new QLabel(tr("α₂"));
     row->addWidget(label);
     named("tableAlpha2", m_alpha2, tr("Acceleration of the crank in each row (α₂)"));
@@ -95,7 +95,7 @@ QLayout *MotionTablePanel::makeControls()
     m_alpha2->setUnit(kRadianPerSquareSecond);
     label->setBuddy(m_alpha2);
     row->addWidget(m_alpha2);
-    m_constantSpeed->hide();
+    m_constantSpeedNote->hide();
     row->addStretch();
     connect(m_step, &NumberBox::edited, this, [this](double step) {
         MotionTableSettings settings = m_settings;
@@ -111,7 +111,7 @@ QLayout *MotionTablePanel::makeControls()
     return row;
 }
 
-QLayout *MotionTablePanel::makeFindLine()
+QLayout *MotionTablePanel::makeFindAndExportLine()
 {
     auto *row = new QHBoxLayout;
     row->addWidget(m_findLine, 1);
@@ -130,7 +130,7 @@ QLayout *MotionTablePanel::makeFindLine()
 
 void MotionTablePanel::fillColumnsMenu()
 {
-    QMenu *menu = m_columns->menu();
+    QMenu *menu = m_columnsButton->menu();
     menu->clear();
     for (const OutputChannel &channel : tableChannels()) {
         QAction *action = menu->addAction(nameText(channel));
@@ -206,7 +206,7 @@ void MotionTablePanel::offerTextbookNotation()
     question->setWordWrap(true);
     question->setMinimumHeight(1); // by default it is as high as the text in its narrowest form
     row->addWidget(question, 1);
-    const auto addButton = [&](const QString &name, const QString &text, Symbols symbols) {
+    const auto addAnswer = [&](const QString &name, const QString &text, Symbols symbols) {
         auto *button = named(name, new QPushButton(text));
         row->addWidget(button);
         connect(button, &QPushButton::clicked, this, [this, offer, symbols] {
@@ -214,8 +214,8 @@ void MotionTablePanel::offerTextbookNotation()
             emit symbolsChosen(symbols);
         });
     };
-    addButton("textbookNotation", tr("Use this notation"), Symbols::Textbook);
-    addButton("absoluteCoordinates", tr("Keep θ³, Rₓ⁴"), Symbols::AbsoluteCoordinates);
+    addAnswer("textbookNotation", tr("Use this notation"), Symbols::Textbook);
+    addAnswer("absoluteCoordinates", tr("Keep θ³, Rₓ⁴"), Symbols::AbsoluteCoordinates);
     m_layout->insertWidget(0, offer);
 }
 
@@ -246,7 +246,7 @@ void MotionTablePanel::makeTables()
 
 void MotionTablePanel::arrangeTable()
 {
-    constexpr int kMinRows = 2; // where the panel itself scrolls
+    constexpr int kMinRows = 2; // stay visible where the panel itself scrolls
     m_table->horizontalHeader()->hide();
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // so that m_currentRowLayout can reserve its width
     m_table->setSizePolicy(QSizePolicy::Preferred,
@@ -283,7 +283,7 @@ void MotionTablePanel::connectTables()
     connect(m_table, &NumberTable::timeRequested, this, &MotionTablePanel::timeRequested);
     connect(m_table, &NumberTable::rowHovered, this, [this](int row) {
         const bool isRow = row >= 0 && row < static_cast<int>(m_positions.size());
-        emit placeHovered(isRow ? std::optional(m_positions[static_cast<std::size_t>(row)].theta2) : std::nullopt);
+        emit positionHovered(isRow ? std::optional(m_positions[static_cast<std::size_t>(row)].theta2) : std::nullopt);
     });
     for (NumberTable *table : {m_currentRowTable, m_table}) {
         connect(table, &NumberTable::copied, this,
@@ -317,7 +317,7 @@ void MotionTablePanel::showRows()
 void MotionTablePanel::showAlpha2()
 {
     m_alpha2->setValue(m_session->alpha2());
-    m_constantSpeed->setVisible(m_session->alpha2() != 0.0);
+    m_constantSpeedNote->setVisible(m_session->alpha2() != 0.0);
 }
 
 void MotionTablePanel::showCurrentPosition()
@@ -325,13 +325,14 @@ void MotionTablePanel::showCurrentPosition()
     if (isVisible()) {
         const Mechanism mechanism(m_session->parameters());
         TableRow row = motionTableRow(m_settings, mechanism, m_session->alpha2(), currentPosition());
-        row.cells.front().tone = Tone::Normal; // the time is no link here
-        row.time.reset();                      // the row would link to its own time
+        constexpr std::size_t kTimeColumn = 0;
+        row.cells[kTimeColumn].tone = Tone::Normal; // the time is no link here
+        row.time.reset();                           // the row would link to its own time
         const CrankPosition position{withCrankAt(mechanism, currentPosition().theta2), m_session->alpha2()};
         const MyValues::CheckedRow checked = m_myValues.check(position, m_settings.columns);
         m_currentRowTable->setRows({row, checked.row});
-        m_judgement->setVisible(!checked.conclusion.isEmpty());
-        m_judgement->setText(subscriptHtml(checked.conclusion));
+        m_conclusion->setVisible(!checked.conclusion.isEmpty());
+        m_conclusion->setText(subscriptHtml(checked.conclusion));
         alignColumns();
         deselectOtherPosition();
     }
@@ -403,7 +404,7 @@ void MotionTablePanel::showEvent(QShowEvent *event)
 void MotionTablePanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
-    emit placeHovered(std::nullopt);
+    emit positionHovered(std::nullopt);
 }
 
 } // namespace slidercrank

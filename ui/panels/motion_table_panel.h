@@ -51,14 +51,14 @@ public:
     /// Writes the rows to a CSV file. Returns an error message if it cannot be written.
     std::optional<QString> exportTo(const QString &path) const;
 
-    /// Returns the height at which no part is cut off. That of the layout leaves out the smallest height of the rows,
-    /// whose size policy is Ignored.
+    /// Returns the height at which no part is cut off. The layout's heightForWidth() omits the minimum height of
+    /// m_table, whose size policy is Ignored.
     int heightForWidth(int width) const override;
 
 signals:
     void timeRequested(double seconds);
-    void symbolsChosen(slidercrank::Symbols symbols); ///< the answer to the offer
-    void placeHovered(std::optional<double> theta2);  ///< rad, of the row under the pointer
+    void symbolsChosen(slidercrank::Symbols symbols);   ///< the answer to the offer
+    void positionHovered(std::optional<double> theta2); ///< rad, of the row under the pointer
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -67,7 +67,7 @@ protected:
 
 private:
     QLayout *makeControls();
-    QLayout *makeFindLine();
+    QLayout *makeFindAndExportLine();
     void fillColumnsMenu();
     void fillExportMenu(QToolButton *button);
 
@@ -96,13 +96,13 @@ private:
 
     NumberBox *m_step;
     QComboBox *m_stepKind;
-    QToolButton *m_columns;
+    QToolButton *m_columnsButton;
     NumberBox *m_alpha2;
-    QLabel *m_constantSpeed;
+    QLabel *m_constantSpeedNote;
     FindLine *m_findLine;
-    QLabel *m_answer;
+    QLabel *m_answer; ///< of m_findLine
     MyValues m_myValues;
-    QLabel *m_judgement;
+    QLabel *m_conclusion; ///< of m_myValues
     QVBoxLayout *m_layout;
     QHBoxLayout *m_currentRowLayout; ///< of m_currentRowTable, with a margin as wide as the scroll bar of m_table
     NumberTable *m_currentRowTable = nullptr;

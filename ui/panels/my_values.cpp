@@ -25,12 +25,12 @@ namespace
 
 /// The values that were typed at a position, as they are shown and as they are read.
 struct ReadValues {
-    std::vector<TableCell> cells; ///< one for each channel, empty if no value was typed
-    std::vector<TypedValue> values;
-    QStringList faults; ///< a sentence for each text that is no value
+    std::vector<TableCell> cells;   ///< one for each channel, empty if no value was typed
+    std::vector<TypedValue> values; ///< of the texts that are values
+    QStringList faults;             ///< a sentence for each text that is no value
 };
 
-/// Reads the texts that were typed, which are listed by the names of their columns.
+/// Reads the texts that were typed. The key of a text is the name of its column.
 ReadValues readValues(const std::map<QString, QString> &texts, const std::vector<OutputChannel> &channels)
 {
     ReadValues read;
@@ -106,7 +106,7 @@ const MyValues::TypedTexts *MyValues::textsAt(double theta2) const
     return here == m_positions.end() ? nullptr : &*here;
 }
 
-QString MyValues::positionsOfValues() const
+QString MyValues::positionsText() const
 {
     QStringList angles;
     for (const TypedTexts &typed : m_positions) {
@@ -120,7 +120,7 @@ MyValues::CheckedRow MyValues::check(const CrankPosition &position, const std::v
     const double theta2 = position.mechanism.theta20();
     const TypedTexts *typedHere = textsAt(theta2);
     if (!typedHere) {
-        return {rowOf(std::vector<TableCell>(channels.size())), positionsOfValues()};
+        return {rowOf(std::vector<TableCell>(channels.size())), positionsText()};
     }
     ReadValues read = readValues(typedHere->byColumn, channels);
     const std::vector<TypedValue> values = inLikelyUnits(std::move(read.values), position, notation().units);

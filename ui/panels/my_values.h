@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The values of a calculation by hand that a person types below the current position of the table, and what is said
-// about them. They are kept for each position, and shown again when the crank returns to it.
+// The values of a calculation by hand that a person types below the current position of the table, and their check. The
+// values are kept for each position, and shown again when the crank returns to it.
 
 #include "core/check/check.h"
 #include "ui/text/typed_value.h"
@@ -39,15 +39,15 @@ public:
     CheckedRow check(const CrankPosition &position, const std::vector<OutputChannel> &channels) const;
 
 private:
-    /// The values of one position, as they were typed. They belong to its crank angle: a length or a speed may still be
-    /// corrected.
+    /// The values of one position, as they were typed. Only the crank angle identifies the position: the values stay
+    /// when a length or a speed is corrected.
     struct TypedTexts {
         double theta2;                       ///< rad, within [-π, π)
         std::map<QString, QString> byColumn; ///< the key is the name of the column; no text is empty
     };
 
     const TypedTexts *textsAt(double theta2) const; ///< null if no values were typed at this position
-    QString positionsOfValues() const;              ///< says at which crank angles values were typed
+    QString positionsText() const;                  ///< says at which crank angles values were typed
 
     std::vector<TypedTexts> m_positions;
 };

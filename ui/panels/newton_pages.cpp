@@ -23,7 +23,7 @@ namespace
 
 struct Equation {
     Constraint key;
-    const char *direction; ///< of the joint's equation; empty if the joint has only one
+    const char *direction; ///< of the joint's equation; empty if it is the joint's only one
     const char *text;
 };
 
@@ -76,7 +76,7 @@ QString constraintName(Constraint row)
 }
 
 /// Returns a value (mm, rad; per s, per s²) of an equation in the unit that is shown. Angles stay in rad.
-double shownOfEquation(Constraint row, double value)
+double shownEquationValue(Constraint row, double value)
 {
     return isAngle(row) ? value : shownValue(Measure::Length, value, notation().units);
 }
@@ -101,8 +101,8 @@ QString unitsOfCoordinate(Coordinate coordinate)
 double shownCoordinate(Channel channel, double value)
 {
     const bool isCrankAngle = channel == Channel{Theta2, Order::Position};
-    const double angle = isCrankAngle ? degreesFromZero(value) / kDegreesPerRadian : value;
-    return shownValue(measureOf(channel), angle, notation().units);
+    const double reduced = isCrankAngle ? degreesFromZero(value) / kDegreesPerRadian : value;
+    return shownValue(measureOf(channel), reduced, notation().units);
 }
 
 TableCell shortNumberCell(double value)
@@ -135,7 +135,7 @@ TimeStepEquations solvedEquations(const Result &result, double time)
     return equationsAt(result.mechanism, time, result.sampling.duration / result.sampling.steps, result.solver);
 }
 
-/// Returns the look of the iterations from a rough start, a solid line with discs, without points.
+/// Returns the series of the iterations from a rough start, still without points: a solid line with discs.
 ChartSeries roughStartSeries()
 {
     ChartSeries series{.colour = &SeriesColours::model, .line = ChartSeries::Line::Solid};
@@ -143,7 +143,7 @@ ChartSeries roughStartSeries()
     return series;
 }
 
-/// Returns the look of the iterations from a warm start, a dashed line with hollow squares, without points.
+/// Returns the series of the iterations from a warm start, still without points: a dashed line with hollow squares.
 ChartSeries warmStartSeries()
 {
     ChartSeries series{.colour = &SeriesColours::reference, .line = ChartSeries::Line::Dashed, .isHollow = true};
@@ -155,19 +155,21 @@ ChartSeries warmStartSeries()
 ChartSeries withResiduals(ChartSeries series, const IterationHistory &history)
 {
     constexpr double kSmallestDrawn = 1e-18; // a residual of 0 is drawn here
+    constexpr double kNotFiniteDrawn = 1.0;  // one that is not finite, here
     for (const Iteration &iteration : history) {
-        const double residual = std::isfinite(iteration.residual) ? std::max(kSmallestDrawn, iteration.residual) : 1.0;
+        const double residual =
+            std::isfinite(iteration.residual) ? std::max(kSmallestDrawn, iteration.residual) : kNotFiniteDrawn;
         series.points.push_back({static_cast<double>(series.points.size()), residual});
         series.tips << numberText(iteration.residual, QLocale::FloatingPointShortest);
     }
     return series;
 }
 
-/// Returns the chart of the residual ‖C‖ over the iterations, and of the tolerance. The axes do not change with every
-/// small motion.
+/// Returns the chart of the residual ‖C‖ over the iterations, and of the tolerance. The axes change only if a
+/// point is outside their usual ranges.
 ChartContent residualChart(std::vector<ChartSeries> series, const NewtonOptions &options)
 {
-    Interval steps{-0.3, 6.3};
+    Interval steps{-0.3, 6.3}; // 0 to 6, with a margin of 0.3
     Interval decades{-19.0, 2.0};
     for (const ChartSeries &history : series) {
         steps.upper = std::max(steps.upper, static_cast<double>(history.points.size()) - 0.7);
@@ -218,9 +220,9 @@ Page NewtonPages::equations(const Result &result, double time)
         const auto row = static_cast<Constraint>(i);
         table.rows.push_back({.cells = {{.text = constraintName(row)},
                                         {.text = rowOf(kEquations, row).text},
-                                        shortNumberCell(shownOfEquation(row, equations.C[row])),
-                                        shortNumberCell(shownOfEquation(row, equations.Ct[row])),
-                                        shortNumberCell(shownOfEquation(row, equations.Qd[row])),
+                                        shortNumberCell(shownEquationValue(row, equations.C[row])),
+                                        shortNumberCell(shownEquationValue(row, equations.Ct[row])),
+                                        shortNumberCell(shownEquationValue(row, equations.Qd[row])),
                                         {.text = unitOfEquation(row)}},
                               .part = partOf(row)});
     }

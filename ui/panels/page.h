@@ -18,7 +18,7 @@ namespace slidercrank
 enum class Remedy {
     None,
     UseFoundMechanism, ///< use the mechanism that was found as the model
-    Apply,             ///< read the file with the convention
+    ApplyConvention,   ///< read the file with the convention
     ReadAsPrinted,     ///< read the file without the conventions that were applied
     ChooseColumns,     ///< open the dialog for the meaning of the columns
     OpenFile,          ///< choose a file to compare with
@@ -31,7 +31,7 @@ struct Finding {
     Remedy remedy = Remedy::None;
     QString remedyText = {};
     QString details = {};       ///< the changes that the remedy makes, as rich text; may be empty
-    Convention convention = {}; ///< for Remedy::Apply
+    Convention convention = {}; ///< for Remedy::ApplyConvention
 
     friend bool operator==(const Finding &, const Finding &) = default;
 };

@@ -52,19 +52,20 @@ public:
 
     double range() const { return m_range; }
 
-    /// Covers -range to range or, if `positive`, the first step to range.
-    void setRange(double range, bool positive)
+    /// Covers -range to range or, for a parameter that must be positive, the first step to range.
+    void setRange(double range, Parameter parameter)
     {
+        constexpr double kMaxSteps = 200.0;
         m_range = range;
-        const double step = nextRoundNumber(range / 200.0);
+        const double step = nextRoundNumber(range / kMaxSteps);
         const int positions = static_cast<int>(std::lround(range / step));
-        setScale(0.0, step, positive ? 1 : -positions, positions);
+        setScale(0.0, step, isPositive(parameter) ? 1 : -positions, positions);
     }
 
-    void setFree(const Interval &range)
+    void setUnshaded(const Interval &range)
     {
-        if (range != m_free) {
-            m_free = range;
+        if (range != m_unshaded) {
+            m_unshaded = range;
             update();
         }
     }
@@ -78,27 +79,27 @@ protected:
         const double lowest = numberAt(minimum());
         const double highest = numberAt(maximum());
         const auto pixel = [&](double number) {
-            const double part = (std::clamp(number, lowest, highest) - lowest) / (highest - lowest);
-            return 0.5 * handle.width() + part * (width() - handle.width());
+            const double fraction = (std::clamp(number, lowest, highest) - lowest) / (highest - lowest);
+            return 0.5 * handle.width() + fraction * (width() - handle.width());
         };
         QColor colour = seriesColours(palette()).warning;
         colour.setAlphaF(kOpacity);
         QPainter painter(this);
         const double top = handle.center().y() - 0.5 * kBandHeight;
-        double from = m_free.lower > lowest ? pixel(m_free.lower) : 0.0;
-        if (m_free.isEmpty()) {
-            from = width();
+        double left = m_unshaded.lower > lowest ? pixel(m_unshaded.lower) : 0.0; // of the unshaded part
+        if (m_unshaded.isEmpty()) {
+            left = width();
         }
-        const double to = m_free.upper < highest ? std::max(from, pixel(m_free.upper)) : width();
-        painter.fillRect(QRectF(0.0, top, from, kBandHeight), colour);
-        painter.fillRect(QRectF(to, top, width() - to, kBandHeight), colour);
+        const double right = m_unshaded.upper < highest ? std::max(left, pixel(m_unshaded.upper)) : width();
+        painter.fillRect(QRectF(0.0, top, left, kBandHeight), colour);
+        painter.fillRect(QRectF(right, top, width() - right, kBandHeight), colour);
         painter.end();
         NumberSlider::paintEvent(event);
     }
 
 private:
     double m_range = 0.0;
-    Interval m_free{-kLargestParameter, kLargestParameter};
+    Interval m_unshaded{-kLargestParameter, kLargestParameter};
 };
 
 ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
@@ -111,9 +112,9 @@ ParameterPanel::ParameterPanel(Session *session, QWidget *parent)
     m_grid->setHorizontalSpacing(kFormSpacing);
     m_grid->setVerticalSpacing(kRowSpacing);
     m_grid->setColumnStretch(1, 1);
-    addRow(Parameter::A, tr("Length of the crank, O₂ to A"), {lengthUnit(100.0)});
-    addRow(Parameter::B, tr("Length of the coupler, A to B"), {lengthUnit(200.0)});
-    addRow(Parameter::C, tr("Height of the slider's line above O₂; may be negative"), {lengthUnit(100.0)});
+    addRow(Parameter::A, tr("Length of the crank, O₂ to A"), {lengthUnit(Parameter::A)});
+    addRow(Parameter::B, tr("Length of the coupler, A to B"), {lengthUnit(Parameter::B)});
+    addRow(Parameter::C, tr("Height of the slider's line above O₂; may be negative"), {lengthUnit(Parameter::C)});
     addRow(Parameter::Omega2, tr("Angular velocity of the crank, counter-clockwise positive"),
            {{tr("rad/s"), kRadianPerSecond, 20.0, CrankSpeedUnit::RadianPerSecond},
             {tr("°/s"), kDegreePerSecond, 1000.0, CrankSpeedUnit::DegreePerSecond},
@@ -260,18 +261,20 @@ QToolButton *ParameterPanel::makeResetButton(Parameter parameter)
     return button;
 }
 
-/// Returns the chosen unit of lengths. `range`: that of the slider, mm.
-ParameterPanel::ShownUnit ParameterPanel::lengthUnit(double range)
+/// Returns the chosen unit of lengths, with the initial range of the slider of this length.
+ParameterPanel::ShownUnit ParameterPanel::lengthUnit(Parameter length)
 {
+    constexpr double kSlack = 0.999;                             // rounding errors do not change a round range
+    const double range = length == Parameter::B ? 200.0 : 100.0; // mm
     const double factor = 1.0 / shownValue(Measure::Length, 1.0, notation().units); // mm
-    return {shownUnit(Measure::Length), Unit{Dimension::Length, 0, factor}, nextRoundNumber(0.999 * range / factor)};
+    return {shownUnit(Measure::Length), Unit{Dimension::Length, 0, factor}, nextRoundNumber(kSlack * range / factor)};
 }
 
 void ParameterPanel::refreshNotation()
 {
     for (const Parameter parameter : {Parameter::A, Parameter::B, Parameter::C}) {
         Row &row = m_rows[indexOf(parameter)];
-        row.units = {lengthUnit(parameter == Parameter::B ? 200.0 : 100.0)};
+        row.units = {lengthUnit(parameter)};
         row.box->setSuffix(u' ' + row.units[0].name);
         useUnit(parameter);
     }
@@ -304,7 +307,7 @@ void ParameterPanel::useUnit(Parameter parameter)
     const ShownUnit &unit = row.shownUnit();
     const double largest = unit.fromCore(kLargestParameter);
     row.slider->setSuffix(u' ' + unit.name);
-    row.slider->setRange(unit.range, isPositive(parameter)); // showRow() extends it if it is too small
+    row.slider->setRange(unit.range, parameter); // showRow() extends it if it is too small
     row.box->setUnit(unit.unit);
     if (isPositive(parameter)) {
         row.box->setPositiveRange(unit.fromCore(kShortestLink), largest);
@@ -337,21 +340,20 @@ void ParameterPanel::showRow(Parameter parameter)
 
     // The range of the slider must include the number and must not be much larger than the mechanism.
     constexpr double kMaxRangeRatio = 50.0; // the range over the size of the mechanism
-    constexpr double kUsualRangeRatio = 1.5;
-    constexpr double kRounding = 1e-9; // relative
+    constexpr double kNewRangeRatio = 1.5;  // that of a new range
+    constexpr double kRounding = 1e-9;      // relative
     const double size = isLength ? unit.fromCore(std::max({parameters.a, parameters.b, std::abs(parameters.c)}))
                                  : std::max(std::abs(value), unit.range / kMaxRangeRatio);
     const auto fits = [&](double range) {
         return range > 0.0 && std::abs(value) <= range && range <= kMaxRangeRatio * size * (1.0 + kRounding);
     };
     if (!row.slider->isSliderDown() && !fits(row.slider->range())) { // the range is fixed during a drag
-        row.slider->setRange(fits(unit.range) ? unit.range : nextRoundNumber(kUsualRangeRatio * size),
-                             isPositive(parameter));
+        row.slider->setRange(fits(unit.range) ? unit.range : nextRoundNumber(kNewRangeRatio * size), parameter);
     }
     row.slider->setNumber(value);
-    if (isLength) { // shade the lengths with which the crank cannot make a full turn
+    if (isLength) { // the lengths with which the crank cannot make a full turn are shaded
         const ResponseRange range = responseRange(parameters, parameter);
-        row.slider->setFree({unit.fromCore(range.fullTurn.lower), unit.fromCore(range.fullTurn.upper)});
+        row.slider->setUnshaded({unit.fromCore(range.fullTurn.lower), unit.fromCore(range.fullTurn.upper)});
         row.slider->setToolTip(row.explanation + u'\n' + fullTurnText(parameter, range));
     }
     row.box->setValue(value);

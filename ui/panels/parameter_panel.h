@@ -69,10 +69,10 @@ private:
         QToolButton *reset = nullptr;
 
         const ShownUnit &shownUnit() const;
-        void showUnit(const std::function<bool(const ShownUnit &)> &isWanted); ///< selects the first one
+        void showUnit(const std::function<bool(const ShownUnit &)> &isWanted); ///< selects the first wanted unit
     };
 
-    static ShownUnit lengthUnit(double range);
+    static ShownUnit lengthUnit(Parameter length);
     void addRow(Parameter parameter, const QString &explanation, const std::vector<ShownUnit> &units);
     QLabel *makeLabel(Parameter parameter);
     ParameterSlider *makeSlider(Parameter parameter);

@@ -23,7 +23,6 @@ namespace slidercrank
 namespace
 {
 
-/// The area that shows the polygons.
 class PolygonCanvas : public QWidget
 {
 public:
@@ -40,7 +39,7 @@ protected:
         drawPolygons(painter, rect(), m_polygons(), palette());
     }
 
-    /// Tells the magnitudes, for which the canvas may be too low.
+    /// Shows the magnitudes, for which the canvas may be too low, in a tool tip.
     bool event(QEvent *event) override
     {
         if (event->type() == QEvent::ToolTip) {

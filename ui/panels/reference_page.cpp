@@ -41,9 +41,10 @@ public:
 
     static TableRow columnRow(const ReferenceData &data, std::size_t column)
     {
-        const FileColumn &read = data.layout.columns[column];
-        const bool isAbscissa = read.role == ColumnRole::Time || read.role == ColumnRole::CrankAngle;
-        const ReferenceSeries *series = read.role == ColumnRole::Channel ? data.find(read.channel) : nullptr;
+        const FileColumn &fileColumn = data.layout.columns[column];
+        const bool isAbscissa = fileColumn.role == ColumnRole::Time || fileColumn.role == ColumnRole::CrankAngle;
+        const ReferenceSeries *series =
+            fileColumn.role == ColumnRole::Channel ? data.find(fileColumn.channel) : nullptr;
         QString valueCount = dash();
         if (series) {
             valueCount = valueCountText(*series);
@@ -51,13 +52,13 @@ public:
             valueCount = QString::number(data.time.size());
         }
         TableRow row =
-            textRow({headingAlone(data.layout, column), unitText(read), meaningText(read),
+            textRow({headingAlone(data.layout, column), unitText(fileColumn), meaningText(fileColumn),
                      series ? roundingText(series->rounding) : dash(), valueCount, reasonText(data.layout, column)});
         row.explanation = reasonText(data.layout, column);
         for (TableCell &cell : row.cells) {
-            cell.tone = read.role == ColumnRole::Ignored ? Tone::Muted : Tone::Normal;
+            cell.tone = fileColumn.role == ColumnRole::Ignored ? Tone::Muted : Tone::Normal;
         }
-        if (isGuess(read.reason)) {
+        if (isGuess(fileColumn.reason)) {
             row.cells.back().tone = Tone::Fair;
         }
         return row;
@@ -110,7 +111,7 @@ public:
         return table;
     }
 
-    static Finding mechanismFound(const Result &result, const ReferenceIdentification *identification)
+    static Finding mechanismFinding(const Result &result, const ReferenceIdentification *identification)
     {
         if (!belongsToCurrentFile(identification, result)) {
             return {tr("Searching for the mechanism of this file…")};
@@ -148,9 +149,9 @@ Page referencePage(const Result &result, const ReferenceIdentification *identifi
         page.findings.push_back(
             {.sentence = ReferencePage::tr("The rows are indexed by the crank angle; ω₂ and θ₂₀ give the time.")});
     }
-    page.findings.push_back(ReferencePage::mechanismFound(result, identification));
+    page.findings.push_back(ReferencePage::mechanismFinding(result, identification));
     for (const Finding &finding : findingsOf(result, identification)) {
-        if (finding.remedy == Remedy::Apply || finding.remedy == Remedy::ReadAsPrinted) {
+        if (finding.remedy == Remedy::ApplyConvention || finding.remedy == Remedy::ReadAsPrinted) {
             page.findings.push_back(finding);
         }
     }

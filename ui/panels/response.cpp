@@ -40,6 +40,7 @@ ResponseRange responseRange(const Parameters &parameters, Parameter parameter)
     const auto &[assembled, fullTurn] = parameterRanges(parameters, parameter);
     Interval shown{assembled.lower, assembled.upper};
     Interval shownFullTurn{fullTurn.lower, fullTurn.upper};
+    // Cuts the range at `end`, or beyond the current value.
     const auto cutAbove = [&shown, value](double end) {
         shown.upper = std::min(std::max(end, 1.25 * value), shown.upper);
     };

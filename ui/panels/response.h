@@ -15,8 +15,8 @@
 namespace slidercrank
 {
 
-/// In the order of kResponseLimits, in the units that are shown. A value is NaN if the limit does not exist or is
-/// unbounded.
+/// The values of the limits, in the order of kResponseLimits, in the units that are shown. A value is NaN if the limit
+/// does not exist or is unbounded.
 using LimitValues = ResponseLimits;
 
 LimitValues limitValues(const Mechanism &mechanism);
@@ -34,7 +34,7 @@ struct ResponseRange {
 /// assembled.
 ResponseRange responseRange(const Parameters &parameters, Parameter parameter);
 
-/// Returns a sentence that names the values with which the crank makes full turns; empty if it does for all of them.
+/// Returns a sentence that names the values with which the crank makes full turns; empty if these are all values.
 QString fullTurnText(Parameter parameter, const ResponseRange &range);
 
 struct Response {

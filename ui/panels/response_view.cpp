@@ -92,7 +92,7 @@ QString withUnbrokenSlashes(QString title)
 /// Returns the range of the finite values of a limit, without the steep rise of a peak towards infinity.
 Interval valueRange(const Response &response, std::size_t limit)
 {
-    constexpr double kSteepRise = 3.0; // over the median of the values
+    constexpr double kSteepRise = 3.0; // times the median of the values
     std::vector<double> values;
     for (const LimitValues &limits : response.limits) {
         if (const double value = limits[limit]; std::isfinite(value)) {
@@ -103,34 +103,34 @@ Interval valueRange(const Response &response, std::size_t limit)
         return {};
     }
     std::ranges::sort(values);
-    const double beginOfRise = std::max(kSteepRise * values[values.size() / 2], values.front());
-    return {values.front(), peakChannel(kResponseLimits[limit]) ? std::min(values.back(), beginOfRise) : values.back()};
+    const double startOfRise = std::max(kSteepRise * values[values.size() / 2], values.front());
+    return {values.front(), peakChannel(kResponseLimits[limit]) ? std::min(values.back(), startOfRise) : values.back()};
 }
 
-/// How the charts are arranged in a figure of that width (px).
-struct ChartRows {
+/// How the charts are arranged in a figure of a given width (px).
+struct ChartGrid {
     int columns = 1;
     int rows = 1;
-    int above = 0; ///< px, above a title
-    int title = 0; ///< height of a title of two lines, with the space above it, px
-    int chart = 0; ///< height of a chart, px
+    int aboveTitle = 0;  ///< space above a title, px
+    int titleHeight = 0; ///< height of a title of two lines, with the space above it, px
+    int chartHeight = 0; ///< px
 
-    ChartRows(int width, const QFont &font)
+    ChartGrid(int width, const QFont &font)
     {
-        constexpr int kMinWidth = 13; // heights of a line of text, for the words of a title
-        constexpr int kLowest = 8;
+        constexpr int kMinWidth = 13;         // heights of a line of text, for the words of a title
+        constexpr int kMinHeight = 8;         // heights of a line
         constexpr double kHeightRatio = 0.75; // height of a chart over its width
         constexpr double kAboveTitle = 0.4;   // heights of a line
         constexpr int kCharts = static_cast<int>(kResponseLimits.size());
         const int line = QFontMetrics(font).height();
         columns = std::clamp(width / (kMinWidth * line), 1, kCharts);
         rows = (kCharts + columns - 1) / columns;
-        above = static_cast<int>(kAboveTitle * line);
-        title = above + 2 * line;
-        chart = std::max(kLowest * line, static_cast<int>(kHeightRatio * width / columns));
+        aboveTitle = static_cast<int>(kAboveTitle * line);
+        titleHeight = aboveTitle + 2 * line;
+        chartHeight = std::max(kMinHeight * line, static_cast<int>(kHeightRatio * width / columns));
     }
 
-    int height() const { return rows * (title + chart); }
+    int height() const { return rows * (titleHeight + chartHeight); }
 };
 
 /// Returns a dot for each mechanism in which this limit exists and is finite.
@@ -202,8 +202,8 @@ void ResponseView::setParameter(Parameter parameter)
     choose(m_parameter, parameter);
 }
 
-/// Computes new curves if anything except the value of the varied parameter has changed, or if their range is no longer
-/// suitable; otherwise moves only the dots.
+/// Computes new curves if anything except the value of the varied parameter has changed, or if their range or number
+/// of values is no longer suitable; otherwise moves only the dots.
 void ResponseView::refresh()
 {
     if (!isVisible()) {
@@ -216,10 +216,12 @@ void ResponseView::refresh()
     if (m_response.parameter == parameter) {
         valueOf(m_response.parameters, parameter) = value; // the curves do not depend on this value
     }
-    if (m_response.parameter == parameter && m_response.parameters == parameters &&
-        m_response.range.assembled.contains(value) &&
-        m_response.range.assembled.length() <= 2.0 * responseRange(parameters, parameter).assembled.length() &&
-        static_cast<int>(m_response.values.size()) >= pixels) {
+    const Interval &range = m_response.range.assembled;
+    const bool areCurvesSuitable = m_response.parameter == parameter && m_response.parameters == parameters &&
+                                   range.contains(value) &&
+                                   range.length() <= 2.0 * responseRange(parameters, parameter).assembled.length() &&
+                                   static_cast<int>(m_response.values.size()) >= pixels;
+    if (areCurvesSuitable) {
         showResponse();
         return;
     }
@@ -336,23 +338,23 @@ static int textHeight(const QString &text, int width, const QFont &font)
 void ResponseView::draw(QPainter &painter, const QSize &size) const
 {
     const QPalette light = paletteFor(Theme::Light);
-    const ChartRows rows(size.width(), painter.font());
+    const ChartGrid grid(size.width(), painter.font());
     const QString note = pinnedNote();
     const int noteHeight = note.isEmpty() ? 0 : textHeight(note, size.width(), painter.font());
-    const QSize part(size.width() / rows.columns, (size.height() - noteHeight) / rows.rows);
+    const QSize cell(size.width() / grid.columns, (size.height() - noteHeight) / grid.rows);
     painter.fillRect(QRect(QPoint(), size), light.base());
     painter.setPen(light.color(QPalette::Text));
     painter.drawText(QRect(0, size.height() - noteHeight, size.width(), noteHeight), Qt::AlignCenter | Qt::TextWordWrap,
                      note);
     for (std::size_t i = 0; i < m_charts.size(); ++i) {
-        const int place = static_cast<int>(i);
+        const int index = static_cast<int>(i);
         painter.save();
-        const int row = place / rows.columns;
-        painter.translate(place % rows.columns * part.width(), row * part.height());
-        painter.drawText(QRect(0, rows.above, part.width(), rows.title - rows.above),
+        const int row = index / grid.columns;
+        painter.translate(index % grid.columns * cell.width(), row * cell.height());
+        painter.drawText(QRect(0, grid.aboveTitle, cell.width(), grid.titleHeight - grid.aboveTitle),
                          Qt::AlignCenter | Qt::TextWordWrap, withUnbrokenSlashes(m_charts[i]->accessibleName()));
-        painter.translate(0, rows.title);
-        m_charts[i]->paint(painter, part - QSize(0, rows.title), light);
+        painter.translate(0, grid.titleHeight);
+        m_charts[i]->paint(painter, cell - QSize(0, grid.titleHeight), light);
         painter.restore();
     }
 }
@@ -362,7 +364,7 @@ FigureSubject ResponseView::figure() const
     const Mechanism mechanism(m_response.parameters);
     const FigureDrawing drawing = [this](QPainter &painter, const QSize &size) { draw(painter, size); };
     const FigureHeight height = [note = pinnedNote()](int width, const QFont &font) {
-        return ChartRows(width, font).height() + (note.isEmpty() ? 0 : textHeight(note, width, font));
+        return ChartGrid(width, font).height() + (note.isEmpty() ? 0 : textHeight(note, width, font));
     };
     FigureSubject subject;
     subject.name = tr("response");

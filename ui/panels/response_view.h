@@ -29,10 +29,9 @@ public:
     /// Shows the response to `parameter`, which must be one of kVariedParameters.
     void setParameter(Parameter parameter);
 
-    /// Returns the curves that are displayed.
     const Response &response() const { return m_response; }
 
-    /// The series of each chart.
+    /// The series of each chart: a curve and dots.
     enum Series : std::size_t { Curve, Pinned, Present };
 
     /// Returns the charts as a figure with the parameters.

@@ -35,9 +35,9 @@ QString outcomeText(const Result &result)
     if (summary.count(Status::Solved) == summary.timeSteps) {
         lines.prepend(SolverForm::tr("All %1 time steps are solved.").arg(count));
     }
-    for (std::size_t i = 1; i < kStatusCount; ++i) {
+    for (std::size_t i = 0; i < kStatusCount; ++i) {
         const auto status = static_cast<Status>(i);
-        if (summary.count(status) > 0) {
+        if (status != Status::Solved && summary.count(status) > 0) {
             lines << SolverForm::tr("⚠ %1 of %2 time steps: %3")
                          .arg(QString::number(summary.count(status)), count,
                               statusSentence(status, result.solver.newton));

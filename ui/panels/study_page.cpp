@@ -21,13 +21,14 @@ constexpr int kResultDigits = 3;
 constexpr int kSpreadDigits = 2;
 constexpr double kSmallestDrawnError = 1e-17; // errors below this, including 0, are drawn here
 
-/// The name and the look of a method.
+using SeriesColour = QColor SeriesColours::*;
+
 struct MethodText {
     MethodName::Kind key;
     const char *name;
     const char *explanation;
     Tone tone;
-    QColor SeriesColours::*colour;
+    SeriesColour colour;
     bool isHollow; ///< its marks are hollow, because a second method has the same colour
 };
 
@@ -40,6 +41,9 @@ public:
         "The same, started from position, velocity and acceleration of the time step before (Taylor series)");
     static constexpr bool kFilled = false;
     static constexpr bool kHollow = true;
+    // These colours are free, because the chart shows no errors of slider or coupler.
+    static constexpr SeriesColour kExactColour = &SeriesColours::sliderError;
+    static constexpr SeriesColour kApproximateColour = &SeriesColours::couplerError;
     static constexpr MethodText kMethods[] = {
         {NewtonDense, QT_TR_NOOP("Newton-Raphson, dense"),
          QT_TR_NOOP(
@@ -52,15 +56,15 @@ public:
         {NewtonStructuredTaylor, QT_TR_NOOP("structured, Taylor start"), kTaylorStart, Tone::Model,
          &SeriesColours::model, kHollow},
         {ClosedForm, QT_TR_NOOP("closed form"), QT_TR_NOOP("The exact formulas, one time step after the other"),
-         Tone::Good, &SeriesColours::sliderError, kFilled},
+         Tone::Good, kExactColour, kFilled},
         {ClosedFormBatch, QT_TR_NOOP("closed form, batch"),
          QT_TR_NOOP("The exact formulas for several time steps at once (vector instructions)"), Tone::Good,
-         &SeriesColours::sliderError, kHollow},
+         kExactColour, kHollow},
         {FiniteDifference, QT_TR_NOOP("finite differences"),
          QT_TR_NOOP("Velocity and acceleration as central differences of exact positions"), Tone::Bad,
-         &SeriesColours::couplerError, kFilled},
+         kApproximateColour, kFilled},
         {Harmonics, QT_TR_NOOP("Fourier series"), QT_TR_NOOP("The motion as a Fourier series"), Tone::Bad,
-         &SeriesColours::couplerError, kHollow}};
+         kApproximateColour, kHollow}};
     static_assert(isCompleteTable(kMethods, Harmonics));
 
     static const MethodText &textOf(const MethodResult &row) { return slidercrank::rowOf(kMethods, row.method.kind); }
@@ -165,12 +169,12 @@ public:
     {
         ChartContent chart{
             {tr("time for one time step [ns]"), {1e1, 1e3}, true}, {tr("error / peak"), {1e-17, 1.0}, true}, {}};
-        const auto include = [](ChartAxis &axis, double value) {
+        const auto includeDecade = [](ChartAxis &axis, double value) {
             axis.range.include(std::pow(10.0, std::floor(std::log10(value))));
             axis.range.include(std::pow(10.0, std::ceil(std::log10(value))));
         };
-        std::vector<MethodName::Kind> kinds;
-        double bound = 0.0;
+        std::vector<MethodName::Kind> kinds; // of the series
+        double largestInputError = 0.0;
         for (const MethodResult &method : result.methods) {
             if (!method.maxError || method.nanosecondsPerState <= 0.0) {
                 continue;
@@ -186,20 +190,21 @@ public:
             const double error =
                 std::isfinite(*method.maxError) ? std::max(kSmallestDrawnError, *method.maxError) : 1.0;
             const QPointF point(method.nanosecondsPerState, error);
-            const auto place =
+            const auto index = // the points are sorted by time
                 std::ranges::lower_bound(series.points, point.x(), {}, &QPointF::x) - series.points.begin();
-            series.points.insert(series.points.begin() + place, point);
-            series.tips.insert(place, descriptionOf(method));
-            include(chart.x, point.x());
-            include(chart.y, point.y());
-            bound = std::max(bound, method.errorBound.value_or(0.0));
+            series.points.insert(series.points.begin() + index, point);
+            series.tips.insert(index, descriptionOf(method));
+            includeDecade(chart.x, point.x());
+            includeDecade(chart.y, point.y());
+            largestInputError = std::max(largestInputError, method.errorBound.value_or(0.0));
         }
-        if (bound > 0.0) {
-            include(chart.y, bound);
-            chart.series.push_back({.name = tr("effect of rounded input"),
-                                    .colour = &SeriesColours::warning,
-                                    .points = {{chart.x.range.lower, bound}, {chart.x.range.upper, bound}},
-                                    .line = ChartSeries::Line::Dashed});
+        if (largestInputError > 0.0) {
+            includeDecade(chart.y, largestInputError);
+            chart.series.push_back(
+                {.name = tr("effect of rounded input"),
+                 .colour = &SeriesColours::warning,
+                 .points = {{chart.x.range.lower, largestInputError}, {chart.x.range.upper, largestInputError}},
+                 .line = ChartSeries::Line::Dashed});
         }
         return chart;
     }

@@ -7,8 +7,8 @@
 namespace slidercrank
 {
 
-/// Returns a page for one case of the study: the error of each method against its time, as a chart and as a table. The
-/// time of a method that computes 36 channels is not comparable with that of a method that computes 6.
+/// Returns a page for one case (mechanism) of the study: the error of each method against its time, as a chart and as a
+/// table. The times of methods that compute 36 channels are not comparable with those of methods that compute 6.
 Page studyPage(const CaseResult &result);
 
 } // namespace slidercrank

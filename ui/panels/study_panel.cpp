@@ -19,7 +19,7 @@ StudyPanel::StudyPanel(Session *session)
     connect(session, &Session::parametersChanged, this, &TablePanel::refresh);
 }
 
-/// Starts the study; it replaces one that runs.
+/// Starts the study again if it is running.
 void StudyPanel::run()
 {
     m_study.startPieces(

@@ -33,7 +33,7 @@ namespace
 constexpr int kChartWidth = 360;      // px, beside tables
 constexpr QSize kChartSize(900, 600); // px, of an exported chart
 
-/// Shows a sentence with the symbols of textbooks in it.
+/// Shows a sentence, in which symbols of textbooks have subscripts.
 void showSentence(QLabel &label, const QString &sentence)
 {
     const QString text = symbolHtml(withUnbrokenUnits(sentence));
@@ -69,7 +69,7 @@ TablePanel::TablePanel(Session *session, const QString &name, const QString &tit
     m_pause.setSingleShot(true);
     m_pause.setInterval(kReadingTime);
     connect(&m_pause, &QTimer::timeout, this, [this] {
-        if (m_stale) {
+        if (m_isStale) {
             refresh();
         }
     });
@@ -125,7 +125,7 @@ void TablePanel::prepareChartAndScrollArea()
 
 void TablePanel::refresh()
 {
-    m_stale = true;
+    m_isStale = true;
     if (isVisible() && !m_pause.isActive()) {
         fill();
     }
@@ -133,7 +133,7 @@ void TablePanel::refresh()
 
 void TablePanel::fill()
 {
-    m_stale = false;
+    m_isStale = false;
     m_pause.start();
     const Page page = m_makePage();
     showSentence(*m_sentence, page.sentence);
@@ -225,21 +225,22 @@ void TablePanel::arrange()
 {
     constexpr int kScrollBar = 20; // px
     constexpr int kMinRows = 5;    // of a single table, with its headings: fewer rows could not be read
-    const bool areSeveral = m_shownTables.size() > 1;
-    const int available = std::max(1, contentsRect().width() - (m_chart->isHidden() ? 0 : kChartWidth));
-    int sum = 0;
+    const bool hasSeveralTables = m_shownTables.size() > 1;
+    const int availableWidth = std::max(1, contentsRect().width() - (m_chart->isHidden() ? 0 : kChartWidth));
+    int widthSum = 0;
     int widest = 0;
     for (NumberTable *table : m_shownTables) {
         const QSize content = table->contentSize();
-        sum += content.width() + m_tablesLayout->spacing();
+        widthSum += content.width() + m_tablesLayout->spacing();
         widest = std::max(widest, content.width());
-        table->setVerticalScrollBarPolicy(areSeveral ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
-        const int lowest = kMinRows * table->verticalHeader()->defaultSectionSize();
-        table->setMinimumSize(1, areSeveral ? content.height() : std::min(content.height(), lowest));
+        table->setVerticalScrollBarPolicy(hasSeveralTables ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+        const int minHeight = kMinRows * table->verticalHeader()->defaultSectionSize();
+        table->setMinimumSize(1, hasSeveralTables ? content.height() : std::min(content.height(), minHeight));
     }
-    const bool isBeside = sum <= available || !areSeveral;
-    m_tablesLayout->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_scroll->setMinimumWidth(m_chart->isHidden() ? 1 : std::min((isBeside ? sum : widest) + kScrollBar, available));
+    const bool areSideBySide = widthSum <= availableWidth || !hasSeveralTables;
+    m_tablesLayout->setDirection(areSideBySide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_scroll->setMinimumWidth(
+        m_chart->isHidden() ? 1 : std::min((areSideBySide ? widthSum : widest) + kScrollBar, availableWidth));
 }
 
 void TablePanel::copy()
@@ -268,7 +269,7 @@ std::optional<QString> TablePanel::exportTo(const QString &path) const
 
 void TablePanel::showEvent(QShowEvent *event)
 {
-    if (m_stale) {
+    if (m_isStale) {
         fill();
     }
     QWidget::showEvent(event);
@@ -326,12 +327,12 @@ void chooseExport(Session *session, QWidget *parent, const QStringList &filters,
 QByteArray csvOf(const Page &page)
 {
     QByteArray text;
-    QByteArray headings;
+    QByteArray headingsBefore;
     for (const PageTable &table : page.tables) {
         const QByteArray csv = csvText(table.columns, table.rows);
-        const QByteArray first = csv.left(csv.indexOf('\n') + 1);
-        text += first == headings ? csv.sliced(first.size()) : csv;
-        headings = first;
+        const QByteArray headings = csv.left(csv.indexOf('\n') + 1);
+        text += headings == headingsBefore ? csv.sliced(headings.size()) : csv;
+        headingsBefore = headings;
     }
     return text;
 }

@@ -66,7 +66,7 @@ private:
 
     Session *m_session; ///< tells the user what was copied or written
     std::function<Page()> m_makePage;
-    bool m_stale = true;
+    bool m_isStale = true;
     QTimer m_pause{this}; ///< runs for a short time after each update
     std::vector<Finding> m_shownFindings;
 
@@ -81,17 +81,19 @@ private:
     QLabel *m_note;
 };
 
-/// Adds a button with that text to a row.
+/// Adds a button to a row. `explanation`: the tool tip.
 QToolButton *addButton(QBoxLayout *row, const QString &name, const QString &text, const QString &explanation);
 
 /// Returns a button with an empty menu, which a click opens.
 QToolButton *makeMenuButton(const QString &name, const QString &text, const QString &explanation);
 
-/// Asks for a file name and calls write(path), which returns an error message if the file cannot be written.
+/// Asks for a file name, calls write(path), which returns an error message if the file cannot be written, and reports
+/// the outcome.
 void chooseExport(Session *session, QWidget *parent, const QStringList &filters, const QString &name,
                   const std::function<std::optional<QString>(const QString &path)> &write);
 
-/// Returns the tables of a page as CSV, one after the other. Headings that equal the headings before are not repeated.
+/// Returns the tables of a page as CSV, one after the other. Headings that equal those of the table before are not
+/// repeated.
 QByteArray csvOf(const Page &page);
 
 } // namespace slidercrank

@@ -66,9 +66,10 @@ Timeline::Timeline(Session *session, QWidget *parent)
     , m_clock(steadySeconds)
 {
     named("timeline", this, tr("Timeline"));
-    m_frames.setInterval(16);
-    m_frames.setTimerType(Qt::PreciseTimer);
-    connect(&m_frames, &QTimer::timeout, this, &Timeline::nextFrame);
+    constexpr std::chrono::milliseconds kFrameInterval{16}; // 60 frames per second
+    m_frameTimer.setInterval(kFrameInterval);
+    m_frameTimer.setTimerType(Qt::PreciseTimer);
+    connect(&m_frameTimer, &QTimer::timeout, this, &Timeline::nextFrame);
     createActions();
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(kControlMargins);
@@ -162,7 +163,7 @@ QLayout *Timeline::createScrubbing()
         row->addWidget(label);
         row->addWidget(box);
     }
-    row->insertWidget(2, m_slider, 1);
+    row->insertWidget(2, m_slider, 1); // behind "t" and its box
     return row;
 }
 
@@ -170,7 +171,7 @@ QLayout *Timeline::createButtons()
 {
     auto *row = new QHBoxLayout;
     row->setSpacing(kDenseSpacing);
-    const auto addButton = [row](const char *name, QAction *action) {
+    const auto addToolButton = [row](const char *name, QAction *action) {
         auto *button = named(name, new QToolButton);
         if (action) {
             button->setDefaultAction(action);
@@ -180,20 +181,20 @@ QLayout *Timeline::createButtons()
         row->addWidget(button);
         return button;
     };
-    addButton("startButton", m_actions[Start]);
-    addButton("backButton", m_actions[Back])->setAutoRepeat(true);
-    m_playButton = addButton("playButton", m_actions[Play]);
-    addButton("forwardButton", m_actions[Forward])->setAutoRepeat(true);
-    addButton("endButton", m_actions[End]);
+    addToolButton("startButton", m_actions[Start]);
+    addToolButton("backButton", m_actions[Back])->setAutoRepeat(true);
+    m_playButton = addToolButton("playButton", m_actions[Play]);
+    addToolButton("forwardButton", m_actions[Forward])->setAutoRepeat(true);
+    addToolButton("endButton", m_actions[End]);
     constexpr int kBesideStepping = 8; // px, because the loop is a choice and no step
     row->addSpacing(kBesideStepping);
-    addButton("loopButton", m_actions[Loop]);
+    addToolButton("loopButton", m_actions[Loop]);
     row->addStretch(1);
-    m_offer = addButton("oneTurnOffer", nullptr);
+    m_offer = addToolButton("oneTurnOffer", nullptr);
     m_offer->setText(tr("One revolution"));
     m_offer->hide();
-    connect(m_offer, &QToolButton::clicked, this, &Timeline::showOneTurn);
-    m_timeRangeButton = addButton("runButton", nullptr);
+    connect(m_offer, &QToolButton::clicked, this, &Timeline::showOneRevolution);
+    m_timeRangeButton = addToolButton("runButton", nullptr);
     m_timeRangeButton->setAccessibleName(tr("Time range and speed"));
     m_timeRangeButton->setToolTip(
         tr("Start, duration, steps, one revolution, and the playback speed (Ctrl+R). A fast crank is slowed "
@@ -213,10 +214,10 @@ void Timeline::createForm()
     m_duration =
         addField(form, "durationBox", tr("Duration"), new NumberBox, tr("From the first time step to the last"));
     m_duration->setPositiveRange(kSmallestPositive, kLargestParameter);
-    m_oneTurn = named("oneTurnButton", new QToolButton);
-    m_oneTurn->setText(tr("One revolution"));
-    m_oneTurn->setToolTip(tr("Sets the duration to one revolution of the crank"));
-    form->addRow(QString(), m_oneTurn);
+    m_oneRevolution = named("oneTurnButton", new QToolButton);
+    m_oneRevolution->setText(tr("One revolution"));
+    m_oneRevolution->setToolTip(tr("Sets the duration to one revolution of the crank"));
+    form->addRow(QString(), m_oneRevolution);
     m_steps = addField(form, "stepsBox", tr("Steps"), new NumberBox,
                        tr("Number of intervals: the motion is computed at one instant more, both ends included"));
     m_steps->setRange(1.0, kMaximumSteps);
@@ -232,7 +233,7 @@ void Timeline::createForm()
     for (const NumberBox *box : {m_start, m_duration, m_steps}) {
         connect(box, &NumberBox::edited, this, &Timeline::editSampling);
     }
-    connect(m_oneTurn, &QToolButton::clicked, this, &Timeline::showOneTurn);
+    connect(m_oneRevolution, &QToolButton::clicked, this, &Timeline::showOneRevolution);
     connect(m_speedBox, &NumberBox::edited, this, &Timeline::setSpeed);
 }
 
@@ -277,7 +278,7 @@ double Timeline::endTime() const
     return startTime() + m_session->sampling().duration;
 }
 
-double Timeline::revolution() const
+double Timeline::revolutionTime() const
 {
     return kTurn / std::abs(m_session->parameters().omega2);
 }
@@ -285,19 +286,19 @@ double Timeline::revolution() const
 bool Timeline::isFast() const
 {
     constexpr double kFastRevolution = 0.2; // s: five revolutions in the usual time range of a second
-    return revolution() < kFastRevolution;
+    return revolutionTime() < kFastRevolution;
 }
 
 /// Returns the speed of the playback. At a chosen speed of 1, a revolution of a fast crank takes four seconds.
 double Timeline::playbackSpeed() const
 {
-    constexpr double kSecondsPerTurn = 4.0;
-    return isFast() ? m_speed * revolution() / kSecondsPerTurn : m_speed;
+    constexpr double kSecondsPerRevolution = 4.0;
+    return isFast() ? m_speed * revolutionTime() / kSecondsPerRevolution : m_speed;
 }
 
-void Timeline::showOneTurn()
+void Timeline::showOneRevolution()
 {
-    m_duration->setValue(revolution());
+    m_duration->setValue(revolutionTime());
     editSampling();
 }
 
@@ -305,16 +306,20 @@ void Timeline::showSettings()
 {
     const auto &[start, duration, steps] = m_session->sampling();
     const double step = duration / steps;
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), 3, 9);
+    constexpr int kMinDecimals = 3;
+    constexpr int kMaxDecimals = 9;
+    constexpr int kPages = 20;
+    const int decimals = // two digits of the step
+        std::clamp(1 - static_cast<int>(std::floor(std::log10(step))), kMinDecimals, kMaxDecimals);
     m_timeBox->setFixedDecimals(decimals);
     m_timeBox->setStep(step);
     m_slider->setScale(start, step, 0, steps);
-    m_slider->setPageStep(std::max(1, steps / 20));
+    m_slider->setPageStep(std::max(1, steps / kPages));
     m_start->setValue(start);
     m_duration->setValue(duration);
     m_steps->setValue(steps);
     m_speedBox->setValue(m_speed);
-    m_oneTurn->setEnabled(revolution() <= kLargestParameter);
+    m_oneRevolution->setEnabled(revolutionTime() <= kLargestParameter);
     showOffer();
     fitTimeRangeButton();
     showTime();
@@ -332,15 +337,15 @@ void Timeline::fitTimeRangeButton()
     }
 }
 
-/// Offers one revolution if the time range has very many, or only a part of one: then the crank does not reach every
-/// angle.
+/// Offers a time range of one revolution if the crank is fast and makes many, or if it makes only a part of one and so
+/// does not reach every angle.
 void Timeline::showOffer()
 {
-    constexpr double kManyTurns = 5.0;
-    constexpr double kWholeTurn = 0.99; // revolutions: a second at 6.28 rad/s counts as one
-    const double turns = m_session->sampling().duration / revolution();
-    const bool showsMany = isFast() && turns > kManyTurns;
-    const bool showsPart = turns < kWholeTurn && revolution() <= kLargestParameter;
+    constexpr double kManyRevolutions = 5.0;
+    constexpr double kWholeRevolution = 0.99; // a second at 6.28 rad/s counts as one
+    const double revolutions = m_session->sampling().duration / revolutionTime();
+    const bool showsMany = isFast() && revolutions > kManyRevolutions;
+    const bool showsPart = revolutions < kWholeRevolution && revolutionTime() <= kLargestParameter;
     m_offer->setVisible(showsMany || showsPart);
     m_offer->setToolTip(showsMany
                             ? tr("The crank is fast: shows one revolution, which takes four seconds when it is played")
@@ -360,14 +365,14 @@ void Timeline::play()
             m_session->setTime(startTime());
         }
         m_lastFrame = m_clock();
-        m_frames.start();
+        m_frameTimer.start();
         drawIcons();
     }
 }
 
 void Timeline::pause()
 {
-    m_frames.stop();
+    m_frameTimer.stop();
     drawIcons();
 }
 

@@ -30,7 +30,7 @@ class Timeline : public QWidget
 public:
     explicit Timeline(Session *session, QWidget *parent = nullptr);
 
-    bool isPlaying() const { return m_frames.isActive(); }
+    bool isPlaying() const { return m_frameTimer.isActive(); }
     double speed() const { return m_speed; } ///< seconds of the motion per second of real time
 
     /// `clock` returns the seconds since an arbitrary moment.
@@ -47,7 +47,7 @@ public slots:
     void pause();
     void setSpeed(double speed);
     void refreshNotation(); ///< shows the crank angle in the chosen unit
-    void openTimeRange();   ///< opens the form for the time range and the speed
+    void openTimeRange();   ///< opens form()
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -63,12 +63,12 @@ private:
     QLayout *createButtons();
     void createForm();
     void drawIcons();
-    double startTime() const;     ///< start of the time range, s
-    double endTime() const;       ///< end of the time range, s
-    double revolution() const;    ///< time of one revolution, s; infinite if the crank is at rest
-    bool isFast() const;          ///< whether the crank turns so fast that playing is slowed
-    double playbackSpeed() const; ///< seconds of the motion per second, with the slowing of a fast crank
-    void showOneTurn();
+    double startTime() const;      ///< s
+    double endTime() const;        ///< s
+    double revolutionTime() const; ///< time of one revolution, s; infinite if the crank is at rest
+    bool isFast() const;           ///< whether the crank turns so fast that playing is slowed
+    double playbackSpeed() const;  ///< seconds of the motion per second, with the slowing of a fast crank
+    void showOneRevolution();
     void nextFrame();
     double currentStep() const; ///< time steps since the start
     void stepTo(double step);
@@ -81,7 +81,7 @@ private:
 
     Session *m_session;
 
-    QTimer m_frames{this}; ///< runs while playing
+    QTimer m_frameTimer{this}; ///< runs while playing
     std::function<double()> m_clock;
     double m_lastFrame = 0.0; ///< m_clock() when the last frame was shown
     double m_speed = 1.0;
@@ -97,7 +97,7 @@ private:
     QFrame *m_form;
     NumberBox *m_start;
     NumberBox *m_duration;
-    QToolButton *m_oneTurn;
+    QToolButton *m_oneRevolution;
     NumberBox *m_steps;
     NumberBox *m_speedBox;
 };

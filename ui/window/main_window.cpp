@@ -270,7 +270,7 @@ QWidget *MainWindow::makeMotionTable()
         view->setMarkedPose(theta2 ? referencePoseAt(withCrankAt(Mechanism(session->parameters()), *theta2), 0.0)
                                    : ReferencePose());
     };
-    connect(table, &MotionTablePanel::placeHovered, m_views.mechanism, mark);
+    connect(table, &MotionTablePanel::positionHovered, m_views.mechanism, mark);
     return scrollable(table); // otherwise a window on a small screen would become higher than the screen
 }
 
@@ -408,7 +408,7 @@ void MainWindow::applyRemedy(const Finding &finding)
     case Remedy::None:
     case Remedy::RunStudy: break;
     case Remedy::UseFoundMechanism: m_session->useFoundMechanism(); break;
-    case Remedy::Apply: m_session->apply(finding.convention); break;
+    case Remedy::ApplyConvention: m_session->apply(finding.convention); break;
     case Remedy::ReadAsPrinted: m_session->readAsPrinted(); break;
     case Remedy::ChooseColumns: chooseColumns(m_session->reference()->source.paths); break;
     case Remedy::OpenFile: chooseFiles(); break;

@@ -166,9 +166,10 @@ private slots:
         QVERIFY(findings()[0].convention == kDegrees && findings()[0].sentence.contains("98.0 → 0.00100 %"));
         identification.found.change.reset();
         QCOMPARE(remediesOf(errorPage(result, &identification)),
-                 (std::vector{Remedy::Apply, Remedy::None, Remedy::None}));
-        QVERIFY(findings()[2].sentence.contains("60.00001"));                   // the mechanism
-        QCOMPARE(findingsOf(result, &identification)[1].remedy, Remedy::Apply); // offered on the reference page
+                 (std::vector{Remedy::ApplyConvention, Remedy::None, Remedy::None}));
+        QVERIFY(findings()[2].sentence.contains("60.00001")); // the mechanism
+        QCOMPARE(findingsOf(result, &identification)[1].remedy,
+                 Remedy::ApplyConvention); // offered on the reference page
         identification.found.agreesWithGiven = true;
         QCOMPARE(findingsOf(result, &identification).back().remedy, Remedy::None);
     }
@@ -334,8 +335,8 @@ private slots:
         ReferenceIdentification identification = identificationOf(result);
         identification.found.conventions = kConventions;
         const Page page = referencePage(result, &identification);
-        QCOMPARE(remediesOf(page),
-                 (std::vector{Remedy::ChooseColumns, Remedy::UseFoundMechanism, Remedy::Apply, Remedy::Apply}));
+        QCOMPARE(remediesOf(page), (std::vector{Remedy::ChooseColumns, Remedy::UseFoundMechanism,
+                                                Remedy::ApplyConvention, Remedy::ApplyConvention}));
         QVERIFY(page.findings[1].sentence.contains("60.00001"));
 
         identification.found.rounded = result.mechanism.parameters(); // the model is this mechanism
