@@ -71,10 +71,10 @@ QString BackgroundTask::runAndCatch(const std::function<void()> &work)
 
 /// Discards what is running, and marks the task as running. Returns a new object that identifies the new work.
 template <typename Watcher>
-Watcher *BackgroundTask::begin()
+Watcher *BackgroundTask::beginWork()
 {
     const bool wasRunning = m_watcher;
-    release();
+    abandonWork();
     m_stop = std::stop_source();
     auto *const watcher = new Watcher(this);
     m_watcher = watcher;
@@ -98,7 +98,7 @@ void BackgroundTask::finish(const QObject *watcher, const QString &problem, cons
 
 void BackgroundTask::run(const WorkFunction &work, const std::function<void()> &done, const Failed &failed)
 {
-    auto *const watcher = begin<QFutureWatcher<QString>>();
+    auto *const watcher = beginWork<QFutureWatcher<QString>>();
     connect(watcher, &QFutureWatcherBase::progressValueChanged, this,
             [this](int value) { emit progressed(static_cast<double>(value) / kProgressSteps); });
     connect(watcher, &QFutureWatcherBase::finished, this,
@@ -125,7 +125,7 @@ void BackgroundTask::runPieces(const Pieces &pieces, const std::function<void()>
 
 void BackgroundTask::run(const WorkFunction &work, const std::function<void()> &done, const Failed &failed)
 {
-    auto *const watcher = begin<QObject>();
+    auto *const watcher = beginWork<QObject>();
     QTimer::singleShot(kPause, watcher, [this, watcher, work, done, failed, stop = m_stop.get_token()] {
         if (m_watcher == watcher) { // otherwise it has been discarded
             finish(watcher, runAndCatch([&] { work(stop, [](double) {}); }), done, failed);
@@ -143,7 +143,7 @@ void BackgroundTask::runPieces(const Pieces &pieces, const std::function<void()>
 /// Between two pieces the event loop runs: the window is painted and handles input.
 void BackgroundTask::runPiecesInGuiThread(const Pieces &pieces, const std::function<void()> &done, const Failed &failed)
 {
-    auto *const watcher = begin<QObject>();
+    auto *const watcher = beginWork<QObject>();
     auto *const timer = new QTimer(watcher);
     connect(timer, &QTimer::timeout, this, [this, watcher, timer, pieces, done, failed] {
         if (m_watcher != watcher) { // it has been discarded
@@ -166,7 +166,7 @@ void BackgroundTask::runPiecesInGuiThread(const Pieces &pieces, const std::funct
 }
 
 /// Asks the work to stop, and disconnects from it.
-void BackgroundTask::release()
+void BackgroundTask::abandonWork()
 {
     m_stop.request_stop();
     if (m_watcher) {
@@ -179,7 +179,7 @@ void BackgroundTask::release()
 void BackgroundTask::discard()
 {
     if (m_watcher) {
-        release();
+        abandonWork();
         emit runningChanged(false);
     }
 }

@@ -73,7 +73,7 @@ signals:
 private:
     using WorkFunction = std::function<void(const std::stop_token &stop, const Progress &progress)>;
     void run(const WorkFunction &work, const std::function<void()> &done, const Failed &failed);
-    void release();
+    void abandonWork();
     static QString runAndCatch(const std::function<void()> &work);
 
     struct Pieces {
@@ -89,7 +89,7 @@ private:
     void runPiecesInGuiThread(const Pieces &pieces, const std::function<void()> &done, const Failed &failed);
 
     template <typename Watcher>
-    Watcher *begin();
+    Watcher *beginWork();
     void finish(const QObject *watcher, const QString &problem, const std::function<void()> &done,
                 const Failed &failed);
 

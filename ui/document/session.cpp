@@ -61,8 +61,8 @@ Session::Session(QObject *parent)
 {
     m_choices.solver = initialSolver();
     m_result = compute(m_choices, std::stop_token());
-    m_settling.setSingleShot(true);
-    connect(&m_settling, &QTimer::timeout, this, &Session::startIdentification);
+    m_settlingTimer.setSingleShot(true);
+    connect(&m_settlingTimer, &QTimer::timeout, this, &Session::startIdentification);
     for (BackgroundTask *task : {&m_computation, &m_reading, &m_identifying}) {
         track(task);
     }
@@ -166,7 +166,7 @@ void Session::applyChoices(const Choices &choices, std::optional<double> time)
     }
     if (m_choices.reference != before.reference || m_choices.parameters != before.parameters) {
         m_identifying.discard();
-        m_settling.stop();
+        m_settlingTimer.stop();
     }
     if (m_choices.parameters != before.parameters) {
         emit parametersChanged(m_choices.parameters);
@@ -211,7 +211,7 @@ void Session::publish(std::shared_ptr<const Result> result)
     emit resultChanged(m_result);
     emit timeChanged(pose());
     if (m_result->reference) {
-        m_settling.start(isNewReference ? std::chrono::milliseconds(0) : kSettlingTime);
+        m_settlingTimer.start(isNewReference ? std::chrono::milliseconds(0) : kSettlingTime);
     }
 }
 
@@ -244,7 +244,7 @@ void Session::startIdentification()
 
 void Session::stopIdentification()
 {
-    m_settling.stop();
+    m_settlingTimer.stop();
     if (m_choices.reference && !isIdentificationCurrent()) {
         ReferenceIdentification stopped{
             .reference = m_choices.reference, .parameters = m_choices.parameters, .found = {}};

@@ -165,7 +165,7 @@ private:
     BackgroundTask m_computation;
     BackgroundTask m_reading;
     BackgroundTask m_identifying;
-    QTimer m_settling{this}; ///< runs while the parameters may still be changing
+    QTimer m_settlingTimer{this}; ///< runs while the parameters may still be changing
 
     EditStack m_edits{[this](const Choices &choices, std::optional<double> time) { applyChoices(choices, time); },
                       this};

@@ -108,7 +108,7 @@ struct MechanismSettings {
     bool angles = false;        ///< θ₂ and θ³
     bool instantCentre = false; ///< the instant centre of the coupler, with the velocities of A and B
 
-    bool showsVelocity() const { return velocity || instantCentre; } ///< of any point
+    bool showsVelocity() const { return velocity || instantCentre; } ///< of at least one point
 
     friend bool operator==(const MechanismSettings &, const MechanismSettings &) = default;
 };

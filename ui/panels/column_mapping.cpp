@@ -148,7 +148,7 @@ ColumnMapping::ColumnMapping(const QStringList &paths, const QByteArrayList &beg
 void ColumnMapping::addButtons(QBoxLayout *rows)
 {
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    m_use = named("useButton", buttons->addButton(tr("Use these columns"), QDialogButtonBox::AcceptRole));
+    m_useButton = named("useButton", buttons->addButton(tr("Use these columns"), QDialogButtonBox::AcceptRole));
     QPushButton *detect = named("guessButton", buttons->addButton(tr("Detect again"), QDialogButtonBox::ResetRole));
     detect->setToolTip(tr("Forgets what was chosen for files with these headings"));
     detect->setAutoDefault(false);
@@ -266,7 +266,7 @@ void ColumnMapping::readAgain()
     const ReadError *error = std::get_if<ReadError>(&outcome);
     m_problem->setVisible(error);
     m_problem->setText(error ? readErrorText(*error, fileNames(m_paths)) : QString());
-    m_use->setEnabled(!error);
+    m_useButton->setEnabled(!error);
 }
 
 void ColumnMapping::showRow(std::size_t row)

@@ -60,7 +60,7 @@ private:
     FileLayout m_layout; ///< as read with the choices
     std::vector<Row> m_rows;
     QLabel *m_problem;
-    QPushButton *m_use = nullptr;
+    QPushButton *m_useButton = nullptr;
 };
 
 } // namespace slidercrank

@@ -28,8 +28,8 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
     : QWidget(parent)
     , m_session(session)
     , m_keepsLinks(named("designKeepsLinks", new QCheckBox))
-    , m_best(named("designBest", new QToolButton))
-    , m_lengths(named("designLengths", plainText()))
+    , m_bestButton(named("designBest", new QToolButton))
+    , m_ratioText(named("designLengths", plainText()))
     , m_refusal(named("designRefusal", plainText()))
 {
     named("designForm", this, tr("Mechanism with a given stroke and time ratio"));
@@ -53,7 +53,7 @@ DesignForm::DesignForm(Session *session, QWidget *parent)
             [this] { apply(findLengths(m_request.stroke, m_request.timeRatio, m_ratio->number())); });
     connect(m_ratio, &QSlider::sliderPressed, session, &Session::beginDrag);
     connect(m_ratio, &QSlider::sliderReleased, session, &Session::endDrag);
-    connect(m_best, &QToolButton::clicked, this, [this] { requestDesign(m_request); });
+    connect(m_bestButton, &QToolButton::clicked, this, [this] { requestDesign(m_request); });
     connect(session, &Session::parametersChanged, this, &DesignForm::showParameters);
     connect(session, &Session::resultChanged, this, &DesignForm::showParameters); // also after a change of units
 }
@@ -90,18 +90,18 @@ void DesignForm::createControls()
                        tr("The remaining degree of freedom: the ratio b/a of coupler and crank"));
     constexpr int kMinSliderWidth = 120; // px, so that ratios can be chosen finely
     m_ratio->setMinimumWidth(kMinSliderWidth);
-    m_best->setText(tr("Best transmission angle"));
-    m_best->setToolTip(
+    m_bestButton->setText(tr("Best transmission angle"));
+    m_bestButton->setToolTip(
         tr("The ratio b/a with the largest minimum transmission angle, at most %1").arg(kLargestProposedRatio));
-    m_best->setFocusPolicy(Qt::TabFocus);
+    m_bestButton->setFocusPolicy(Qt::TabFocus);
 
-    form->addRow(QString(), m_best);
+    form->addRow(QString(), m_bestButton);
 
     auto *rows = new QVBoxLayout(this);
     rows->setContentsMargins(kPageMargins);
     rows->addLayout(form);
     rows->addWidget(m_refusal);
-    rows->addWidget(m_lengths);
+    rows->addWidget(m_ratioText);
     rows->addStretch(1);
 }
 
@@ -142,7 +142,7 @@ void DesignForm::showParameters()
     m_transmissionAngle->setValue(
         shownValue(Measure::Angle, makesFullTurns ? limits.coupler.minimumTransmissionAngle.angle : best, units));
     m_ratio->setEnabled(makesFullTurns && range);
-    m_best->setEnabled(range.has_value());
+    m_bestButton->setEnabled(range.has_value());
     showRatio(makesFullTurns ? range : std::nullopt);
 }
 
@@ -168,7 +168,7 @@ void DesignForm::showRatio(const std::optional<DesignRange> &range)
         text += u' ' + tr("With this time ratio the minimum transmission angle is largest, %1, for b/a = %2.")
                            .arg(angle, number(range->bestRatio));
     }
-    m_lengths->setText(text);
+    m_ratioText->setText(text);
 }
 
 void DesignForm::requestStroke(double stroke)

@@ -55,8 +55,8 @@ private:
     NumberBox *m_transmissionAngle;
     NumberSlider *m_ratio;
     QCheckBox *m_keepsLinks;
-    QToolButton *m_best;
-    QLabel *m_lengths;
+    QToolButton *m_bestButton;
+    QLabel *m_ratioText;
     QLabel *m_refusal;
 };
 

@@ -40,15 +40,16 @@ FindLine::FindLine(Session *session, QWidget *parent)
     , m_session(session)
     , m_quantity(named("findQuantity", new FormulaBox, tr("Quantity that has a value")))
     , m_value(named("findValue", new NumberBox, tr("Value of the quantity")))
-    , m_useAsSpeed(named("findUseAsSpeed", new QToolButton, tr("Use as ω₂")))
+    , m_useAsSpeedButton(named("findUseAsSpeed", new QToolButton, tr("Use as ω₂")))
 {
     auto *next = named("findNext", new QToolButton, tr("Next"));
     next->setText(tr("Next"));
     next->setToolTip(tr("Turns the crank to the next position in which the quantity has this value"));
     next->setFocusPolicy(Qt::TabFocus);
-    m_useAsSpeed->setText(tr("Use as ω₂"));
-    m_useAsSpeed->setToolTip(tr("Sets the crank speed with which the velocity has this value at the present position"));
-    m_useAsSpeed->setFocusPolicy(Qt::TabFocus);
+    m_useAsSpeedButton->setText(tr("Use as ω₂"));
+    m_useAsSpeedButton->setToolTip(
+        tr("Sets the crank speed with which the velocity has this value at the present position"));
+    m_useAsSpeedButton->setFocusPolicy(Qt::TabFocus);
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->addWidget(new QLabel(tr("Find")));
@@ -56,13 +57,13 @@ FindLine::FindLine(Session *session, QWidget *parent)
     row->addWidget(new QLabel("="));
     row->addWidget(m_value);
     row->addWidget(next);
-    row->addWidget(m_useAsSpeed);
+    row->addWidget(m_useAsSpeedButton);
     row->addStretch(1);
     connect(m_quantity, &QComboBox::activated, this, &FindLine::adaptToQuantity);
     connect(m_value, &NumberBox::edited, this, [this] { emit answered({}); });
     connect(m_value, &NumberBox::enterPressed, this, &FindLine::goToNext);
     connect(next, &QToolButton::clicked, this, &FindLine::goToNext);
-    connect(m_useAsSpeed, &QToolButton::clicked, this, &FindLine::useAsCrankSpeed);
+    connect(m_useAsSpeedButton, &QToolButton::clicked, this, &FindLine::useAsCrankSpeed);
     refreshNotation();
 }
 
@@ -98,7 +99,7 @@ void FindLine::adaptToQuantity()
     m_value->setSuffix(unit == u"°" ? unit : u' ' + unit);
     m_value->setUnit({isAngular(measure) ? Dimension::Angle : Dimension::Length, static_cast<int>(orderOf(channel)),
                       1.0 / fromFileUnit(measure, 1.0, notation().units)});
-    m_useAsSpeed->setVisible(orderOf(channel) == Order::Velocity);
+    m_useAsSpeedButton->setVisible(orderOf(channel) == Order::Velocity);
     emit answered({});
 }
 

@@ -33,7 +33,7 @@ signals:
 private:
     OutputChannel wantedChannel() const;
     double wantedValue() const; ///< in the core's unit: mm, rad, s
-    void adaptToQuantity();     ///< sets the unit of the value, and shows or hides m_useAsSpeed
+    void adaptToQuantity();     ///< sets the unit of the value, and shows or hides m_useAsSpeedButton
     void goToNext();
     QString noPositionText() const; ///< the answer if no position has the wanted value
     void useAsCrankSpeed();
@@ -41,7 +41,7 @@ private:
     Session *m_session;
     QComboBox *m_quantity;
     NumberBox *m_value;
-    QToolButton *m_useAsSpeed;
+    QToolButton *m_useAsSpeedButton;
 };
 
 } // namespace slidercrank

@@ -84,26 +84,26 @@ bool isSamePosition(double x, double y)
 
 void MyValues::setText(double theta2, const OutputChannel &channel, const QString &text)
 {
-    auto here = std::ranges::find_if(
+    auto typedHere = std::ranges::find_if(
         m_positions, [theta2](const TypedTexts &typed) { return isSamePosition(typed.theta2, theta2); });
-    if (here == m_positions.end()) {
-        here = m_positions.insert(here, {.theta2 = wrapToPi(theta2), .byColumn = {}});
+    if (typedHere == m_positions.end()) {
+        typedHere = m_positions.insert(typedHere, {.theta2 = wrapToPi(theta2), .byColumn = {}});
     }
     if (text.isEmpty()) {
-        here->byColumn.erase(columnName(channel));
+        typedHere->byColumn.erase(columnName(channel));
     } else {
-        here->byColumn[columnName(channel)] = text;
+        typedHere->byColumn[columnName(channel)] = text;
     }
-    if (here->byColumn.empty()) {
-        m_positions.erase(here);
+    if (typedHere->byColumn.empty()) {
+        m_positions.erase(typedHere);
     }
 }
 
 const MyValues::TypedTexts *MyValues::textsAt(double theta2) const
 {
-    const auto here = std::ranges::find_if(
+    const auto typedHere = std::ranges::find_if(
         m_positions, [theta2](const TypedTexts &typed) { return isSamePosition(typed.theta2, theta2); });
-    return here == m_positions.end() ? nullptr : &*here;
+    return typedHere == m_positions.end() ? nullptr : &*typedHere;
 }
 
 QString MyValues::positionsText() const

@@ -84,7 +84,7 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     , m_method(new QComboBox)
     , m_tolerance(new NumberBox)
     , m_toleranceKind(new QComboBox)
-    , m_iterations(new NumberBox)
+    , m_maxIterations(new NumberBox)
     , m_outcome(named("outcomeLabel", plainText()))
 {
     named("solverForm", this, tr("Settings and outcome"));
@@ -96,7 +96,7 @@ SolverForm::SolverForm(Session *session, QWidget *parent)
     for (const QComboBox *box : {m_method, m_toleranceKind}) {
         connect(box, &QComboBox::activated, this, &SolverForm::edit);
     }
-    for (const NumberBox *box : {m_tolerance, m_iterations}) {
+    for (const NumberBox *box : {m_tolerance, m_maxIterations}) {
         connect(box, &NumberBox::edited, this, &SolverForm::edit);
     }
     connect(session, &Session::settingsChanged, this, &SolverForm::showSettings);
@@ -120,10 +120,10 @@ QLayout *SolverForm::makeFields()
              tr("Absolute: mm and rad mixed. Relative: lengths divided by a + b + |c|, the same at every scale"));
     addChoice(m_toleranceKind, ToleranceKind::Absolute, tr("absolute"));
     addChoice(m_toleranceKind, ToleranceKind::Relative, tr("relative"));
-    addField(form, "iterationsBox", tr("Maximum iterations"), m_iterations, tr("At one time step"));
-    m_iterations->setRange(1.0, kMaximumIterations);
-    m_iterations->setFixedDecimals(0);
-    for (QWidget *field : std::initializer_list<QWidget *>{m_method, m_tolerance, m_toleranceKind, m_iterations}) {
+    addField(form, "iterationsBox", tr("Maximum iterations"), m_maxIterations, tr("At one time step"));
+    m_maxIterations->setRange(1.0, kMaximumIterations);
+    m_maxIterations->setFixedDecimals(0);
+    for (QWidget *field : std::initializer_list<QWidget *>{m_method, m_tolerance, m_toleranceKind, m_maxIterations}) {
         field->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     }
     return form;
@@ -135,8 +135,8 @@ void SolverForm::showSettings()
     choose(m_method, method);
     m_tolerance->setValue(newton.tolerance);
     choose(m_toleranceKind, newton.toleranceKind);
-    m_iterations->setValue(newton.maxIterations);
-    for (QWidget *field : std::initializer_list<QWidget *>{m_tolerance, m_toleranceKind, m_iterations}) {
+    m_maxIterations->setValue(newton.maxIterations);
+    for (QWidget *field : std::initializer_list<QWidget *>{m_tolerance, m_toleranceKind, m_maxIterations}) {
         field->setEnabled(method == Method::Newton);
     }
     m_outcome->setText(outcomeText(*m_session->result()));
@@ -148,7 +148,7 @@ void SolverForm::edit()
     solver.method = chosen<Method>(m_method);
     solver.newton.tolerance = m_tolerance->value();
     solver.newton.toleranceKind = chosen<ToleranceKind>(m_toleranceKind);
-    solver.newton.maxIterations = static_cast<int>(m_iterations->value());
+    solver.newton.maxIterations = static_cast<int>(m_maxIterations->value());
     m_session->setSolver(solver);
 }
 

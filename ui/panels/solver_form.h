@@ -35,7 +35,7 @@ private:
     QComboBox *m_method;
     NumberBox *m_tolerance;
     QComboBox *m_toleranceKind;
-    NumberBox *m_iterations;
+    NumberBox *m_maxIterations;
     QLabel *m_outcome;
 };
 

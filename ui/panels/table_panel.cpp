@@ -49,7 +49,7 @@ TablePanel::TablePanel(Session *session, const QString &name, const QString &tit
     , m_makePage(makePage)
     , m_sentence(named(name + "Sentence", plainText()))
     , m_findings(named("findings", new QWidget))
-    , m_scroll(new QScrollArea)
+    , m_scrollArea(new QScrollArea)
     , m_chart(new Chart)
     , m_note(named(name + "Note", plainText()))
 {
@@ -63,7 +63,7 @@ TablePanel::TablePanel(Session *session, const QString &name, const QString &tit
     auto *columns = new QHBoxLayout;
     columns->setSpacing(kColumnSpacing);
     columns->addWidget(m_chart, 1);
-    columns->addWidget(m_scroll, 1);
+    columns->addWidget(m_scrollArea, 1);
     rows->addLayout(columns, 1);
     rows->addWidget(m_note);
     m_pause.setSingleShot(true);
@@ -80,11 +80,11 @@ QLayout *TablePanel::makeHead(const QString &name)
 {
     auto *head = new QHBoxLayout;
     head->addWidget(m_sentence, 1);
-    m_copy = addButton(head, name + "Copy", tr("Copy"), tr("Copies the tables as CSV, at full precision"));
-    m_export =
+    m_copyButton = addButton(head, name + "Copy", tr("Copy"), tr("Copies the tables as CSV, at full precision"));
+    m_exportButton =
         addButton(head, name + "Export", tr("Export…"), tr("Writes the tables to a CSV file, at full precision"));
-    connect(m_copy, &QToolButton::clicked, this, &TablePanel::copy);
-    connect(m_export, &QToolButton::clicked, this, [this] {
+    connect(m_copyButton, &QToolButton::clicked, this, &TablePanel::copy);
+    connect(m_exportButton, &QToolButton::clicked, this, [this] {
         const Page page = m_makePage();
         chooseExport(m_session, this,
                      QStringList(tr("Tables (*.csv)")) + (page.chart ? figureFilters() : QStringList()),
@@ -116,11 +116,11 @@ void TablePanel::prepareChartAndScrollArea()
     constexpr int kMinChartWidth = 200; // px, for the numbers of its axes
     m_chart->setMinimumWidth(kMinChartWidth);
     m_chart->hide();
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setWidget(parts);
+    m_scrollArea->setFrameShape(QFrame::NoFrame);
+    m_scrollArea->setFocusPolicy(Qt::NoFocus);
+    m_scrollArea->setWidgetResizable(true);
+    m_scrollArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_scrollArea->setWidget(parts);
 }
 
 void TablePanel::refresh()
@@ -194,8 +194,8 @@ NumberTable *TablePanel::tableFor(const PageTable &content)
         connect(table->selectionModel(), &QItemSelectionModel::currentChanged, this,
                 [this, table](const QModelIndex &index) {
                     const QRect row = table->visualRect(index);
-                    const QPoint centre = table->viewport()->mapTo(m_scroll->widget(), row.center());
-                    m_scroll->ensureVisible(centre.x(), centre.y(), 0, row.height());
+                    const QPoint centre = table->viewport()->mapTo(m_scrollArea->widget(), row.center());
+                    m_scrollArea->ensureVisible(centre.x(), centre.y(), 0, row.height());
                 });
     }
     return table;
@@ -215,8 +215,8 @@ void TablePanel::fillTables(const Page &page)
     for (NumberTable *table : findChildren<NumberTable *>()) { // also the tables of earlier pages
         table->setVisible(std::ranges::count(m_shownTables, table) > 0);
     }
-    m_copy->setVisible(!m_shownTables.empty());
-    m_export->setVisible(!m_shownTables.empty());
+    m_copyButton->setVisible(!m_shownTables.empty());
+    m_exportButton->setVisible(!m_shownTables.empty());
 }
 
 /// Arranges the tables and the chart. Several tables scroll together; a single table scrolls below its headings. The
@@ -239,7 +239,7 @@ void TablePanel::arrange()
     }
     const bool areSideBySide = widthSum <= availableWidth || !hasSeveralTables;
     m_tablesLayout->setDirection(areSideBySide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_scroll->setMinimumWidth(
+    m_scrollArea->setMinimumWidth(
         m_chart->isHidden() ? 1 : std::min((areSideBySide ? widthSum : widest) + kScrollBar, availableWidth));
 }
 

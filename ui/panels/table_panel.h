@@ -71,10 +71,10 @@ private:
     std::vector<Finding> m_shownFindings;
 
     QLabel *m_sentence;
-    QToolButton *m_copy;
-    QToolButton *m_export;
+    QToolButton *m_copyButton;
+    QToolButton *m_exportButton;
     QWidget *m_findings;
-    QScrollArea *m_scroll;
+    QScrollArea *m_scrollArea;
     QBoxLayout *m_tablesLayout; ///< the tables, side by side or one above the other
     Chart *m_chart;
     std::vector<NumberTable *> m_shownTables;

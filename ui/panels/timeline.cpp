@@ -190,10 +190,10 @@ QLayout *Timeline::createButtons()
     row->addSpacing(kBesideStepping);
     addToolButton("loopButton", m_actions[Loop]);
     row->addStretch(1);
-    m_offer = addToolButton("oneTurnOffer", nullptr);
-    m_offer->setText(tr("One revolution"));
-    m_offer->hide();
-    connect(m_offer, &QToolButton::clicked, this, &Timeline::showOneRevolution);
+    m_offerButton = addToolButton("oneTurnOffer", nullptr);
+    m_offerButton->setText(tr("One revolution"));
+    m_offerButton->hide();
+    connect(m_offerButton, &QToolButton::clicked, this, &Timeline::showOneRevolution);
     m_timeRangeButton = addToolButton("runButton", nullptr);
     m_timeRangeButton->setAccessibleName(tr("Time range and speed"));
     m_timeRangeButton->setToolTip(
@@ -210,30 +210,30 @@ void Timeline::createForm()
     m_form->setFrameShape(QFrame::StyledPanel);
     auto *form = new QFormLayout(m_form);
     form->setVerticalSpacing(kFormSpacing);
-    m_start = addField(form, "startBox", tr("Start"), new NumberBox, tr("The first time step"));
-    m_duration =
+    m_startBox = addField(form, "startBox", tr("Start"), new NumberBox, tr("The first time step"));
+    m_durationBox =
         addField(form, "durationBox", tr("Duration"), new NumberBox, tr("From the first time step to the last"));
-    m_duration->setPositiveRange(kSmallestPositive, kLargestParameter);
-    m_oneRevolution = named("oneTurnButton", new QToolButton);
-    m_oneRevolution->setText(tr("One revolution"));
-    m_oneRevolution->setToolTip(tr("Sets the duration to one revolution of the crank"));
-    form->addRow(QString(), m_oneRevolution);
-    m_steps = addField(form, "stepsBox", tr("Steps"), new NumberBox,
-                       tr("Number of intervals: the motion is computed at one instant more, both ends included"));
-    m_steps->setRange(1.0, kMaximumSteps);
-    m_steps->setFixedDecimals(0);
+    m_durationBox->setPositiveRange(kSmallestPositive, kLargestParameter);
+    m_oneRevolutionButton = named("oneTurnButton", new QToolButton);
+    m_oneRevolutionButton->setText(tr("One revolution"));
+    m_oneRevolutionButton->setToolTip(tr("Sets the duration to one revolution of the crank"));
+    form->addRow(QString(), m_oneRevolutionButton);
+    m_stepsBox = addField(form, "stepsBox", tr("Steps"), new NumberBox,
+                          tr("Number of intervals: the motion is computed at one instant more, both ends included"));
+    m_stepsBox->setRange(1.0, kMaximumSteps);
+    m_stepsBox->setFixedDecimals(0);
     m_speedBox = addField(form, "speedBox", tr("Playback speed"), new NumberBox,
                           tr("Seconds of the motion in a second of real time"));
     m_speedBox->setSuffix(tr("×"));
     m_speedBox->setPositiveRange(kSlowestPlayback, kFastestPlayback);
-    for (NumberBox *box : {m_start, m_duration}) {
+    for (NumberBox *box : {m_startBox, m_durationBox}) {
         box->setSuffix(tr(" s"));
         box->setUnit(kSecond);
     }
-    for (const NumberBox *box : {m_start, m_duration, m_steps}) {
+    for (const NumberBox *box : {m_startBox, m_durationBox, m_stepsBox}) {
         connect(box, &NumberBox::edited, this, &Timeline::editSampling);
     }
-    connect(m_oneRevolution, &QToolButton::clicked, this, &Timeline::showOneRevolution);
+    connect(m_oneRevolutionButton, &QToolButton::clicked, this, &Timeline::showOneRevolution);
     connect(m_speedBox, &NumberBox::edited, this, &Timeline::setSpeed);
 }
 
@@ -298,7 +298,7 @@ double Timeline::playbackSpeed() const
 
 void Timeline::showOneRevolution()
 {
-    m_duration->setValue(revolutionTime());
+    m_durationBox->setValue(revolutionTime());
     editSampling();
 }
 
@@ -315,11 +315,11 @@ void Timeline::showSettings()
     m_timeBox->setStep(step);
     m_slider->setScale(start, step, 0, steps);
     m_slider->setPageStep(std::max(1, steps / kPages));
-    m_start->setValue(start);
-    m_duration->setValue(duration);
-    m_steps->setValue(steps);
+    m_startBox->setValue(start);
+    m_durationBox->setValue(duration);
+    m_stepsBox->setValue(steps);
     m_speedBox->setValue(m_speed);
-    m_oneRevolution->setEnabled(revolutionTime() <= kLargestParameter);
+    m_oneRevolutionButton->setEnabled(revolutionTime() <= kLargestParameter);
     showOffer();
     fitTimeRangeButton();
     showTime();
@@ -346,15 +346,15 @@ void Timeline::showOffer()
     const double revolutions = m_session->sampling().duration / revolutionTime();
     const bool showsMany = isFast() && revolutions > kManyRevolutions;
     const bool showsPart = revolutions < kWholeRevolution && revolutionTime() <= kLargestParameter;
-    m_offer->setVisible(showsMany || showsPart);
-    m_offer->setToolTip(showsMany
-                            ? tr("The crank is fast: shows one revolution, which takes four seconds when it is played")
-                            : tr("The time range is only a part of a revolution: shows one revolution"));
+    m_offerButton->setVisible(showsMany || showsPart);
+    m_offerButton->setToolTip(
+        showsMany ? tr("The crank is fast: shows one revolution, which takes four seconds when it is played")
+                  : tr("The time range is only a part of a revolution: shows one revolution"));
 }
 
 void Timeline::editSampling()
 {
-    m_session->setSampling({m_start->value(), m_duration->value(), static_cast<int>(m_steps->value())});
+    m_session->setSampling({m_startBox->value(), m_durationBox->value(), static_cast<int>(m_stepsBox->value())});
     showSettings(); // also if nothing has changed
 }
 
@@ -387,8 +387,8 @@ void Timeline::openTimeRange()
     m_form->adjustSize();
     m_form->move(popupPosition(*m_timeRangeButton, m_form->size()));
     m_form->show();
-    m_start->setFocus(Qt::PopupFocusReason);
-    m_start->selectAll();
+    m_startBox->setFocus(Qt::PopupFocusReason);
+    m_startBox->selectAll();
 }
 
 void Timeline::nextFrame()

@@ -65,7 +65,7 @@ private:
     void drawIcons();
     double startTime() const;      ///< s
     double endTime() const;        ///< s
-    double revolutionTime() const; ///< time of one revolution, s; infinite if the crank is at rest
+    double revolutionTime() const; ///< s; infinite if the crank is at rest
     bool isFast() const;           ///< whether the crank turns so fast that playing is slowed
     double playbackSpeed() const;  ///< seconds of the motion per second, with the slowing of a fast crank
     void showOneRevolution();
@@ -88,17 +88,17 @@ private:
 
     std::array<QAction *, CommandCount> m_actions{};
     QToolButton *m_playButton;
-    QToolButton *m_offer; ///< offers a time range of one revolution, see showOffer()
+    QToolButton *m_offerButton; ///< offers a time range of one revolution, see showOffer()
     QToolButton *m_timeRangeButton;
     NumberSlider *m_slider;
     NumberBox *m_timeBox;
     NumberBox *m_angleBox;
 
     QFrame *m_form;
-    NumberBox *m_start;
-    NumberBox *m_duration;
-    QToolButton *m_oneRevolution;
-    NumberBox *m_steps;
+    NumberBox *m_startBox;
+    NumberBox *m_durationBox;
+    QToolButton *m_oneRevolutionButton;
+    NumberBox *m_stepsBox;
     NumberBox *m_speedBox;
 };
 
