@@ -50,7 +50,7 @@ public:
 
 private:
     Apply m_apply;
-    int m_lastChanges = 0; ///< EditName::changes of the last edit; 0 if the next edit starts a new step
+    int m_lastChanges = 0; ///< bits of the settings that the last edit changed; 0 if the next edit starts a new step
     int m_step = 0;        ///< number of the current step; edits with the same number are undone together
     QTimer m_mergeTimer;   ///< runs for kMergeInterval after each edit, while the next one can be merged with it
     bool m_isDragging = false;

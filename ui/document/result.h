@@ -56,7 +56,7 @@ struct Result {
     /// The six plotted channels. Empty for a long motion in closed form, which is computed faster than it is stored.
     Trajectory trajectory;
     MotionLimits limits;
-    std::shared_ptr<const Reference> reference; ///< may be null; as timedBy() `mechanism` returns it
+    std::shared_ptr<const Reference> reference; ///< may be null; an angle-indexed table has `mechanism`'s times
     std::vector<Parameters> pinned;             ///< the oldest first
 
     /// How far the model is from the motion that was pinned last; nullopt if there is a reference or no pinned motion.

@@ -67,13 +67,16 @@ public:
          kApproximateColour, kHollow}};
     static_assert(isCompleteTable(kMethods, Harmonics));
 
-    static const MethodText &textOf(const MethodResult &row) { return slidercrank::rowOf(kMethods, row.method.kind); }
-
-    static QString nameOfRow(const MethodResult &row)
+    static const MethodText &textOf(const MethodResult &method)
     {
-        const QString name = tr(textOf(row).name);
-        return row.method.kind == MethodName::Kind::Harmonics
-                   ? tr("%1, %2 harmonics").arg(name, QString::number(row.method.harmonics))
+        return slidercrank::rowOf(kMethods, method.method.kind);
+    }
+
+    static QString shownNameOf(const MethodResult &method)
+    {
+        const QString name = tr(textOf(method).name);
+        return method.method.kind == MethodName::Kind::Harmonics
+                   ? tr("%1, %2 harmonics").arg(name, QString::number(method.method.harmonics))
                    : name;
     }
 
@@ -90,35 +93,35 @@ public:
     }
 
     /// Returns "solved", "190 solved, 11 singular", or "201 solved, 12 reported as solved but wrong".
-    static QString outcomeText(const MethodResult &row)
+    static QString outcomeText(const MethodResult &method)
     {
         QStringList parts;
         for (std::size_t i = 0; i < kStatusCount; ++i) {
-            if (row.counts[i] > 0) {
+            if (method.counts[i] > 0) {
                 parts +=
-                    QStringLiteral("%1 %2").arg(QString::number(row.counts[i]), statusText(static_cast<Status>(i)));
+                    QStringLiteral("%1 %2").arg(QString::number(method.counts[i]), statusText(static_cast<Status>(i)));
             }
         }
-        const bool hasSilentFailures = row.silentFailures.value_or(0) > 0;
-        QString text = parts.size() == 1 && !hasSilentFailures ? statusText(row.status) : parts.join(", ");
+        const bool hasSilentFailures = method.silentFailures.value_or(0) > 0;
+        QString text = parts.size() == 1 && !hasSilentFailures ? statusText(method.status) : parts.join(", ");
         if (hasSilentFailures) {
-            text += tr(", %1 reported as solved but wrong").arg(QString::number(*row.silentFailures));
+            text += tr(", %1 reported as solved but wrong").arg(QString::number(*method.silentFailures));
         }
         return text;
     }
 
-    static QString descriptionOf(const MethodResult &row)
+    static QString descriptionOf(const MethodResult &method)
     {
-        QStringList lines{nameOfRow(row), tr(textOf(row).explanation),
+        QStringList lines{shownNameOf(method), tr(textOf(method).explanation),
                           tr("%1 ns per time step (± %2), %3 channels")
-                              .arg(shortNumber(row.nanosecondsPerState, kResultDigits),
-                                   shortNumber(0.5 * row.spread, kSpreadDigits), QString::number(row.channels)),
-                          row.maxError
-                              ? tr("Largest error: %1 of the peak").arg(shortNumber(*row.maxError, kResultDigits))
+                              .arg(shortNumber(method.nanosecondsPerState, kResultDigits),
+                                   shortNumber(0.5 * method.spread, kSpreadDigits), QString::number(method.channels)),
+                          method.maxError
+                              ? tr("Largest error: %1 of the peak").arg(shortNumber(*method.maxError, kResultDigits))
                               : tr("No time step is solved")};
-        if (row.errorBound) {
+        if (method.errorBound) {
             lines << tr("Rounding a, b, c, ω₂, θ₂₀ and t to doubles alone may cause an error of %1")
-                         .arg(shortNumber(*row.errorBound, kResultDigits));
+                         .arg(shortNumber(*method.errorBound, kResultDigits));
         }
         return lines.join(u'\n');
     }
@@ -129,7 +132,7 @@ public:
             return TableCell{.text = shortNumber(value, kResultDigits), .number = value};
         };
         return {
-            {{.text = nameOfRow(method), .tone = textOf(method).tone},
+            {{.text = shownNameOf(method), .tone = textOf(method).tone},
              {.text = QString::number(method.channels), .number = method.channels},
              {.text = numberText(method.tolerance, kResultDigits), .number = method.tolerance},
              cell(method.nanosecondsPerState),

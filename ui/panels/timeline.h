@@ -70,7 +70,7 @@ private:
     double playbackSpeed() const;  ///< seconds of the motion per second, with the slowing of a fast crank
     void showOneRevolution();
     void nextFrame();
-    double currentStep() const; ///< time steps since the start
+    double currentStep() const;
     void stepTo(double step);
     void goToAngle(double angle);
     void editSampling();
