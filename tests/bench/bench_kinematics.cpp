@@ -26,13 +26,13 @@ using namespace slidercrank;
 namespace
 {
 
-/// The file of the reference report: one turn in 201 time steps.
+/// Returns the case of the reference report's file: one turn in 201 time steps.
 Case nominal()
 {
     return nominalCases()[1];
 }
 
-/// A crank that cannot make full turns. Time steps outside its limits are included.
+/// Returns a case whose crank cannot make full turns. Some of its time steps are beyond the limits of the crank.
 Case rocker()
 {
     const std::vector<Case> cases = hardCases();
@@ -46,8 +46,8 @@ void countStates(benchmark::State &state, std::size_t states)
         static_cast<double>(states), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// Computes all 36 channels directly by the textbook's formulas, with the angle in one double. It is not inlined, like
-/// ClosedForm::stateAt in a library.
+/// Computes all 36 channels directly by the textbook's formulas, with the angle in one double. Like
+/// ClosedForm::stateAt, which is in a library, this function is not inlined.
 HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
 {
     const double w = p.omega2;
@@ -74,7 +74,7 @@ HWY_NOINLINE State plainStateAt(const Parameters &p, double t)
 
 /// Measures all 36 channels of a turn by stateAt(t).
 template <class StateAt>
-void states36(benchmark::State &state, const Case &given, const StateAt &stateAt)
+void measureStates36(benchmark::State &state, const Case &given, const StateAt &stateAt)
 {
     const std::vector<double> times = given.sampling.timeStamps();
     std::vector<State> states(times.size());
@@ -91,21 +91,21 @@ void states36(benchmark::State &state, const Case &given, const StateAt &stateAt
 void plainClosedForm36(benchmark::State &state)
 {
     const Parameters parameters = nominal().parameters;
-    states36(state, nominal(), [&](double t) { return plainStateAt(parameters, t); });
+    measureStates36(state, nominal(), [&](double t) { return plainStateAt(parameters, t); });
 }
 BENCHMARK(plainClosedForm36);
 
 void closedForm36(benchmark::State &state)
 {
     const ClosedForm closedForm{Mechanism(nominal().parameters)};
-    states36(state, nominal(), [&](double t) { return closedForm.stateAt(t); });
+    measureStates36(state, nominal(), [&](double t) { return closedForm.stateAt(t); });
 }
 BENCHMARK(closedForm36);
 
 void closedForm36Rocker(benchmark::State &state)
 {
     const ClosedForm closedForm{Mechanism(rocker().parameters)};
-    states36(state, rocker(), [&](double t) { return closedForm.stateAt(t); });
+    measureStates36(state, rocker(), [&](double t) { return closedForm.stateAt(t); });
 }
 BENCHMARK(closedForm36Rocker);
 
@@ -128,7 +128,8 @@ void closedFormBatch(benchmark::State &state, std::int64_t target)
     hwy::SetSupportedTargetsForTest(0);
 }
 
-/// Measures all 36 channels by Newton-Raphson, starting from the previous time step, with the default tolerance.
+/// Measures all 36 channels by Newton-Raphson with the default tolerance. The first guess of a time step follows from
+/// the previous time step, as `warmStart` says.
 void newton36(benchmark::State &state, const Case &given, WarmStart warmStart, Elimination elimination)
 {
     NewtonOptions options;
@@ -156,7 +157,7 @@ BENCHMARK_CAPTURE(newton36, structuredTaylor, nominal(), WarmStart::Taylor, Elim
 BENCHMARK_CAPTURE(newton36, structuredTaylorRocker, rocker(), WarmStart::Taylor, Elimination::Structured);
 
 /// Measures the peaks of a turn, which the window computes at every move of a slider. They are hardest to find near the
-/// change point; `gap` is the relative distance from it.
+/// change point b = a + c = 45 mm; `gap` is the relative distance of b from it.
 void motionPeaks(benchmark::State &state, double gap)
 {
     Parameters p;

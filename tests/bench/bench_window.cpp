@@ -72,7 +72,7 @@ void waitUntilPainted(const PaintWatch &watch)
     QCoreApplication::processEvents();
 }
 
-std::unique_ptr<MainWindow> shownWindow()
+std::unique_ptr<MainWindow> openWindow()
 {
     auto window = std::make_unique<MainWindow>();
     const QStringList size = qEnvironmentVariable("SLIDERCRANK_BENCH_SIZE").split(u'x');
@@ -85,7 +85,7 @@ std::unique_ptr<MainWindow> shownWindow()
     return window;
 }
 
-void spin(int milliseconds)
+void handleEventsFor(int milliseconds)
 {
     QEventLoop loop;
     QTimer::singleShot(milliseconds, &loop, &QEventLoop::quit);
@@ -99,19 +99,19 @@ double processorSeconds()
 
 enum class ReferenceFile { None, Sample };
 
-/// A window whose slider of b is moved, with that many samples in each curve, and optionally with the sample file.
+/// A window whose slider of b is moved. Each curve has `samples` samples, and the sample file may be open.
 class MovingSlider
 {
 public:
     MovingSlider(int samples, ReferenceFile reference)
-        : m_window(shownWindow())
+        : m_window(openWindow())
         , m_slider(m_window->findChild<QSlider *>(QStringLiteral("slider_b")))
         , m_watch(*m_window)
         , m_start(m_slider->value())
     {
         if (reference == ReferenceFile::Sample) {
             m_window->session().loadReference(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"));
-            spin(500); // until it has been read, compared and identified
+            handleEventsFor(500); // until it has been read, compared and identified
         }
         Sampling sampling;
         sampling.steps = samples - 1;
@@ -154,14 +154,14 @@ BENCHMARK(moveSliderAndPaintNinePlots)
     ->Repetitions(5)
     ->ReportAggregatesOnly();
 
-/// Compares with another library, which draws the same figure with the sample file from precomputed curves: the median
-/// times and their ratio. Requires Python ($PYTHON, or python3) with that library.
+/// Compares the median time of MovingSlider::move() with that of a redraw by a plot library, which draws the same nine
+/// plots from precomputed curves. Requires Python ($PYTHON, or python3) with that library.
 void compareWithLibrary(benchmark::State &state, const char *library)
 {
     constexpr int kMoves = 31;
     const int samples = static_cast<int>(state.range(0));
     MovingSlider slider(samples, ReferenceFile::Sample);
-    std::vector<double> ours;
+    std::vector<double> windowTimes; // ms
     QProcess python;
     const QString python3 = qEnvironmentVariable("PYTHON", QStringLiteral("python3"));
     for (auto _ : state) {
@@ -169,7 +169,7 @@ void compareWithLibrary(benchmark::State &state, const char *library)
             QElapsedTimer clock;
             clock.start();
             slider.move();
-            ours.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
+            windowTimes.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
         }
         python.start(python3,
                      {QStringLiteral(SLIDERCRANK_SOURCE_DIR "/tests/bench/nine_plots.py"), QLatin1String(library),
@@ -181,11 +181,11 @@ void compareWithLibrary(benchmark::State &state, const char *library)
         state.SkipWithError("Cannot run Python with this library.");
         return;
     }
-    std::nth_element(ours.begin(), ours.begin() + kMoves / 2, ours.end());
-    const double theirs = python.readAllStandardOutput().trimmed().toDouble();
-    state.counters["ours_ms"] = ours[kMoves / 2];
-    state.counters["theirs_ms"] = theirs;
-    state.counters["times"] = theirs / ours[kMoves / 2];
+    std::nth_element(windowTimes.begin(), windowTimes.begin() + kMoves / 2, windowTimes.end());
+    const double libraryTime = python.readAllStandardOutput().trimmed().toDouble();
+    state.counters["ours_ms"] = windowTimes[kMoves / 2];
+    state.counters["theirs_ms"] = libraryTime;
+    state.counters["times"] = libraryTime / windowTimes[kMoves / 2];
 }
 BENCHMARK_CAPTURE(compareWithLibrary, matplotlib, "matplotlib")
     ->ArgName("samples")
@@ -204,17 +204,17 @@ BENCHMARK_CAPTURE(compareWithLibrary, pyqtgraph, "pyqtgraph")
 void processorShare(benchmark::State &state)
 {
     const bool playing = state.range(0) != 0;
-    const std::unique_ptr<MainWindow> window = shownWindow();
+    const std::unique_ptr<MainWindow> window = openWindow();
     auto *timeline = window->findChild<Timeline *>();
     if (playing) {
         timeline->play();
     }
-    spin(500);
+    handleEventsFor(500);
     for (auto _ : state) {
         const double before = processorSeconds();
         QElapsedTimer clock;
         clock.start();
-        spin(3000);
+        handleEventsFor(3000);
         const double elapsed = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
         state.counters["percent_of_a_core"] = 100.0 * (processorSeconds() - before) / elapsed;
     }
@@ -224,14 +224,14 @@ BENCHMARK(processorShare)->ArgName("playing")->Arg(1)->Arg(0)->Iterations(1)->Re
 /// Measures one frame of playing, with the pose and nine cursors, without and with arrows, path, names and dimensions.
 void playingFrame(benchmark::State &state)
 {
-    const std::unique_ptr<MainWindow> window = shownWindow();
+    const std::unique_ptr<MainWindow> window = openWindow();
     if (state.range(0) != 0) {
         window->findChild<MechanismView *>()->setSettings(
             {.velocity = true, .acceleration = true, .path = true, .names = true, .dimensions = true});
     }
     double t = 0.0;
     for (auto _ : state) {
-        t = t > 0.98 ? 0.0 : t + 0.0167;
+        t = t > 0.98 ? 0.0 : t + 0.0167; // s, 60 frames per second
         window->session().setTime(t);
         QCoreApplication::processEvents();
     }
@@ -240,7 +240,8 @@ BENCHMARK(playingFrame)->ArgName("arrows")->Arg(0)->Arg(1)->Unit(benchmark::kMil
 
 const QString kProbe = QStringLiteral("--start-probe");
 
-/// In the started process: reports when the ninth plot is painted, and the resident memory.
+/// Runs in the process that startToNinthPlot() starts. Prints a line when the ninth plot is painted, and the resident
+/// memory.
 int startProbe()
 {
     MainWindow window;
@@ -260,7 +261,7 @@ int startProbe()
     return 0;
 }
 
-/// Measures the time from starting a process until its ninth plot is painted.
+/// Measures the time from starting the program until its ninth plot is painted.
 void startToNinthPlot(benchmark::State &state)
 {
     double kibibytes = 0.0;

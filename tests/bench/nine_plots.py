@@ -19,7 +19,7 @@ TITLES = ["θ³ [°]", "R_x⁴ [mm]", "error [%]"]
 
 
 def motion(b, samples):
-    """θ³ and R_x⁴ with two derivatives each: (position, velocity, acceleration) rows of two."""
+    """Returns the times (s) and six curves: θ³ (°) and R_x⁴ (mm), their velocities, and their accelerations."""
     t = numpy.linspace(0.0, 1.0, samples)
     theta2 = OMEGA2 * t
     theta3 = numpy.arcsin((C - A * numpy.sin(theta2)) / b)
@@ -32,7 +32,7 @@ def motion(b, samples):
 
 
 class Matplotlib:
-    """On a picture in memory, as fast as it draws."""
+    """Draws with Matplotlib into a picture in memory."""
 
     def __init__(self, width, height):
         import matplotlib
@@ -50,7 +50,7 @@ class Matplotlib:
     def plot(self, row, column, t, values, dashed):
         return self.axes[row, column].plot(t, values, "--" if dashed else "-")[0]
 
-    def change(self, line, t, values):
+    def set_values(self, line, t, values):
         line.set_ydata(values)
 
     def draw(self):
@@ -58,7 +58,7 @@ class Matplotlib:
 
 
 class PyQtGraph:
-    """As smooth as ours, with its own thinning of curves, into a picture as large."""
+    """Draws with PyQtGraph into a picture of the same size: with smooth edges, as the window, and with its own downsampling."""
 
     def __init__(self, width, height):
         import pyqtgraph
@@ -81,7 +81,7 @@ class PyQtGraph:
     def plot(self, row, column, t, values, dashed):
         return self.axes[row][column].plot(t, values, pen=self.pens[dashed])
 
-    def change(self, line, t, values):
+    def set_values(self, line, t, values):
         line.setData(t, values)
 
     def draw(self):
@@ -92,34 +92,34 @@ class PyQtGraph:
 def main():
     library = {"matplotlib": Matplotlib, "pyqtgraph": PyQtGraph}[sys.argv[1]]
     samples, width, height, redraws = map(int, sys.argv[2:])
-    lengths = [60.0 + 0.5 * (i % 10) for i in range(redraws + 1)]
-    motions = {b: motion(b, samples) for b in set(lengths)}
-    rows, reference = motion(60.0, REFERENCE_ROWS)
+    coupler_lengths = [60.0 + 0.5 * (i % 10) for i in range(redraws + 1)]
+    motions = {b: motion(b, samples) for b in set(coupler_lengths)}
+    reference_times, reference = motion(60.0, REFERENCE_ROWS)
 
     def errors(b):
         model = motion(b, REFERENCE_ROWS)[1]
         return [100.0 * (m - r) / numpy.max(numpy.abs(r)) for m, r in zip(model, reference)]
 
-    errors_of = {b: errors(b) for b in set(lengths)}
+    errors_of = {b: errors(b) for b in set(coupler_lengths)}
     figure = library(width, height)
-    models, differences = [], []
-    t, curves = motions[lengths[0]]
+    model_lines, error_lines = [], []
+    t, curves = motions[coupler_lengths[0]]
     for row in range(3):
         for column in range(2):
-            models.append(figure.plot(row, column, t, curves[2 * row + column], False))
-            figure.plot(row, column, rows, reference[2 * row + column], True)
+            model_lines.append(figure.plot(row, column, t, curves[2 * row + column], dashed=False))
+            figure.plot(row, column, reference_times, reference[2 * row + column], dashed=True)
         for column in range(2):
-            differences.append(figure.plot(row, 2, rows, errors_of[lengths[0]][2 * row + column], False))
+            error_lines.append(figure.plot(row, 2, reference_times, errors_of[coupler_lengths[0]][2 * row + column], dashed=False))
     figure.draw()
 
     times = []
-    for b in lengths[1:]:
+    for b in coupler_lengths[1:]:
         curves = motions[b][1]
         start = time.perf_counter()
-        for line, values in zip(models, curves):
-            figure.change(line, t, values)
-        for line, values in zip(differences, errors_of[b]):
-            figure.change(line, rows, values)
+        for line, values in zip(model_lines, curves):
+            figure.set_values(line, t, values)
+        for line, values in zip(error_lines, errors_of[b]):
+            figure.set_values(line, reference_times, values)
         figure.draw()
         times.append(time.perf_counter() - start)
     print(1e3 * statistics.median(times))

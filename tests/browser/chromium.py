@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Drives a headless Chromium by its debugging protocol: mouse, fingers, keys, dropped and downloaded files, screenshots, and how
-long the page stands still, in processor time: another load on the machine does not change it."""
+"""Drives a headless Chromium by its debugging protocol: mouse, fingers, keys, dropped and downloaded files, screenshots, and the
+longest time for which the page is blocked. This is processor time, which other load on the machine does not change."""
 
 import base64
 import http.server
@@ -41,7 +41,7 @@ window.measured = {frames: 0, painted: null};
 def serve(folder):
     """Serves a folder to this machine only. Returns the address."""
 
-    class Quiet(http.server.SimpleHTTPRequestHandler):
+    class QuietHandler(http.server.SimpleHTTPRequestHandler):
         extensions_map = {**http.server.SimpleHTTPRequestHandler.extensions_map, ".wasm": "application/wasm"}
 
         def __init__(self, *arguments):
@@ -50,7 +50,7 @@ def serve(folder):
         def log_message(self, *_):
             pass
 
-    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Quiet)
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), QuietHandler)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return f"http://127.0.0.1:{server.server_address[1]}/"
 
@@ -67,11 +67,11 @@ class Chromium:
              "--disable-background-networking", f"--window-size={width},{height}", "about:blank"],
             stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.socket = websocket.create_connection(self._address(), max_size=None, timeout=60)
-        self.sent = 0
-        self.console = []  # lines that the page has written, and its errors
+        self.last_id = 0
+        self.console = []  # lines that the page has written to its console, and its errors
         self.requests = []  # addresses that the page has asked for
         self.chooser = None
-        self.trace = None  # tasks, while they are recorded
+        self.trace = None  # events of the recording; None while nothing is recorded
         self.longest_block = 0.0  # s
         for domain in ("Page", "Runtime", "Log", "DOM"):
             self.call(domain + ".enable")
@@ -98,7 +98,7 @@ class Chromium:
         raise TimeoutError("Chromium does not start")
 
     def wait_until_started(self):
-        """Waits until the browser itself has nothing to do. It answers seconds before."""
+        """Waits until the browser uses hardly any processor time. The browser answers calls some seconds earlier."""
         end = time.time() + 30
         before = -1.0
         while (now := self._processor_time()) > before + 0.02 and time.time() < end:
@@ -115,35 +115,35 @@ class Chromium:
         for process in self.processes():
             try:
                 fields = (process / "stat").read_text().rpartition(")")[2].split()
-            except OSError:  # it has just ended
+            except OSError:  # the process has just ended
                 continue
             seconds += (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
         return seconds
 
-    def _note(self, message):
-        method, about = message.get("method"), message.get("params", {})
+    def _handle_message(self, message):
+        method, params = message.get("method"), message.get("params", {})
         if method == "Runtime.consoleAPICalled":
-            self.console.append(" ".join(str(part.get("value", part.get("description", ""))) for part in about["args"]))
+            self.console.append(" ".join(str(part.get("value", part.get("description", ""))) for part in params["args"]))
         elif method == "Runtime.exceptionThrown":
-            details = about["exceptionDetails"]
+            details = params["exceptionDetails"]
             self.console.append("error: " + details.get("exception", {}).get("description", details["text"]))
-        elif method == "Log.entryAdded" and about["entry"]["level"] == "error":
-            self.console.append("error: " + about["entry"]["text"])
+        elif method == "Log.entryAdded" and params["entry"]["level"] == "error":
+            self.console.append("error: " + params["entry"]["text"])
         elif method == "Network.requestWillBeSent":
-            self.requests.append(about["request"]["url"][:200])
+            self.requests.append(params["request"]["url"][:200])
         elif method == "Page.fileChooserOpened":
-            self.chooser = about
+            self.chooser = params
         elif method == "Tracing.dataCollected":
-            self.trace += about["value"]
+            self.trace += params["value"]
         elif method == "Tracing.tracingComplete":
-            self._judge_trace()
+            self._find_longest_block()
         elif method == "Page.javascriptDialogOpening":  # "Leave the page?"
-            self.sent += 1
-            self.socket.send(json.dumps({"id": self.sent, "method": "Page.handleJavaScriptDialog", "params": {"accept": True}}))
+            self.last_id += 1
+            self.socket.send(json.dumps({"id": self.last_id, "method": "Page.handleJavaScriptDialog", "params": {"accept": True}}))
 
     def call(self, method, **parameters):
-        self.sent += 1
-        number = self.sent
+        self.last_id += 1
+        number = self.last_id
         self.socket.settimeout(120)
         self.socket.send(json.dumps({"id": number, "method": method, "params": parameters}))
         while True:
@@ -152,14 +152,14 @@ class Chromium:
                 if "error" in message:
                     raise RuntimeError(f"{method}: {message['error']}")
                 return message["result"]
-            self._note(message)
+            self._handle_message(message)
 
     def wait(self, seconds):
         end = time.time() + seconds
         while (left := end - time.time()) > 0:
             self.socket.settimeout(left)
             try:
-                self._note(json.loads(self.socket.recv()))
+                self._handle_message(json.loads(self.socket.recv()))
             except websocket.WebSocketTimeoutException:
                 return
 
@@ -176,25 +176,25 @@ class Chromium:
             raise RuntimeError(result["exceptionDetails"]["exception"].get("description"))
         return result["result"].get("value")
 
-    def busy(self):
+    def main_thread_time(self):
         """The seconds for which the page's main thread has run."""
         metrics = self.call("Performance.getMetrics")["metrics"]
         return next(metric["value"] for metric in metrics if metric["name"] == "TaskDuration")
 
-    def record(self):
-        """Records the tasks of the page, until it is opened again."""
+    def start_recording(self):
+        """Records the tasks of the page until stop_recording() or open()."""
         self.trace = []
         self.call("Tracing.start", traceConfig={"includedCategories": ["disabled-by-default-lighthouse"]})
 
-    def stop_record(self):
+    def stop_recording(self):
         if self.trace is not None:
             self.call("Tracing.end")
             self.wait_for("the recorded tasks", lambda: self.trace is None, 120)
 
-    def _judge_trace(self):
+    def _find_longest_block(self):
         threads = {(event["pid"], event["tid"]): event["args"]["name"] for event in self.trace if event["name"] == "thread_name"}
         for event in self.trace:
-            # A task; other events stand for several tasks in a row, between which the browser handles what the user does.
+            # Other events than RunTask comprise several tasks in a row, between which the browser handles the user's input.
             is_task = event["name"].endswith("RunTask") and "tdur" in event
             if is_task and threads.get((event["pid"], event.get("tid"))) == "CrRendererMain":
                 self.longest_block = max(self.longest_block, event["tdur"] / 1e6)
@@ -202,17 +202,17 @@ class Chromium:
 
     def open(self, address):
         """Opens the page. Returns the seconds until its window has been painted for the first time."""
-        self.stop_record()
+        self.stop_recording()
         self.requests.clear()
         start = time.time()
         self.script("window.isOld = true")
         self.call("Page.navigate", url=address)
         self.wait(0.3)
         if self.script("window.isOld") and self.script("location.href") == address:
-            self.call("Page.reload")  # the same address again; for another link, the page does so itself
+            self.call("Page.reload")  # for a different link (#…), the page reloads itself
         self.wait_for("the window", lambda: not self.script("window.isOld") and self.is_started(), 120)
         painted = self.script("measured.painted")
-        self.record()
+        self.start_recording()
         return painted - start
 
     def reload(self):
@@ -238,16 +238,16 @@ class Chromium:
     def drag(self, start, end, steps=20):
         self.mouse("mouseMoved", *start, "none")
         self.mouse("mousePressed", *start, buttons=1)
-        for x, y in between(start, end, steps):
+        for x, y in points_between(start, end, steps):
             self.mouse("mouseMoved", x, y, buttons=1)
             self.wait(0.02)
         self.mouse("mouseReleased", *end)
         self.wait(0.3)
 
     def swipe(self, start, end, steps=20):
-        """Drags with a finger."""
+        """Drags with one finger on a touch screen."""
         self.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": start[0], "y": start[1]}])
-        for x, y in between(start, end, steps):
+        for x, y in points_between(start, end, steps):
             self.call("Input.dispatchTouchEvent", type="touchMove", touchPoints=[{"x": x, "y": y}])
             self.wait(0.02)
         self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
@@ -260,7 +260,8 @@ class Chromium:
         code = codes.get(key, ord(key[0].upper()))
         name = "Key" + key.upper() if len(key) == 1 and key.isalpha() else "Digit" + key if key.isdigit() else \
             {" ": "Space"}.get(key, key)
-        text = {"text": key} if len(key) == 1 and not modifiers & 3 else {"text": "\r"} if key == "Enter" else {}
+        is_shortcut = modifiers & 3  # Alt or Ctrl
+        text = {"text": key} if len(key) == 1 and not is_shortcut else {"text": "\r"} if key == "Enter" else {}
         self.call("Input.dispatchKeyEvent", type="keyDown", key=key, code=name, windowsVirtualKeyCode=code,
                   modifiers=modifiers, **text)
         self.call("Input.dispatchKeyEvent", type="keyUp", key=key, code=name, windowsVirtualKeyCode=code, modifiers=modifiers)
@@ -301,6 +302,6 @@ class Chromium:
         shutil.rmtree(self.profile, ignore_errors=True)
 
 
-def between(start, end, steps):
+def points_between(start, end, steps):
     for i in range(1, steps + 1):
         yield start[0] + (end[0] - start[0]) * i / steps, start[1] + (end[1] - start[1]) * i / steps

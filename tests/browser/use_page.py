@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""use_page.py FOLDER: uses both forms of the page as a person would, and checks what comes of it. The window is one picture for
-the browser, so places in it are in pixels of a window of 1400 × 900."""
+"""use_page.py FOLDER: uses the page as a person would, as a folder from a server and as a single file, and checks the results.
+The browser sees the window as one picture, so positions are in pixels of a window of 1400 × 900."""
 
 import csv
 import gzip
@@ -31,8 +31,8 @@ def check(what, is_true, detail=""):
         failures.append(what)
 
 
-def within(what, value, limit):
-    """Notes a measured time. The limit is for a machine that does nothing else, so that no test fails by it."""
+def note_time(what, value, limit):
+    """Notes a measured time (s). No test fails by the limit, which holds for a machine without other load."""
     print(("ok      " if value <= limit else "SLOW    ") + f"{what}: {value:.3f} s, limit {limit} s", flush=True)
     measured[what] = round(value, 4)
 
@@ -42,7 +42,7 @@ def native(*arguments):
 
 
 def table(text):
-    """The columns of a CSV text by their names, each value as it is written."""
+    """Returns the columns of a CSV text by their names, with the values as texts."""
     rows = list(csv.reader(text.splitlines()))
     return {name: [row[i] for row in rows[1:]] for i, name in enumerate(rows[0])}
 
@@ -68,9 +68,9 @@ class Window:
     """The program's window in a page."""
 
     FILE, VIEW = (20, 10), (97, 10)
-    COUPLER = (206, 750)  # the handle of the slider of b, at 65 mm
-    BACKGROUND = (200, 300)  # of the mechanism
-    PIN, PIN_TURNED = (231, 339), (213, 292)  # A at θ₂ = 0, and about 30° further
+    SLIDER_OF_B = (206, 750)  # the handle of the slider of b, at 65 mm
+    BACKGROUND = (200, 300)  # of the mechanism's drawing
+    PIN, PIN_TURNED = (231, 339), (213, 292)  # A at two crank angles, θ₂ = 0 and about 30° later
     COUPLER_LINK = (280, 319)  # between A and G₃
     STUDY_TAB, RUN_STUDY = (1180, 599), (1366, 672)
 
@@ -88,7 +88,7 @@ class Window:
         self.browser.wait(0.5)
 
     def save(self, format_number=0):
-        """Answers the form for the name and the format of a file."""
+        """Accepts the proposed name in the form that saves a file. `format_number`: position in its list of formats."""
         self.browser.key("Tab")
         for _ in range(format_number):
             self.browser.key("ArrowDown")
@@ -107,7 +107,7 @@ class Window:
         return self.browser.script("navigator.clipboard.readText()")
 
     def value(self, name):
-        """The value of a parameter, from the link."""
+        """Returns the value of a parameter in the link of the mechanism, or NaN."""
         found = re.search(rf"[#&]{name}=([-0-9.e]+)", self.link())
         return float(found[1]) if found else math.nan
 
@@ -117,11 +117,11 @@ def check_frames(window):
     browser.click(*Window.PIN)
     browser.key(" ")
     browser.wait(1.0)
-    before, busy, start = browser.script("measured.frames"), browser.busy(), time.time()
+    before, time_before, start = browser.script("measured.frames"), browser.main_thread_time(), time.time()
     browser.wait(4.0)
     frames = browser.script("measured.frames") - before
     measured[f"{window.name}: frames a second while playing"] = round(frames / (time.time() - start), 1)
-    within(f"{window.name}: processor time of a frame", (browser.busy() - busy) / frames, 0.022)  # 45 frames a second
+    note_time(f"{window.name}: processor time of a frame", (browser.main_thread_time() - time_before) / frames, 0.022)  # 45 frames a second
     browser.key(" ")
     browser.wait(1.0)
     before = browser.script("measured.frames")
@@ -168,11 +168,11 @@ def check_reference(window):
 
 
 def check_context_menus(window):
-    """A menu that waits for its answer would stop the page, and the browser would not answer any more."""
+    """Checks that no context menu blocks the page, as a menu with an event loop of its own would."""
     browser = window.browser
     browser.open(window.address)
     for what, place in (("mechanism", Window.BACKGROUND), ("plot", (800, 200)), ("number box", (450, 720)),
-                        ("slider", Window.COUPLER), ("table", (900, 800)), ("tab bar", (700, 600))):
+                        ("slider", Window.SLIDER_OF_B), ("table", (900, 800)), ("tab bar", (700, 600))):
         for kind in ("mousePressed", "mouseReleased"):
             browser.mouse(kind, *place, "right")
         browser.wait(0.5)
@@ -193,10 +193,10 @@ def check_editing(window):
     browser.open(window.address)
     browser.swipe(Window.PIN, Window.PIN_TURNED)
     check("the crank is turned with a finger", window.value("time") > 0.05, window.link())
-    browser.drag(Window.COUPLER, (Window.COUPLER[0] + 40, Window.COUPLER[1]))
+    browser.drag(Window.SLIDER_OF_B, (Window.SLIDER_OF_B[0] + 40, Window.SLIDER_OF_B[1]))
     b = window.value("b")
     check("a slider is dragged", b > 66, b)
-    browser.swipe((Window.COUPLER[0] + 40, Window.COUPLER[1]), (Window.COUPLER[0] + 80, Window.COUPLER[1]))
+    browser.swipe((Window.SLIDER_OF_B[0] + 40, Window.SLIDER_OF_B[1]), (Window.SLIDER_OF_B[0] + 80, Window.SLIDER_OF_B[1]))
     check("a slider is dragged with a finger", window.value("b") > b + 1)
     window.shot("edited")
     browser.wait(4.0)  # until the unsaved changes are kept
@@ -206,7 +206,7 @@ def check_editing(window):
     window.shot("reloaded")
     kept = browser.script("Object.keys(localStorage).filter(name => name.startsWith('slidercrank/recovery/')).length")
     check("unsaved changes are kept in the browser's storage", kept == 1, kept)
-    name, _, mechanism = link.partition("#")  # a page from disk knows its name only
+    name, _, mechanism = link.partition("#")  # the link of a page from disk begins with the name of its file
     check("the page opens a link that it has copied",
           name.endswith("slidercrank.html") and browser.open(window.address + "#" + mechanism) < 60)
 
@@ -234,15 +234,16 @@ def check_study(window):
 
 
 def wait_until_idle(browser):
+    """Waits until the page's main thread hardly runs for a second. Returns the seconds that this took."""
     start = time.time()
-    busy = -1.0
-    while (now := browser.busy()) > busy + 0.1 and time.time() < start + 120:
-        busy = now
+    before = -1.0
+    while (now := browser.main_thread_time()) > before + 0.1 and time.time() < start + 120:
+        before = now
         browser.wait(1.0)
     return time.time() - start
 
 
-def use(name, address, shots):
+def use_page(name, address, shots):
     browser = Chromium(1400, 900)
     try:
         window = Window(browser, shots, name)
@@ -250,24 +251,24 @@ def use(name, address, shots):
         browser.call("Browser.grantPermissions", permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
         browser.wait_until_started()
         seconds = browser.open(address)
-        within(f"{name}: the window is painted", seconds, 2.5)
-        measured[f"{name}: of them, processor time of the page, s"] = round(browser.busy(), 2)
+        note_time(f"{name}: the window is painted", seconds, 2.5)
+        measured[f"{name}: of them, processor time of the page, s"] = round(browser.main_thread_time(), 2)
         browser.wait(1.0)
         window.shot("start")
         browser.requests.clear()
         check_frames(window)
         requests = [request for request in browser.requests if not request.startswith(("data:", "blob:"))]
         check("makes no request after it has loaded", not requests, requests)
-        for work in (check_context_menus, check_exports, check_editing, check_reference, check_study, check_language):
+        for check_part in (check_context_menus, check_exports, check_editing, check_reference, check_study, check_language):
             try:
-                work(window)
+                check_part(window)
             except (AssertionError, RuntimeError, OSError) as error:
-                window.shot("failed-" + work.__name__)
-                check(work.__name__, False, error)
-        browser.stop_record()
-        within(f"{name}: longest block, processor time", browser.longest_block, 0.3)
+                window.shot("failed-" + check_part.__name__)
+                check(check_part.__name__, False, error)
+        browser.stop_recording()
+        note_time(f"{name}: longest block, processor time", browser.longest_block, 0.3)
         measured[f"{name}: memory of the program, MB"] = memory_of(browser)
-        # "Leave the page?" is asked only if the user has done something in it.
+        # Chromium reports as an error that it does not ask "Leave the page?" before the user has done something in it.
         errors = [line for line in browser.console
                   if ("error" in line.lower() or "exec()" in line) and "beforeunload" not in line]
         check("no error is reported", not errors, errors[:5])
@@ -276,12 +277,12 @@ def use(name, address, shots):
 
 
 def memory_of(browser):
-    """MB of all processes of the browser, of which it uses shared memory once."""
+    """Returns the MB of all processes of the browser. Memory that processes share counts once."""
     maps = [process / "smaps_rollup" for process in browser.processes()]
     return round(sum(int(re.search(r"^Pss: +(\d+)", each.read_text(), re.M)[1]) for each in maps if each.exists()) / 1000)
 
 
-def show_sizes(address, shots):
+def check_window_sizes(address, shots):
     for width, height, is_phone in ((1400, 900, False), (1024, 700, False), (390, 844, True), (844, 390, True)):
         for is_dark in (False, True):
             browser = Chromium(width, height, is_dark, is_phone)
@@ -293,13 +294,14 @@ def show_sizes(address, shots):
                 check(f"the window fits into {width} × {height}", browser.script(
                     f"{view}.clientWidth === {view}.scrollWidth && {view}.clientHeight === {view}.scrollHeight"))
                 scale = browser.script("visualViewport.scale")
-                browser.swipe((470, 440), (470, 440))  # into a number box, which opens the keyboard of a phone
+                browser.swipe((470, 440), (470, 440))  # into a number box, which opens the screen keyboard of a phone
                 check("the page keeps its size while one types", browser.script("visualViewport.scale") == scale, scale)
             finally:
                 browser.close()
 
 
 def check_old_browser(address, lack):
+    """`lack`: a script that removes what an old browser does not have."""
     browser = Chromium(800, 500)
     try:
         browser.call("Page.addScriptToEvaluateOnNewDocument", source=lack)
@@ -313,7 +315,7 @@ def check_old_browser(address, lack):
         browser.close()
 
 
-def check_sizes(folder):
+def check_file_sizes(folder):
     files = ("slidercrank.html", "slidercrank.js", "slidercrank.wasm", "qtloader.js")
     packed = sum(len(gzip.compress((folder / "page" / file).read_bytes(), 9, mtime=0)) for file in files) / 1e6
     single = len(gzip.compress((folder / "slidercrank.html").read_bytes(), 9, mtime=0)) / 1e6
@@ -328,14 +330,14 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     shots = folder / "test"
     shots.mkdir(exist_ok=True)
-    check_sizes(folder)
+    check_file_sizes(folder)
     address = serve(folder / "page")
-    use("folder", address + "slidercrank.html", shots)
-    use("file", (folder / "slidercrank.html").as_uri(), shots)
+    use_page("folder", address + "slidercrank.html", shots)
+    use_page("file", (folder / "slidercrank.html").as_uri(), shots)
     check_old_browser(address + "slidercrank.html", "delete window.WebAssembly")
     check_old_browser(address + "slidercrank.html",
                       "WebAssembly.compileStreaming = () => Promise.reject(new WebAssembly.CompileError('unknown opcode'))")
-    show_sizes(address + "slidercrank.html", shots)
+    check_window_sizes(address + "slidercrank.html", shots)
     (shots / "measured.json").write_text(json.dumps(measured, indent=2, ensure_ascii=False))
     print(json.dumps(measured, indent=2, ensure_ascii=False))
     print(f"{len(failures)} failed" if failures else "All passed")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Reads the options that the commands share from arbitrary arguments, one in each line of the input. They are refused,
-// or give valid settings.
+// Reads the options that the commands share from arbitrary arguments, one in each line of the input. The arguments
+// are refused, or give valid settings.
 
 #include "app/option_groups.h"
 #include "tests/fuzz/promise.h"

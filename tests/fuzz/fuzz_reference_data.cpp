@@ -38,18 +38,19 @@ void check(const ReferenceData &data)
         require(!(series.rounding.stepAt(series.values.front()) < 0.0), "no step is negative");
     }
     ChannelSet named;
-    std::size_t times = 0;
+    int abscissas = 0;
     for (const FileColumn &column : data.layout.columns) {
-        times += column.role == ColumnRole::Time || column.role == ColumnRole::CrankAngle ? 1 : 0;
+        abscissas += column.role == ColumnRole::Time || column.role == ColumnRole::CrankAngle ? 1 : 0;
         if (column.role == ColumnRole::Channel) {
             named.set(indexOf(column.channel));
         }
     }
-    require(times == 1 && named == seen, "the columns are those of the data");
+    require(abscissas == 1 && named == seen, "the columns are those of the data");
     require(!data.crank || data.crank->degrees.size() == data.time.size(), "an angle for each time stamp");
 }
 
-FileLayout checked(std::string_view bytes, const ReadOptions &options)
+/// Reads the bytes, checks the data or the error, and returns the layout.
+FileLayout checkedLayout(std::string_view bytes, const ReadOptions &options)
 {
     const std::variant<ReferenceData, ReadError> outcome = readReferenceData(bytes, options);
     std::visit([](const auto &each) { check(each); }, outcome);
@@ -62,14 +63,14 @@ FileLayout checked(std::string_view bytes, const ReadOptions &options)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t size)
 {
     const std::string_view text(reinterpret_cast<const char *>(bytes), size);
-    const FileLayout layout = checked(text, {});
+    const FileLayout layout = checkedLayout(text, {});
     if (layout.columns.size() >= 2) {
         ReadOptions options;
         options.columns = {{layout.columns.size() - 1, ColumnRole::Time, {}, {}},
                            {0, ColumnRole::Channel, {Theta3, Order::Velocity}, "rad/s"}};
-        checked(text, options);
+        checkedLayout(text, options);
         options.columns.front().role = ColumnRole::CrankAngle;
-        checked(text, options);
+        checkedLayout(text, options);
     }
     return 0;
 }

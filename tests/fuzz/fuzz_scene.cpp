@@ -22,7 +22,8 @@ using namespace slidercrank;
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t *bytes, std::size_t size,
                                         std::size_t capacity); // provided by libFuzzer
 
-/// Replaces the value after one of the colons, or the beginning of an object or array.
+/// Replaces the value after one of the colons (of an object or array, only its beginning), or mutates bytes as
+/// libFuzzer does.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t *bytes, std::size_t size, std::size_t capacity,
                                                unsigned seed)
 {
