@@ -25,7 +25,7 @@ enum class PictureSubject { Figure, Plot, Errors, Mechanism, Study };
 
 struct SubjectDescription {
     const char *name;
-    QString renderName; ///< its name on the command line; empty if `render` does not offer it
+    QString renderName; ///< value of `render --what`; empty if `render` does not offer the subject
     int plots;          ///< number of plots in the picture
     QStringList texts;  ///< texts that the picture must contain
 };
@@ -57,7 +57,7 @@ inline std::size_t plotNamed(const char *name)
 }
 
 /// Returns a zoom in which the curves extend beyond their axes on every side.
-inline PlotZoom closeZoom()
+inline PlotZoom zoomInsideCurves()
 {
     PlotZoom zoom;
     zoom.time = Interval{0.2, 0.6};
@@ -83,29 +83,29 @@ inline bool hasCurveColour(QRgb pixel)
     static const SeriesColours colours = seriesColours(paletteFor(Theme::Light));
     static const std::array<QColor, 4> curves{colours.model, colours.reference, colours.couplerError,
                                               colours.sliderError};
-    if (pixel == kWhite || isGrey(pixel)) { // as most pixels
+    if (pixel == kWhite || isGrey(pixel)) { // decides most pixels quickly
         return false;
     }
     return std::ranges::any_of(curves, [pixel](const QColor &curve) { return isSimilar(pixel, curve); });
 }
 
-/// The places in which the colours of curves may occur in one plot, px.
+/// The areas of one plot in which the colours of curves may occur, px.
 struct PlotArea {
     QRect axes;
-    QRect curves;        ///< the axes, and half the width of a line with its smoothing around them
+    QRect curves;        ///< the axes with a margin of half the width of a line and its smoothing
     QRect colouredTitle; ///< null if the title has no colours
     int curvePixels = 0; ///< number of pixels in `curves` that have the colour of a curve
 };
 
-/// Returns the plots in the picture. The title of an error plot ends with the largest errors in the colours of their
-/// curves.
+/// Returns the areas of each plot in the picture. The title of an error plot ends with the largest errors in the
+/// colours of their curves.
 inline std::vector<PlotArea> plotAreas(const QImage &picture, PictureSubject subject, double scale, int titleHeight)
 {
-    const int pen = static_cast<int>(2.0 * scale);
+    const int margin = static_cast<int>(2.0 * scale); // px
     const bool isFigure = subject == PictureSubject::Figure;
     std::vector<PlotArea> plots;
     for (const QRect &axes : axesIn(picture, isFigure ? static_cast<int>(kPlotColumns) : 1)) {
-        PlotArea plot{.axes = axes, .curves = axes.adjusted(-pen, -pen, pen, pen), .colouredTitle = {}};
+        PlotArea plot{.axes = axes, .curves = axes.adjusted(-margin, -margin, margin, margin), .colouredTitle = {}};
         if (subject == PictureSubject::Errors || (isFigure && isErrorPlot(plots.size()))) {
             plot.colouredTitle = axes.adjusted(0, -titleHeight, 0, -axes.height());
         }
@@ -158,7 +158,7 @@ inline bool isSvg(const QString &path)
     return QFileInfo(path).suffix() == QLatin1String("svg");
 }
 
-/// Returns the pixels that printedPicture() makes of a logical pixel. `pngScale`: the same number for PNG files.
+/// Returns the side of a logical pixel in the picture of printedPicture(), px. `pngScale`: that side for PNG files.
 inline double pixelsPerLogicalPixel(const QString &path, double pngScale)
 {
     if (isPdf(path)) {
@@ -195,7 +195,7 @@ inline QString textFault(const QString &path, PictureSubject subject)
     return {};
 }
 
-/// Describes what is wrong with the picture. Returns an empty text if it shows the subject and has that size (px at 96
+/// Describes what is wrong with the picture. Returns an empty text if it shows the subject and has `size` (px at 96
 /// dpi). `pngScale`: pixels of a PNG file per logical pixel.
 inline QString pictureFault(const QString &path, PictureSubject subject, const QSize &size, double pngScale)
 {

@@ -22,7 +22,7 @@ namespace slidercrank
 
 /// The exit status and the output of a command.
 struct RunResult {
-    int status = -1; ///< -1: the program crashed or did not end
+    int status = -1; ///< -1: the program crashed, or did not end within kPatience
     QByteArray output;
     QByteArray error;
 
@@ -56,14 +56,15 @@ inline RunResult run(const QString &line)
 }
 
 /// Waits until a program ends, and returns its exit status and output.
-inline RunResult resultOf(QProcess &process)
+inline RunResult waitForResult(QProcess &process)
 {
     const bool exitedNormally = process.waitForFinished(kPatience) && process.exitStatus() == QProcess::NormalExit;
     return {exitedNormally ? process.exitCode() : -1, process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
-/// Runs the program itself, without a display. `variables`: "NAME=value" in its environment.
-inline RunResult start(const QStringList &arguments, const QByteArray &input = {}, const QStringList &variables = {})
+/// Runs the program in a process of its own, without a display. `variables`: "NAME=value" in its environment.
+inline RunResult runProgram(const QStringList &arguments, const QByteArray &input = {},
+                            const QStringList &variables = {})
 {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
@@ -77,7 +78,7 @@ inline RunResult start(const QStringList &arguments, const QByteArray &input = {
     process.start(SLIDERCRANK_PROGRAM, arguments);
     process.write(input);
     process.closeWriteChannel();
-    return resultOf(process);
+    return waitForResult(process);
 }
 
 /// A table in CSV.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The command check: which slip gives the numbers of a calculation by hand.
+// The command `check` names the slip that gives the wrong numbers of a calculation by hand.
 
 #include "tests/program/run_program.h"
 #include "tests/support/suite.h"
@@ -82,7 +82,7 @@ private slots:
         }
     }
 
-    /// A former defect: the value just after the position was named as that of the other assembly.
+    /// A former defect: the velocity just after the jump was said to be that of the other assembly.
     void namesNoSlipWhereTheVelocitiesJump()
     {
         const RunResult outcome = run("check --a 40 --b 60 --c 20 --omega2 360deg/s --at-angle 270 x=0 v=559.1");
@@ -132,7 +132,8 @@ private slots:
         QCOMPARE(run(QString(kExample) + "omega3=5.42deg/s").status, 1);
     }
 
-    /// A wrong rate of an angle is in rad/s, too, if only that has an explanation, or if it is nearer in size.
+    /// A wrong rate without unit is taken in rad/s if only then a slip gives it, or else if it is nearer in size to the
+    /// exact value in rad/s than to that in °/s.
     void readsWrongRatesWithoutUnitInTheLikelyUnit()
     {
         const auto unitOf = [](const QString &values, const char *options = "") {
@@ -165,8 +166,8 @@ private slots:
         QVERIFY(outcome.output.startsWith("x_B"));
     }
 
-    /// A former defect: 154 instead of 205.9°, an error of the sign, was right as 154 rad, which stand for 154 ± 0.5
-    /// rad and so for a third of all angles.
+    /// A former defect: 154 instead of 205.9°, an error of the sign, was accepted as 154 rad, which stand for 154 ±
+    /// 0.5 rad and so for a third of all angles.
     void takesNoCommonAngleForRadians()
     {
         for (const char *angle : {"154", "334", "20", "1", "1000000", "2e3deg"}) { // ± 5000 and ± 500
@@ -198,7 +199,7 @@ private slots:
         QCOMPARE(slipName("theta3=3.4748deg", position), QString("value-in-radians")); // at B
     }
 
-    void namesSlipsOfASheet()
+    void namesTheSlipOfEachCalculation()
     {
         QCOMPARE(slipName("x=-4.596 theta3=154.06"), QString("other-assembly"));
         QCOMPARE(slipName("x=9.79 v=-41.46 a=-681.46"), QString("crank-acceleration-omitted"));

@@ -297,7 +297,7 @@ private slots:
                 "COMP_CWORD=$(($# - 1)); _slidercrank; echo ${COMPREPLY[*]}";
             QProcess bash;
             bash.start("bash", QStringList{"-c", script, "bash", SLIDERCRANK_PROGRAM} + line.split(' '));
-            return resultOf(bash).output.trimmed();
+            return waitForResult(bash).output.trimmed();
         };
         for (const CommandDescription &command : typedCommands()) {
             QByteArrayList options;
@@ -328,11 +328,11 @@ private slots:
 
     void runsWithoutDisplay()
     {
-        QCOMPARE(start({"solve", "--steps", "3"}).output, run("solve --steps 3").output);
-        QCOMPARE(start({"solve", "--b", "0"}).status, 2);
-        QCOMPARE(start({"render", "-o", path("process.png"), "--size", "300x300"}).status, 0);
+        QCOMPARE(runProgram({"solve", "--steps", "3"}).output, run("solve --steps 3").output);
+        QCOMPARE(runProgram({"solve", "--b", "0"}).status, 2);
+        QCOMPARE(runProgram({"render", "-o", path("process.png"), "--size", "300x300"}).status, 0);
 #ifndef Q_OS_WIN // where a window can always be opened
-        const RunResult window = start({});
+        const RunResult window = runProgram({});
         QVERIFY(window.status == 2 && window.error.contains("display"));
 #endif
     }
@@ -350,7 +350,7 @@ private slots:
         };
         write("red\x1b[31m.csv", table);
         for (const auto &[name, printed] :
-             {Row{"red\x1b[31m.csv", "red\\x1b[31m.csv"}, // exists, the others do not
+             {Row{"red\x1b[31m.csv", "red\\x1b[31m.csv"}, // the only one of these files that exists
               Row{"no\x07.csv", "no\\x07.csv"}, Row{"two\nlines.csv", "two\\x0alines.csv"}, Row {
                   QStringLiteral(u"vsc.\u202ereversed"),
                   "vsc.\\x202ereversed"
@@ -363,14 +363,14 @@ private slots:
 #endif
     }
 
-    /// Two such names would become equal, and the second result would replace the first one.
+    /// Two names that are not UTF-8 could become equal, and the second result would replace the first one.
     void refusesNamesThatAreNotUtf8()
     {
 #ifdef Q_OS_UNIX
         QProcess shell;
         shell.setWorkingDirectory(m_folder.path());
         shell.start("sh", {"-c", "exec \"$0\" solve --output \"$(printf 'odd\\377.csv')\"", SLIDERCRANK_PROGRAM});
-        const RunResult outcome = resultOf(shell);
+        const RunResult outcome = waitForResult(shell);
         QVERIFY2(outcome.status == 2 && outcome.hasOneLineError(), outcome.error);
         QVERIFY2(outcome.error.contains("not UTF-8"), outcome.error);
         QCOMPARE(QDir(m_folder.path()).entryList({"odd*"}), QStringList());
@@ -382,10 +382,11 @@ private slots:
     void readsStandardInput()
     {
         const QByteArray sample = contentOf(kSample);
-        const RunResult outcome = start({"compare", "-", "--b", "60", "--fail-on-difference"}, sample);
+        const RunResult outcome = runProgram({"compare", "-", "--b", "60", "--fail-on-difference"}, sample);
         QVERIFY2(outcome.status == 0, outcome.error);
-        QCOMPARE(start({"identify", "-", "--format", "json"}, sample).firstFile()["rounded"].toObject()["b"].toDouble(),
-                 60.0);
+        QCOMPARE(
+            runProgram({"identify", "-", "--format", "json"}, sample).firstFile()["rounded"].toObject()["b"].toDouble(),
+            60.0);
     }
 
     void leavesNoFilesWhenInterrupted()

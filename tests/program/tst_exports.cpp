@@ -237,7 +237,7 @@ private slots:
         AWAIT(m_window->session().identification());
         m_window->resize(1800, 1000); // wide enough for the explanations in the titles
         settle(*m_window);
-        plots->setZoom(closeZoom());
+        plots->setZoom(zoomInsideCurves());
         const QString scene = m_folder->filePath(QStringLiteral("scene.json"));
         QVERIFY(m_window->scene().saveTo(scene));
         QCoreApplication::processEvents();

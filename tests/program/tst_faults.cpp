@@ -60,7 +60,7 @@ public:
     ~FileSizeLimit()
     {
         setrlimit(RLIMIT_FSIZE, &m_before);
-        std::signal(SIGXFSZ, SIG_DFL); // programs that are started later would otherwise ignore it, too
+        std::signal(SIGXFSZ, SIG_DFL); // programs that are started later would otherwise inherit SIG_IGN
     }
     Q_DISABLE_COPY_MOVE(FileSizeLimit)
 
@@ -68,8 +68,9 @@ private:
     rlimit m_before{};
 };
 
-/// The environment in which the program is killed at that system call in the folder.
-QProcessEnvironment environment(const QString &folder = {}, int call = 0)
+/// Returns an environment in which the program is killed at its system call number `call` (from 1) in the folder. For
+/// 0, the program is not killed.
+QProcessEnvironment environmentKillingAt(int call, const QString &folder)
 {
     QProcessEnvironment variables = QProcessEnvironment::systemEnvironment();
     if (call > 0) {
@@ -114,7 +115,7 @@ Outcome saveByProgram(const Place &place, const Save &save, const QProcessEnviro
         });
     }
     program.start(QStringLiteral(SLIDERCRANK_PROGRAM), argumentsFor(save, place));
-    return outcomeOf(resultOf(program));
+    return outcomeOf(waitForResult(program));
 }
 
 /// Returns size limits at which writing a file of that size fails: at its start, after full buffers, and near its end.
@@ -179,7 +180,7 @@ private slots:
         QFETCH(const int, index);
         const Save save = commands()[index];
         const auto attempt = [&](const Place &place, int call) {
-            Outcome outcome = saveByProgram(place, save, environment(place.folder(), call));
+            Outcome outcome = saveByProgram(place, save, environmentKillingAt(call, place.folder()));
             outcome.isDisturbed = !outcome.isWritten;
             return outcome;
         };
@@ -214,7 +215,7 @@ private slots:
         QFETCH(const int, index);
         const Save save = commands()[index];
         tryEverySizeLimit(save, [&](const Place &place, std::optional<rlim_t> limit) {
-            return saveByProgram(place, save, environment(), limit);
+            return saveByProgram(place, save, QProcessEnvironment::systemEnvironment(), limit);
         });
     }
 
@@ -247,7 +248,7 @@ private slots:
     /// The program must not reuse the descriptor of the closed stream for the next file that it opens.
     void aStandardStreamIsClosed()
     {
-        const auto without = [](const QList<int> &streams, const QStringList &arguments) {
+        const auto runWithout = [](const QList<int> &streams, const QStringList &arguments) {
             QProcess program;
             program.setChildProcessModifier([&streams] {
                 for (const int stream : streams) {
@@ -258,19 +259,20 @@ private slots:
             program.waitForFinished(kPatience);
             return QString::number(program.exitCode()) + u' ' + QString::fromLocal8Bit(program.readAllStandardError());
         };
-        QCOMPARE(without({STDIN_FILENO}, {"compare", "-"}), "3 Standard input cannot be read: Bad file descriptor.\n");
-        QCOMPARE(without({STDOUT_FILENO}, {"limits"}), "3 Cannot write to standard output: Bad file descriptor.\n");
+        QCOMPARE(runWithout({STDIN_FILENO}, {"compare", "-"}),
+                 "3 Standard input cannot be read: Bad file descriptor.\n");
+        QCOMPARE(runWithout({STDOUT_FILENO}, {"limits"}), "3 Cannot write to standard output: Bad file descriptor.\n");
         const QTemporaryDir folder;
         const QString path = folder.filePath(QStringLiteral("x.csv"));
         const QStringList arguments{"compare", kSample, "nowhere.csv", "--format", "csv", "--output", path};
-        without({}, arguments);
+        runWithout({}, arguments);
         const QByteArray complete = contentOf(path);
         QVERIFY(QFile::remove(path));
-        QCOMPARE(without({STDOUT_FILENO, STDERR_FILENO}, arguments), "3 ");
+        QCOMPARE(runWithout({STDOUT_FILENO, STDERR_FILENO}, arguments), "3 ");
         QCOMPARE(contentOf(path), complete);
     }
 
-    /// A link to a pipe is not replaced either.
+    /// A symbolic link to a pipe is not replaced either.
     void aPipeIsNotReplaced()
     {
         const QTemporaryDir folder;
@@ -316,8 +318,8 @@ private slots:
     }
 
 private:
-    /// Adds a row for each command. Unless tests are long, only the commands of the selection are used, if there is
-    /// one.
+    /// Adds a data row for each command of the selection, or for every command if the selection is empty or tests are
+    /// long.
     void addCommands(const QByteArrayList &selection = {}) const
     {
         QTest::addColumn<int>("index");
@@ -330,6 +332,7 @@ private:
         }
     }
 
+    /// Adds a data row for each way of saving by the window, and shortens the motion so that its table is small.
     void addSaves()
     {
         Sampling sampling;
@@ -390,7 +393,7 @@ private:
     }
 
     /// Saves while no system call fails, then while the first one fails, the second one …, until none fails any more.
-    /// `findFault` checks the folder after each.
+    /// `findFault` checks the folder after each attempt.
     void tryEveryCall(const Save &save, const std::function<Outcome(const Place &, int call)> &attempt,
                       const std::function<QString(const Place &, const Outcome &, qsizetype lines)> &findFault)
     {

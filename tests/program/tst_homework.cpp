@@ -66,7 +66,7 @@ private slots:
         }
     }
 
-    /// Every value by one command, in inches and radians and in mm and degrees.
+    /// One command gives every value, first in inches and radians, then in mm and degrees.
     void solvesTheTextbooksTables()
     {
         QFETCH(int, row);
@@ -102,24 +102,24 @@ private slots:
         for (const QByteArray &name : names) {
             const OutputChannel channel =
                 *outputChannelNamed({name.constData(), static_cast<std::size_t>(name.size())});
-            const bool angle = isAngular(measureOf(channel));
+            const bool isAngle = isAngular(measureOf(channel));
             const qsizetype column =
                 std::ranges::find_if(
                     inches.header, [&name](const QByteArray &heading) { return heading.split(' ').first() == name; }) -
                 inches.header.begin();
             QVERIFY2(column < inches.header.size(), name);
             const double value = static_cast<double>(exact.at(nameOf(channel)));
-            const double size = (angle ? 1.0 : characteristicLength(p)) *
+            const double size = (isAngle ? 1.0 : characteristicLength(p)) *
                                 std::pow(std::abs(p.omega2), static_cast<int>(orderOf(channel)));
-            const double inCore = inches.rows[0][column].toDouble() * (angle ? 1.0 : kInch);
-            const double inFile = millimetres.at(0, name) / (angle ? kDegreesPerRadian : 1.0);
-            QVERIFY2(std::abs(inCore - value) <= 1e-12 * size, name);
-            QVERIFY2(std::abs(inFile - value) <= 1e-12 * size, name);
+            const double fromInches = inches.rows[0][column].toDouble() * (isAngle ? 1.0 : kInch);
+            const double fromMillimetres = millimetres.at(0, name) / (isAngle ? kDegreesPerRadian : 1.0);
+            QVERIFY2(std::abs(fromInches - value) <= 1e-12 * size, name);
+            QVERIFY2(std::abs(fromMillimetres - value) <= 1e-12 * size, name);
         }
     }
 
-    /// At constant speed the option changes nothing, by either method; with an acceleration both methods agree.
-    void accelerationIsThatOfBothMethods()
+    /// `--alpha2 0` changes nothing. With an acceleration, both methods agree.
+    void bothMethodsGiveTheSameAcceleration()
     {
         QCOMPARE(run("solve --at-angle 60 --alpha2 0").output, run("solve --at-angle 60").output);
         const QString line = "solve --step-angle 30 --alpha2 25 --tolerance 0 --method ";
@@ -131,7 +131,7 @@ private slots:
             }
         }
         QVERIFY(std::abs(closedForm.at(0, "theta2_diff2") - 25.0 * kDegreesPerRadian) < 1e-9);
-        // A crank at rest has the angle, and from rest the acceleration alone moves the links.
+        // A crank at rest has the angle of --at-angle. Without a speed, α₂ alone accelerates the links.
         const CsvTable still(run("solve --omega2 0 --at-angle 60").output);
         QCOMPARE(still.at(0, "theta2"), 60.0);
         QCOMPARE(still.at(0, "R4_x"), CsvTable(run("solve --at-angle 60").output).at(0, "R4_x"));
@@ -142,8 +142,8 @@ private slots:
         QVERIFY(std::abs(rest.at(0, "R4_x_diff2")) > 1.0);
     }
 
-    /// A scene or a link supplies the acceleration of single positions, and has no effect on time steps.
-    void accelerationIsThatOfTheScene()
+    /// The α₂ of a scene, here of a link, applies to single positions but not to time steps.
+    void singlePositionsHaveTheAccelerationOfTheScene()
     {
         const QString link = "solve --scene slidercrank.html#a=40&b=120&c=20&omega2=60rpm&alpha2=-10 ";
         const QString same = "solve --a 40 --b 120 --c 20 --omega2 60rpm ";
@@ -215,8 +215,8 @@ private slots:
         QVERIFY2(none.output.isEmpty() && none.hasOneLineError() && none.error.contains("R4_x = 90 mm"), none.error);
     }
 
-    /// A former defect: of the two ends of the arc, 210° and 330°, one had 10¹⁰ mm/s and the other could not be
-    /// assembled, because the angles are rounded.
+    /// A former defect: because the two ends of the arc, 210° and 330°, are rounded, the slider had 10¹⁰ mm/s at one of
+    /// them, and the mechanism could not be assembled at the other one.
     void theEndsOfARockersArcAreLimitPositions()
     {
         const double x = 60.0 * std::cos(std::numbers::pi / 6.0);
@@ -264,7 +264,7 @@ private slots:
         }
     }
 
-    /// A crank that stands still is turned by hand: its positions are listed by angle, and nothing moves.
+    /// The positions of a crank at rest are listed by angle, all at the time --start and with zero velocities.
     void listsThePositionsOfACrankThatStandsStill()
     {
         const QString options = " --channels theta2,R4_x,R4_x_diff,R4_x_diff2 --alpha2 5 --start 2";

@@ -96,12 +96,12 @@ private slots:
         QCOMPARE(sampled.at(0, "time"), -1.0);
         QCOMPARE(sampled.at(4, "time"), 1.0);
 
-        for (const int sense : {1, -1}) {
-            const QString crank = QStringLiteral(" --omega2 %1deg/s --theta20 30deg").arg(180 * sense);
+        for (const int turnSign : {1, -1}) {
+            const QString crank = QStringLiteral(" --omega2 %1deg/s --theta20 30deg").arg(180 * turnSign);
             const CsvTable revolution(run("solve --step-angle 15 --start 0.5" + crank).output);
             QCOMPARE(revolution.rows.size(), std::size_t(25));
             for (std::size_t i = 0; i < revolution.rows.size(); ++i) {
-                const double theta2 = 30.0 + sense * (90.0 + 15.0 * static_cast<double>(i));
+                const double theta2 = 30.0 + turnSign * (90.0 + 15.0 * static_cast<double>(i));
                 QVERIFY(std::abs(revolution.at(i, "theta2") - theta2) < 1e-10);
             }
         }
@@ -318,7 +318,7 @@ private slots:
     {
         struct Row {
             const char *options;
-            QSize size; // of the height 0 only the width is known
+            QSize size; // px; a height of 0 is not checked
         };
         for (const Row &row : {Row{"", {1890, 0}}, Row{"--what mechanism --theme dark", {1890, 0}},
                                Row{"--what theta3 --size 500x300 --scale 2", {1000, 600}},

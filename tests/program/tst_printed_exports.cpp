@@ -38,7 +38,7 @@ using namespace slidercrank;
 namespace tst_printed_exports
 {
 
-constexpr double kPaperWidth = 160.0; // mm, of an exported figure
+constexpr double kFigureWidth = 160.0; // mm, of an exported figure
 
 std::vector<double> numbersIn(const QString &text)
 {
@@ -65,7 +65,7 @@ std::vector<QPointF> curveIn(const QString &svg)
     static const QRegularExpression kStrokeOfPdf(QStringLiteral("stroke(?::|=\")rgb\\(0%, ?44\\.7"));
     static const QRegularExpression kUnfilledInPdf(QStringLiteral("fill(?::|=\")none"));
     const bool isPdf = svg.contains(QRegularExpression(QStringLiteral("stroke(?::|=\")rgb")));
-    const double mm = isPdf ? 25.4 / 72.0 : kPaperWidth / box[2];
+    const double mmPerUnit = isPdf ? 25.4 / 72.0 : kFigureWidth / box[2];
     QString group; // the innermost group that states a colour
     std::vector<QPointF> longest;
     for (auto match = kElement.globalMatch(svg); match.hasNext();) {
@@ -81,7 +81,7 @@ std::vector<QPointF> curveIn(const QString &svg)
         const QTransform matrix = m.size() == 6 ? QTransform(m[0], m[1], m[2], m[3], m[4], m[5]) : QTransform();
         longest.clear();
         for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
-            longest.push_back(mm * matrix.map(QPointF(numbers[i], numbers[i + 1])));
+            longest.push_back(mmPerUnit * matrix.map(QPointF(numbers[i], numbers[i + 1])));
         }
     }
     return longest;
@@ -97,15 +97,16 @@ double distanceToSegment(const QPointF &point, const QPointF &from, const QPoint
     return std::hypot(away.x(), away.y());
 }
 
-/// Returns the largest distance (mm) of 1000 points of the motion from the curve. The axes are found from the curve:
-/// its ends are at 0 and 1 s, its extremes are those of the motion.
+/// Returns the largest distance (mm) of 1000 points of the motion from the curve. The scales of the axes follow from
+/// the curve, whose ends are at 0 and 1 s, and whose extremes are those of the motion.
 double largestDistance(const std::vector<QPointF> &curve, const Parameters &parameters, Channel channel)
 {
-    constexpr int kFine = 400'000;
+    constexpr int kSamples = 400'000;
     constexpr int kPoints = 1000;
+    constexpr double kOffset = 0.37; // so that the points are hardly those of the curve
     std::vector<double> times;
-    for (int i = 0; i <= kFine; ++i) {
-        times.push_back(static_cast<double>(i) / kFine);
+    for (int i = 0; i <= kSamples; ++i) {
+        times.push_back(static_cast<double>(i) / kSamples);
     }
     const Trajectory motion = sample(Mechanism(parameters), times, ChannelSet(plottedChannels()), {});
     const std::vector<double> &values = motion[channel];
@@ -114,7 +115,7 @@ double largestDistance(const std::vector<QPointF> &curve, const Parameters &para
     const double mmPerValue = (bottom.y() - top.y()) / (largest - smallest);
     double worst = 0.0;
     for (int i = 0; i < kPoints; ++i) {
-        const auto sampled = static_cast<std::size_t>((i + 0.37) / kPoints * kFine);
+        const auto sampled = static_cast<std::size_t>((i + kOffset) / kPoints * kSamples);
         const QPointF exact(std::lerp(curve.front().x(), curve.back().x(), times[sampled]),
                             bottom.y() - mmPerValue * (values[sampled] - smallest));
         double nearest = 1e9;
@@ -129,11 +130,11 @@ double largestDistance(const std::vector<QPointF> &curve, const Parameters &para
 struct ReportCase {
     Parameters parameters = {};
     bool hasFile = false;
-    int pinned = 0;      ///< motions
+    int pinnedMotions = 0;
     double alpha2 = 0.0; ///< rad/s²
     MotionTableSettings table = {.columns = usualTableChannels()};
     Notation notation = {};
-    int pages = 0; ///< at most
+    int maxPages = 0;
 };
 
 class TestPrintedExports : public QObject
@@ -232,7 +233,7 @@ private slots:
         }
     }
 
-    /// A link does not say what is drawn beside the linkage.
+    /// A link contains no settings of the drawing, so that the default ones apply.
     void aLinkIsDrawnLikeItsMechanism()
     {
         const QString render = "render --what mechanism -o ";
@@ -259,7 +260,8 @@ private slots:
         QVERIFY(QString::fromUtf8(contentOf(path("s.svg"))).contains("a = 7.62 cm"));
     }
 
-    /// A crank at rest has no acceleration but that of α2, so that there is no arrow, and no scale of arrows, without.
+    /// A crank at rest has no acceleration but that of α2, so that without α₂ there is no arrow, and no scale of
+    /// arrows.
     void arrowsOfASceneIncludeTheAccelerationOfTheCrank()
     {
         Scene scene;
@@ -340,29 +342,31 @@ private slots:
         constexpr Parameters kInInches{.a = 35.56, .b = 101.6, .c = 25.4, .omega2 = 10.0}; // 1.4, 4 and 1 in
         const Notation inches{Symbols::Textbook, {LengthUnit::Inch, AngleUnit::DegreeAndRadianPerSecond}};
         QTest::addColumn<ReportCase>("report");
-        QTest::newRow("the model alone") << ReportCase{.parameters = withCoupler(60.0), .pages = 3};
-        QTest::newRow("a file") << ReportCase{.parameters = withCoupler(65.0), .hasFile = true, .pages = 2};
-        QTest::newRow("a file that agrees") << ReportCase{.parameters = withCoupler(60.0), .hasFile = true, .pages = 2};
-        QTest::newRow("pins") << ReportCase{.parameters = withCoupler(60.0), .pinned = 4, .pages = 3};
+        QTest::newRow("the model alone") << ReportCase{.parameters = withCoupler(60.0), .maxPages = 3};
+        QTest::newRow("a file") << ReportCase{.parameters = withCoupler(65.0), .hasFile = true, .maxPages = 2};
+        QTest::newRow("a file that agrees")
+            << ReportCase{.parameters = withCoupler(60.0), .hasFile = true, .maxPages = 2};
+        QTest::newRow("pins") << ReportCase{.parameters = withCoupler(60.0), .pinnedMotions = 4, .maxPages = 3};
         QTest::newRow("a file and pins") << ReportCase{
-            .parameters = withCoupler(65.0), .hasFile = true, .pinned = 4, .pages = 3};
-        QTest::newRow("an oscillating crank") << ReportCase{.parameters = withCoupler(40.0), .pages = 3};
+            .parameters = withCoupler(65.0), .hasFile = true, .pinnedMotions = 4, .maxPages = 3};
+        QTest::newRow("an oscillating crank") << ReportCase{.parameters = withCoupler(40.0), .maxPages = 3};
         QTest::newRow("an oscillating crank with many limits")
-            << ReportCase{.parameters = {.a = 80.0, .b = 40.0, .c = 10.0}, .pages = 4};
+            << ReportCase{.parameters = {.a = 80.0, .b = 40.0, .c = 10.0}, .maxPages = 4};
         QTest::newRow("a mechanism that cannot be assembled")
-            << ReportCase{.parameters = withCoupler(4.0), .alpha2 = 5.0, .pages = 1};
+            << ReportCase{.parameters = withCoupler(4.0), .alpha2 = 5.0, .maxPages = 1};
         QTest::newRow("a mechanism that cannot be assembled, beside a file")
-            << ReportCase{.parameters = withCoupler(4.0), .hasFile = true, .pages = 2};
-        QTest::newRow("a crank at rest") << ReportCase{.parameters = {.omega2 = 0.0}, .pages = 2};
+            << ReportCase{.parameters = withCoupler(4.0), .hasFile = true, .maxPages = 2};
+        QTest::newRow("a crank at rest") << ReportCase{.parameters = {.omega2 = 0.0}, .maxPages = 2};
         QTest::newRow("a crank at rest that is accelerated")
-            << ReportCase{.parameters = {.omega2 = 0.0}, .alpha2 = 5.0, .pages = 2};
-        QTest::newRow("a fast crank") << ReportCase{.parameters = {.omega2 = 600.0}, .alpha2 = -1e4, .pages = 3};
-        QTest::newRow("inches") << ReportCase{.parameters = kInInches, .alpha2 = 30.0, .notation = inches, .pages = 3};
+            << ReportCase{.parameters = {.omega2 = 0.0}, .alpha2 = 5.0, .maxPages = 2};
+        QTest::newRow("a fast crank") << ReportCase{.parameters = {.omega2 = 600.0}, .alpha2 = -1e4, .maxPages = 3};
+        QTest::newRow("inches") << ReportCase{
+            .parameters = kInInches, .alpha2 = 30.0, .notation = inches, .maxPages = 3};
         QTest::newRow("rows every 5°") << ReportCase{.table = {.angleStep = 5.0, .columns = usualTableChannels()},
-                                                     .pages = 4};
-        QTest::newRow("every column") << ReportCase{.table = {.columns = tableChannels()}, .pages = 5};
+                                                     .maxPages = 4};
+        QTest::newRow("every column") << ReportCase{.table = {.columns = tableChannels()}, .maxPages = 5};
         QTest::newRow("time steps") << ReportCase{.table = {.step = TableStep::Time, .columns = usualTableChannels()},
-                                                  .pages = 3};
+                                                  .maxPages = 3};
     }
 
     /// A former defect: the last column of the table and the drawing were cut off.
@@ -380,7 +384,7 @@ private slots:
                 setLanguage(language);
                 content.paper = paper;
                 writeReport(content);
-                checkWords(report.pages);
+                checkWords(report.maxPages);
                 checkPixels();
             }
         }
@@ -440,14 +444,11 @@ private:
         if (report.hasFile) {
             choices.reference = std::get<std::shared_ptr<const Reference>>(readReference({{kSample}, {}, {}}));
         }
-        for (int i = 0; i < report.pinned; ++i) {
+        for (int i = 0; i < report.pinnedMotions; ++i) {
             choices.pinned.push_back({.a = 15.0 + i, .b = 70.0 + 10.0 * i, .c = -12.5, .omega2 = 3.0 + i});
         }
-        ReportContent content{.result = compute(choices, {}),
-                              .found = {},
-                              .time = 0.2,
-                              .alpha2 = report.alpha2,
-                              .table = report.table};
+        ReportContent content{
+            .result = compute(choices, {}), .found = {}, .time = 0.2, .alpha2 = report.alpha2, .table = report.table};
         if (report.hasFile) {
             content.found = identify(content.result->reference->data, content.result->mechanism);
         }
@@ -472,12 +473,12 @@ private:
         QCOMPARE(exportReport(path("report.pdf"), content, drawMechanism, drawPlots), std::nullopt);
     }
 
-    /// Checks the places of all words, and that no page but the last one is rather empty.
+    /// Checks that all words are between the side margins, and that every page but the last one is filled.
     void checkWords(qsizetype largestPageCount)
     {
-        constexpr double kMargin = 50.0; // pt, 17.6 mm
-        constexpr double kFooter = 20.0; // pt, above the lower margin
-        constexpr double kMinFullness = 0.44;
+        constexpr double kMargin = 50.0;      // pt, 17.6 mm
+        constexpr double kFooter = 20.0;      // pt, height of the footer above the lower margin
+        constexpr double kMinFullness = 0.44; // part of the page's height above its lowest word
         static const QRegularExpression kPage(QStringLiteral("<page width=\"([0-9.]+)\" height=\"([0-9.]+)\">"));
         static const QRegularExpression kWord(QStringLiteral(
             "<word xMin=\"([-0-9.]+)\" yMin=\"([-0-9.]+)\" xMax=\"([-0-9.]+)\" yMax=\"([-0-9.]+)\">([^<]*)"));
@@ -521,7 +522,7 @@ private:
             for (int y = 0; y < picture.height(); ++y) {
                 for (int x = 0; x < picture.width(); ++x) {
                     if (!inside.contains(x, y) &&
-                        qGray(picture.pixel(x, y)) <= 250) { // QVERIFY2 would always write the text
+                        qGray(picture.pixel(x, y)) <= 250) { // QVERIFY2 would compose its text for every pixel
                         QFAIL(qPrintable(QStringLiteral("%1: %2, %3").arg(page.fileName()).arg(x).arg(y)));
                     }
                 }

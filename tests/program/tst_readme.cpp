@@ -64,7 +64,8 @@ void TestReadme::commandsRunAndPrintWhatIsShown()
     QStringList arguments = QProcess::splitCommand(QString::fromUtf8(QTest::currentDataTag()));
     arguments.removeFirst();
     process.start(QStringLiteral(SLIDERCRANK_PROGRAM), arguments);
-    QVERIFY(process.waitForFinished(120'000));
+    constexpr int kTimeout = 120'000; // ms
+    QVERIFY(process.waitForFinished(kTimeout));
     QCOMPARE(process.exitStatus(), QProcess::NormalExit);
     const int status = arguments.first() == QLatin1String("check") ? 1 : 0; // the values that it checks are wrong
     QVERIFY2(process.exitCode() == status, process.readAllStandardError().constData());

@@ -32,8 +32,8 @@ Parameters parametersOfTheFiles()
     return parameters;
 }
 
-/// The files that are read together, the expected columns, or a part of the error message (see the README of the
-/// folder).
+/// Files that are read together, and what is expected: the columns, or a part of the error message (see the README of
+/// kFolder).
 struct Sample {
     QString name;
     QStringList files;
@@ -155,7 +155,7 @@ private slots:
 
     void asksForColumnsThatCannotBeRecognized()
     {
-        const auto isOpen = [](const std::variant<ReferenceData, ReadError> &outcome) {
+        const auto asksForColumns = [](const std::variant<ReferenceData, ReadError> &outcome) {
             const ReadError *error = std::get_if<ReadError>(&outcome);
             return error && error->fault.kind == ReadFault::Kind::NoCertainChannel;
         };
@@ -170,17 +170,17 @@ private slots:
             }
             return readReferenceData(bytes.toStdString());
         };
-        QVERIFY(isOpen(table("time,J1_x,J1_y,J2_x,J2_y")));
-        QVERIFY(isOpen(table("time,body 1 velocity,body 2 velocity")));
-        QVERIFY(isOpen(table("time,Linear Displacement1 (mm),Linear Displacement2 (mm)")));
-        QVERIFY(!isOpen(table("time,R4_x,J1_x")));
-        QVERIFY(!isOpen(table("time,R4_x,Linear Displacement2 (mm)")));
-        QVERIFY(!isOpen(table("time,x")));
-        QVERIFY(!isOpen(table("time,temperature,humidity")));
-        QVERIFY(!isOpen(table("J1_x,J2_x")));
+        QVERIFY(asksForColumns(table("time,J1_x,J1_y,J2_x,J2_y")));
+        QVERIFY(asksForColumns(table("time,body 1 velocity,body 2 velocity")));
+        QVERIFY(asksForColumns(table("time,Linear Displacement1 (mm),Linear Displacement2 (mm)")));
+        QVERIFY(!asksForColumns(table("time,R4_x,J1_x")));
+        QVERIFY(!asksForColumns(table("time,R4_x,Linear Displacement2 (mm)")));
+        QVERIFY(!asksForColumns(table("time,x")));
+        QVERIFY(!asksForColumns(table("time,temperature,humidity")));
+        QVERIFY(!asksForColumns(table("J1_x,J2_x")));
         for (const Sample &sample : samples()) {
             const bool isOther = sample.files.front().startsWith("other/");
-            QVERIFY2(!isOther || !isOpen(readSample(sample.files)), qPrintable(sample.name));
+            QVERIFY2(!isOther || !asksForColumns(readSample(sample.files)), qPrintable(sample.name));
         }
     }
 

@@ -17,19 +17,20 @@ namespace tst_sources
 
 const QString kRoot = SLIDERCRANK_SOURCE_DIR "/";
 
-/// exec() of any object; the static functions that show a dialog and return its answer; loops that handle events.
+/// Matches exec() of any object, static functions that show a dialog and return its answer, and loops that handle
+/// events.
 const QRegularExpression kWaiting("\\bexec\\s*\\(|\\bprocessEvents\\b|\\bQEventLoop\\b|"
                                   "\\bQMessageBox::(about|aboutQt|critical|information|question|warning)\\b|"
                                   "\\bQ(Input|File|Color|Font)Dialog::get\\w+");
 
-/// The application's own loop, and the loop of a video, which no browser offers.
+/// The application's own loop, and that in which a video is written, which a browser cannot do.
 const QStringList kAllowed{"app/window.cpp: QApplication::exec()",
                            "ui/window/exports.cpp: QCoreApplication::processEvents()"};
 
-/// Returns "file: expression" for each place that waits.
-QStringList waitingPlaces(const QString &folder)
+/// Returns "file: expression" for each line that waits.
+QStringList waitingExpressions(const QString &folder)
 {
-    QStringList places;
+    QStringList expressions;
     QDirIterator files(kRoot + folder, {"*.cpp", "*.h"}, QDir::Files, QDirIterator::Subdirectories);
     while (files.hasNext()) {
         const QString path = files.next();
@@ -38,11 +39,11 @@ QStringList waitingPlaces(const QString &folder)
             if (line.contains(kWaiting)) {
                 static const QRegularExpression kExpression(
                     "[\\w:.>-]*(exec|processEvents|QEventLoop|Dialog::get|QMessageBox::)[\\w:]*\\s*\\(?\\)?");
-                places += path.mid(kRoot.size()) + ": " + kExpression.match(line).captured();
+                expressions += path.mid(kRoot.size()) + ": " + kExpression.match(line).captured();
             }
         }
     }
-    return places;
+    return expressions;
 }
 
 class TestSources : public QObject
@@ -52,11 +53,12 @@ class TestSources : public QObject
 private slots:
     void nothingWaitsInAnEventLoopOfItsOwn()
     {
-        QStringList places = waitingPlaces("app") + waitingPlaces("ui") + waitingPlaces("core");
+        QStringList expressions = waitingExpressions("app") + waitingExpressions("ui") + waitingExpressions("core");
         for (const QString &allowed : kAllowed) {
-            QVERIFY2(places.removeOne(allowed), qPrintable(allowed + " is no longer there: " + places.join('\n')));
+            QVERIFY2(expressions.removeOne(allowed),
+                     qPrintable(allowed + " is no longer there: " + expressions.join('\n')));
         }
-        QCOMPARE(places, QStringList());
+        QCOMPARE(expressions, QStringList());
     }
 
     void findsEachKindOfWaiting()

@@ -99,7 +99,7 @@ QStringList matches(const QString &text, const QRegularExpression &pattern)
     return found;
 }
 
-/// Returns the words of three letters or more, without those of options, file names and tags.
+/// Returns the words of three letters or more, apart from those in options, file names and tags.
 QSet<QString> wordsOf(const QString &text)
 {
     static const QRegularExpression noWord("<[^>]*>|&|--[\\w-]+|[\\w/.-]*[_/][\\w/.-]*|\\w+\\.(csv|json|png|pdf|svg)");
@@ -186,7 +186,8 @@ void fillTabs(MainWindow &window)
     window.findChild<StudyPanel *>()->setResult(study);
 }
 
-/// Returns the width of the text of a label with a shortcut. Its underlined letter is drawn apart, without kerning.
+/// Returns the width of the text of a label with a shortcut. The underlined letter, at position `letter`, is drawn
+/// apart, without kerning.
 int widthWithShortcut(const QLabel &label, qsizetype letter)
 {
     const auto widthOf = [&label](const QString &part) { return label.fontMetrics().horizontalAdvance(part); };
@@ -208,62 +209,90 @@ bool isTooWide(const QWidget &widget, const QString &text, int width)
     return document.idealWidth() > width + 1;
 }
 
-/// Returns the texts that do not fit into their visible widgets.
-QStringList cutOffTexts(const QMainWindow &window)
+/// Whether the text does not fit into the label, and no tool tip shows the whole text.
+bool isCutOff(const QLabel &label)
+{
+    const int width = label.contentsRect().width();
+    const bool isTooLow = label.wordWrap() && label.height() < label.heightForWidth(label.width());
+    const qsizetype letter = label.buddy() ? label.text().indexOf(u'&') : -1;
+    const bool isTooNarrow = (!label.wordWrap() && isTooWide(label, label.text(), width)) ||
+                             (letter >= 0 && widthWithShortcut(label, letter) > width);
+    return label.toolTip().isEmpty() && (isTooLow || isTooNarrow);
+}
+
+bool isCutOff(const QAbstractButton &button)
+{
+    return !wordsOf(button.text()).isEmpty() && button.width() < button.minimumSizeHint().width();
+}
+
+/// Whether the present entry does not fit into the box.
+bool isCutOff(const QComboBox &box)
+{
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    const QRect field = box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box);
+    return isTooWide(box, box.currentText(), field.width());
+}
+
+QStringList cutOffTabs(const QTabBar &bar)
 {
     QStringList found;
-    const auto note = [&found](const QWidget &widget, const QString &text) {
-        found += QStringLiteral("%1: \"%2\"").arg(widget.objectName(), text);
-    };
-    for (const QWidget *widget : window.findChildren<QWidget *>()) {
-        if (!widget->isVisible()) {
-            continue;
-        }
-        if (const auto *label = qobject_cast<const QLabel *>(widget)) {
-            const int width = label->contentsRect().width();
-            const bool tooLow = label->wordWrap() && label->height() < label->heightForWidth(label->width());
-            const qsizetype letter = label->buddy() ? label->text().indexOf(u'&') : -1;
-            const bool tooNarrow = (!label->wordWrap() && isTooWide(*label, label->text(), width)) ||
-                                   (letter >= 0 && widthWithShortcut(*label, letter) > width);
-            const bool hasTip = !label->toolTip().isEmpty(); // the tool tip shows the whole text
-            if (!hasTip && (tooLow || tooNarrow)) {
-                note(*label, label->text());
-            }
-        } else if (const auto *button = qobject_cast<const QAbstractButton *>(widget)) {
-            if (!wordsOf(button->text()).isEmpty() && button->width() < button->minimumSizeHint().width()) {
-                note(*button, button->text());
-            }
-        } else if (const auto *box = qobject_cast<const QComboBox *>(widget)) {
-            QStyleOptionComboBox option;
-            option.initFrom(box);
-            const QRect field =
-                box->style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box);
-            if (isTooWide(*box, box->currentText(), field.width())) {
-                note(*box, box->currentText());
-            }
-        } else if (const auto *bar = qobject_cast<const QTabBar *>(widget)) {
-            for (int i = 0; i < bar->count(); ++i) {
-                if (isTooWide(*bar, bar->tabText(i), bar->tabRect(i).width()) ||
-                    bar->tabRect(i).right() > bar->width()) {
-                    note(*bar, bar->tabText(i));
-                }
-            }
-        } else if (const auto *header = qobject_cast<const QHeaderView *>(widget);
-                   header && header->orientation() == Qt::Horizontal) {
-            for (int i = 0; i < header->count(); ++i) {
-                const QString text = header->model()->headerData(i, Qt::Horizontal).toString();
-                if (!header->isSectionHidden(i) && isTooWide(*header, text, header->sectionSize(i))) {
-                    note(*header->parentWidget(), text);
-                }
-            }
+    for (int i = 0; i < bar.count(); ++i) {
+        if (isTooWide(bar, bar.tabText(i), bar.tabRect(i).width()) || bar.tabRect(i).right() > bar.width()) {
+            found += bar.tabText(i);
         }
     }
     return found;
 }
 
-RunResult startIn(const char *locale, const QStringList &arguments)
+QStringList cutOffHeadings(const QHeaderView &header)
 {
-    return start(arguments, {}, {QString("LC_ALL=") + locale, "LANGUAGE=" + QString(locale).left(2)});
+    QStringList found;
+    for (int i = 0; i < header.count(); ++i) {
+        const QString text = header.model()->headerData(i, Qt::Horizontal).toString();
+        if (!header.isSectionHidden(i) && isTooWide(header, text, header.sectionSize(i))) {
+            found += text;
+        }
+    }
+    return found;
+}
+
+/// Returns the texts of one widget that do not fit into it.
+QStringList cutOffTextsOf(const QWidget *widget)
+{
+    if (const auto *label = qobject_cast<const QLabel *>(widget)) {
+        return isCutOff(*label) ? QStringList(label->text()) : QStringList();
+    }
+    if (const auto *button = qobject_cast<const QAbstractButton *>(widget)) {
+        return isCutOff(*button) ? QStringList(button->text()) : QStringList();
+    }
+    if (const auto *box = qobject_cast<const QComboBox *>(widget)) {
+        return isCutOff(*box) ? QStringList(box->currentText()) : QStringList();
+    }
+    if (const auto *bar = qobject_cast<const QTabBar *>(widget)) {
+        return cutOffTabs(*bar);
+    }
+    const auto *header = qobject_cast<const QHeaderView *>(widget);
+    return header && header->orientation() == Qt::Horizontal ? cutOffHeadings(*header) : QStringList();
+}
+
+/// Returns the texts that do not fit into their visible widgets, each with the name of the widget.
+QStringList cutOffTexts(const QMainWindow &window)
+{
+    QStringList found;
+    for (const QWidget *widget : window.findChildren<QWidget *>()) {
+        const bool isHeader = qobject_cast<const QHeaderView *>(widget);
+        const QString name = (isHeader ? widget->parentWidget() : widget)->objectName();
+        for (const QString &text : widget->isVisible() ? cutOffTextsOf(widget) : QStringList()) {
+            found += QStringLiteral("%1: \"%2\"").arg(name, text);
+        }
+    }
+    return found;
+}
+
+RunResult runProgramIn(const char *locale, const QStringList &arguments)
+{
+    return runProgram(arguments, {}, {QString("LC_ALL=") + locale, "LANGUAGE=" + QString(locale).left(2)});
 }
 
 constexpr const char *kEnglishLocale = "en_US.UTF-8";
@@ -293,7 +322,7 @@ private slots:
         useLanguage(Language::English);
     }
 
-    /// English texts depend on a number by a translation, too: "1 row", "2 rows".
+    /// Also in English, the singular and the plural ("1 row", "2 rows") are in a translation file.
     void everyTextWithANumberHasEnglishForms()
     {
         const auto keysOf = [](const QList<TranslatedText> &messages) {
@@ -325,8 +354,8 @@ private slots:
              {Row{kEnglishLocale, " 1 row\n", " 2 rows\n"}, Row{kSpanishLocale, " 1 fila\n", " 2 filas\n"},
               Row{"de_DE.UTF-8", " 1 row\n", " 2 rows\n"}}) {
             const auto compared = [&row](const QByteArray &csv) {
-                return start({"compare", "-"}, csv,
-                             {QString("LC_ALL=") + row.locale, "LANGUAGE=" + QString(row.locale).left(2)})
+                return runProgram({"compare", "-"}, csv,
+                                  {QString("LC_ALL=") + row.locale, "LANGUAGE=" + QString(row.locale).left(2)})
                     .output;
             };
             const QByteArray one = compared("time,R4_x\n0,80\n");
@@ -344,8 +373,8 @@ private slots:
         }
         const QTemporaryDir folder;
         const QString report = folder.filePath("report.pdf");
-        const RunResult result = start({"render", "--what", "report", "--output", report}, {},
-                                       {QString("LC_ALL=") + kEnglishLocale, "LANGUAGE=es"});
+        const RunResult result = runProgram({"render", "--what", "report", "--output", report}, {},
+                                            {QString("LC_ALL=") + kEnglishLocale, "LANGUAGE=es"});
         QCOMPARE(result.status, 0);
         QProcess process;
         process.start("pdftotext", {report, "-"});
@@ -553,8 +582,8 @@ private slots:
              {QString("solve --b 60.5 --steps 4"), QString("solve --format json --steps 4"),
               QString("compare %1 --format csv").arg(kSample), QString("compare %1 --format json").arg(kSample),
               QString("identify %1 --format json").arg(kSample)}) {
-            const RunResult english = startIn(kEnglishLocale, splitCommand(line));
-            const RunResult spanish = startIn(kSpanishLocale, splitCommand(line));
+            const RunResult english = runProgramIn(kEnglishLocale, splitCommand(line));
+            const RunResult spanish = runProgramIn(kSpanishLocale, splitCommand(line));
             QVERIFY(!english.output.isEmpty());
             QCOMPARE(spanish.output, english.output);
             QCOMPARE(spanish.status, english.status);
@@ -563,15 +592,15 @@ private slots:
 
     void theCommandLineUsesTheLanguageOfTheSystem()
     {
-        QVERIFY(startIn(kSpanishLocale, {"--help"}).output.startsWith("Uso:"));
-        const RunResult wrong = startIn(kSpanishLocale, {"solve", "--b", "x"});
+        QVERIFY(runProgramIn(kSpanishLocale, {"--help"}).output.startsWith("Uso:"));
+        const RunResult wrong = runProgramIn(kSpanishLocale, {"solve", "--b", "x"});
         QCOMPARE(wrong.status, 2);
         QVERIFY(wrong.error.contains("--b: «x» no es un número"));
-        const RunResult comparison = startIn(kSpanishLocale, {"compare", kSample});
+        const RunResult comparison = runProgramIn(kSpanishLocale, {"compare", kSample});
         QVERIFY(comparison.output.contains("60.000")); // with a decimal point
         QVERIFY(comparison.output.contains("difiere"));
-        QVERIFY(startIn(kEnglishLocale, {"--help"}).output.startsWith("Usage:"));
-        QVERIFY(startIn("de_DE.UTF-8", {"--help"}).output.startsWith("Usage:"));
+        QVERIFY(runProgramIn(kEnglishLocale, {"--help"}).output.startsWith("Usage:"));
+        QVERIFY(runProgramIn("de_DE.UTF-8", {"--help"}).output.startsWith("Usage:"));
     }
 
 private:

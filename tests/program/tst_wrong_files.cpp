@@ -22,6 +22,7 @@ using namespace slidercrank;
 namespace tst_wrong_files
 {
 
+/// Writes the bytes, and extends the file with zeros to `size` bytes. Returns whether this succeeded.
 bool write(const QString &path, const QByteArray &bytes, qint64 size)
 {
     QFile file(path);
@@ -69,7 +70,7 @@ private slots:
         if (!write(m_file, beginning, qint64{4} << 30)) {
             QSKIP("This file system has no files of 4 GB.");
         }
-        const RunResult outcome = start({"compare", m_file});
+        const RunResult outcome = runProgram({"compare", m_file});
         QVERIFY2(outcome.hasOneLineError() && outcome.error.contains(message), outcome.error);
         QCOMPARE(outcome.output, QByteArray());
         QCOMPARE(outcome.status, 3);
@@ -101,7 +102,7 @@ private slots:
         if (path.startsWith(u"/proc") && !QFile::exists(path)) {
             QSKIP("This system has no /proc.");
         }
-        const RunResult outcome = start({"compare", path});
+        const RunResult outcome = runProgram({"compare", path});
         QVERIFY2(outcome.hasOneLineError() && outcome.error.contains(message), outcome.error);
         QCOMPARE(outcome.status, 3);
     }
@@ -112,7 +113,7 @@ private slots:
         for (int i = 0; i < 50'000; ++i) {
             arguments += QStringLiteral("/%1.csv").arg(i);
         }
-        const RunResult outcome = start(arguments);
+        const RunResult outcome = runProgram(arguments);
         QVERIFY2(outcome.hasOneLineError() && outcome.error.contains("/0.csv cannot be opened"), outcome.error);
         QCOMPARE(outcome.status, 3);
     }
@@ -123,7 +124,7 @@ private slots:
 #ifdef Q_OS_UNIX
         const QString pipe = m_folder->filePath(QStringLiteral("x.slidercrank"));
         QCOMPARE(mkfifo(QFile::encodeName(pipe).constData(), 0600), 0);
-        const RunResult outcome = start({pipe});
+        const RunResult outcome = runProgram({pipe});
         QVERIFY2(outcome.error.contains("no display"), outcome.error);
 #endif
     }
@@ -140,13 +141,13 @@ private slots:
         constexpr int kRows = 300'000;            // more than the buffer of a pipe holds
         QCOMPARE(pipe.write(rows(kRows)), rows(kRows).size());
         pipe.close();
-        const RunResult outcome = resultOf(program);
+        const RunResult outcome = waitForResult(program);
         QCOMPARE(outcome.status, 0);
         QVERIFY2(outcome.output.contains(QByteArray::number(kRows)), outcome.output);
 #endif
     }
 
-    /// Increases the memory limit in steps, so that different allocations fail, also those in other threads.
+    /// Increases the memory limit in steps, so that different allocations fail, some of them in background threads.
     void reportsInsufficientMemory()
     {
 #ifdef Q_OS_UNIX
@@ -161,7 +162,7 @@ private slots:
                 setrlimit(RLIMIT_AS, &limit);
             });
             process.start(QStringLiteral(SLIDERCRANK_PROGRAM), {"compare", m_file});
-            return resultOf(process);
+            return waitForResult(process);
         };
         rlim_t smallest = 64; // MB; raised until the program can compare a small file
         while (runWithin(smallest).status != 0) {
