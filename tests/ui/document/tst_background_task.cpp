@@ -69,28 +69,28 @@ private slots:
     {
         struct Pieces {
             int count = 0;
-            bool isElsewhere = false;
+            bool ranInOtherThread = false;
             bool advance()
             {
-                isElsewhere = isElsewhere || QThread::currentThread() != qApp->thread();
-                QThread::msleep(50); // longer than pieces are done in a row
+                ranInOtherThread = ranInOtherThread || QThread::currentThread() != qApp->thread();
+                QThread::msleep(50); // longer than the 40 ms after which events are handled
                 return ++count < 3;
             }
             double progress() const { return count / 3.0; }
         };
         BackgroundTask task;
         QSignalSpy running(&task, &BackgroundTask::runningChanged);
-        std::vector<double> parts;
-        connect(&task, &BackgroundTask::progressed, this, [&](double part) { parts.push_back(part); });
-        bool isElsewhere = true;
+        std::vector<double> reportedProgress;
+        connect(&task, &BackgroundTask::progressed, this, [&](double value) { reportedProgress.push_back(value); });
+        bool ranInOtherThread = true;
         task.startPiecesInGuiThread(
-            std::make_shared<Pieces>(), [&](const Pieces &done) { isElsewhere = done.isElsewhere; }, kFail);
-        QVERIFY(task.isRunning() && parts.empty());
+            std::make_shared<Pieces>(), [&](const Pieces &done) { ranInOtherThread = done.ranInOtherThread; }, kFail);
+        QVERIFY(task.isRunning() && reportedProgress.empty());
         QCoreApplication::processEvents();
         QVERIFY(task.isRunning());
         AWAIT(!task.isRunning());
-        QVERIFY(!isElsewhere);
-        QCOMPARE(parts, std::vector<double>({1.0 / 3.0, 2.0 / 3.0, 1.0}));
+        QVERIFY(!ranInOtherThread);
+        QCOMPARE(reportedProgress, std::vector<double>({1.0 / 3.0, 2.0 / 3.0, 1.0}));
         QCOMPARE(QList<QVariantList>(running), kStartedAndEnded);
     }
 
@@ -134,12 +134,12 @@ private slots:
     {
         BackgroundTask task;
         QSemaphore reported(0);
-        std::vector<double> parts;
-        connect(&task, &BackgroundTask::progressed, this, [&](double part) {
-            parts.push_back(part);
+        std::vector<double> reportedProgress;
+        connect(&task, &BackgroundTask::progressed, this, [&](double value) {
+            reportedProgress.push_back(value);
             reported.release();
         });
-        std::size_t partsBeforeValue = 0;
+        std::size_t reportsBeforeValue = 0;
         const auto work = [&](const Stop &, const Progress &progress) {
             progress(0.5);
             reported.acquire(); // is reported while the work continues
@@ -149,11 +149,11 @@ private slots:
             return 0;
         };
         task.start(
-            work, [&](int) { partsBeforeValue = parts.size(); }, kFail);
+            work, [&](int) { reportsBeforeValue = reportedProgress.size(); }, kFail);
         AWAIT(!task.isRunning());
-        QCOMPARE(partsBeforeValue, parts.size());
-        QVERIFY(std::ranges::is_sorted(parts) && parts.size() <= 1001);
-        QVERIFY(std::ranges::count(parts, 0.5) == 1 && parts.back() <= 1.0);
+        QCOMPARE(reportsBeforeValue, reportedProgress.size());
+        QVERIFY(std::ranges::is_sorted(reportedProgress) && reportedProgress.size() <= 1001);
+        QVERIFY(std::ranges::count(reportedProgress, 0.5) == 1 && reportedProgress.back() <= 1.0);
     }
 
     void callsNothingAfterBeingDiscarded()
@@ -232,7 +232,7 @@ private slots:
         }
     }
 
-    /// Also on a computer with few processors.
+    /// A short task starts at once also on a computer with few processors.
     void shortTasksDoNotWaitForLongTasks()
     {
         std::vector<std::unique_ptr<BackgroundTask>> longTasks;
@@ -250,7 +250,7 @@ private slots:
         finishBackgroundTasks();
     }
 
-    /// Qt paints with its own threads, whose number suits the processors.
+    /// Tasks must not occupy the threads of Qt's global pool, with which Qt paints.
     void leavesTheThreadsOfQtAlone()
     {
         const WaitingWork waiting;

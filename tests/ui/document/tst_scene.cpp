@@ -29,8 +29,8 @@ namespace tst_scene
 
 const QString kPath = "/data/scene.json";
 
-/// Returns a scene with random numbers. Its choices follow from `i`: a few hundred scenes contain each enumerator, each
-/// flag, and values that may be missing with and without them.
+/// Returns a scene with random numbers. Its choices follow from `i`: a few hundred scenes contain each enumerator, both
+/// values of each flag, and scenes with and without each optional value.
 Scene sceneNumber(int i, RandomMechanisms &random, const QString &folder)
 {
     const auto flag = [i](int bit) { return (i >> bit) % 2 == 1; };
@@ -94,8 +94,9 @@ QJsonObject toObject(const Scene &scene)
     return QJsonDocument::fromJson(sceneToJson(scene, kPath)).object();
 }
 
-/// Returns a valid scene in which the value at a place such as "mechanism.b" is replaced; Undefined removes it.
-QByteArray sceneWith(const QString &place, const QJsonValue &value)
+/// Returns a valid scene in which the value at a path of keys such as "mechanism.b" is replaced; Undefined removes that
+/// key.
+QByteArray sceneWith(const QString &keyPath, const QJsonValue &value)
 {
     Scene scene;
     scene.reference = ReferenceSource{{"/data/results.csv"}, {ColumnChoice{}}, {Convention{}}};
@@ -110,7 +111,7 @@ QByteArray sceneWith(const QString &place, const QJsonValue &value)
         }
         return object;
     };
-    return QJsonDocument(replaced(replaced, toObject(scene), place.split(u'.'))).toJson();
+    return QJsonDocument(replaced(replaced, toObject(scene), keyPath.split(u'.'))).toJson();
 }
 
 class TestScene : public QObject
@@ -207,7 +208,7 @@ private slots:
         QVERIFY(!isSceneLink("motion#") && !isSceneLink("data.csv#"));
     }
 
-    /// With its conventions and chosen columns, also after the scene and the reference were moved together.
+    /// A scene opens its reference with its conventions and chosen columns, also after both files were moved together.
     void opensItsReferenceAgain()
     {
         const QTemporaryDir folder;
@@ -232,12 +233,13 @@ private slots:
         Session after;
         after.open(toChoices(back), back.time, back.reference);
         AWAIT(after.reference());
-        const ReferenceData &was = before.reference()->data;
-        const ReferenceData &is = after.reference()->data;
-        QCOMPARE(is.time, was.time);
-        QCOMPARE(is.time.front(), 0.125);
-        QVERIFY(std::ranges::equal(is.series, was.series, {}, &ReferenceSeries::values, &ReferenceSeries::values));
-        QVERIFY(is.find(slider)->values.front() > 500.0); // the column is taken as cm
+        const ReferenceData &dataBefore = before.reference()->data;
+        const ReferenceData &dataAfter = after.reference()->data;
+        QCOMPARE(dataAfter.time, dataBefore.time);
+        QCOMPARE(dataAfter.time.front(), 0.125);
+        QVERIFY(std::ranges::equal(dataAfter.series, dataBefore.series, {}, &ReferenceSeries::values,
+                                   &ReferenceSeries::values));
+        QVERIFY(dataAfter.find(slider)->values.front() > 500.0); // the column is taken as cm
         after.readAsPrinted();
         QCOMPARE(after.reference()->data.time.front(), 0.0);
     }
@@ -269,11 +271,11 @@ private slots:
 
     void requiresNeitherReferenceNorView()
     {
-        for (const char *place : {"reference", "reference.columns", "kept", "view", "view.zoom", "view.error",
-                                  "view.time", "view.mechanism", "view.mechanism.path"}) {
+        for (const char *keyPath : {"reference", "reference.columns", "kept", "view", "view.zoom", "view.error",
+                                    "view.time", "view.mechanism", "view.mechanism.path"}) {
             for (const QJsonValue &value : {QJsonValue(QJsonValue::Undefined), QJsonValue()}) {
-                const auto outcome = parseScene(sceneWith(QLatin1String(place), value), kPath);
-                QVERIFY2(std::holds_alternative<Scene>(outcome), place);
+                const auto outcome = parseScene(sceneWith(QLatin1String(keyPath), value), kPath);
+                QVERIFY2(std::holds_alternative<Scene>(outcome), keyPath);
             }
         }
         const QJsonArray frame{-99.1, -20, 1.123456789012345, 20}; // the right edge is rounded when it is read
@@ -287,7 +289,7 @@ private slots:
 
     void refusesOtherFiles()
     {
-        const auto refused = [](const QByteArray &json, const QString &part) {
+        const auto checkRefusal = [](const QByteArray &json, const QString &part) {
             const auto outcome = parseScene(json, kPath);
             const QString *sentence = std::get_if<QString>(&outcome);
             QVERIFY2(sentence, json.constData());
@@ -296,9 +298,9 @@ private slots:
             QVERIFY2(sentence->contains(part), qPrintable(part + u'|' + *sentence));
         };
         struct Row {
-            const char *place;
+            const char *keyPath;
             QJsonValue value;
-            const char *inner = ""; ///< the place of the fault within the value
+            const char *inner = ""; ///< the key or index of the fault within the value
         };
         const QJsonObject mechanism = toObject(Scene()).value(u"mechanism").toObject();
         QJsonObject impossible = mechanism;
@@ -347,13 +349,13 @@ private slots:
             {"view.zoom.plot_theta3", QJsonArray{2}},
             {"view.mechanism.frame", QJsonArray{0, 40, 60, -20}},
         };
-        for (const auto &[place, value, inner] : rows) {
-            refused(sceneWith(place, value), QStringLiteral("“%1%2”").arg(place, inner));
+        for (const auto &[keyPath, value, inner] : rows) {
+            checkRefusal(sceneWith(keyPath, value), QStringLiteral("“%1%2”").arg(keyPath, inner));
         }
-        for (const char *place :
+        for (const char *keyPath :
              {"mechanism", "mechanism.a", "mechanism.c", "mechanism.branch", "sampling", "sampling.steps", "solver",
               "solver.method", "solver.maxIterations", "solver.tolerance", "solver.elimination"}) {
-            refused(sceneWith(place, QJsonValue::Undefined), QStringLiteral("“%1” is missing,").arg(place));
+            checkRefusal(sceneWith(keyPath, QJsonValue::Undefined), QStringLiteral("“%1” is missing,").arg(keyPath));
         }
         for (const auto &[json, part] : {std::pair<QByteArray, QString>{sceneWith("version", 2), "newer"},
                                          {sceneWith("version", 1e300), "newer"},
@@ -363,7 +365,7 @@ private slots:
                                          {QByteArray("\xff\xfe{\0}\0", 6), "not JSON"},
                                          {"[]", "not a scene"},
                                          {"{\"name\": 1}", "it has no “version”"}}) {
-            refused(json, part);
+            checkRefusal(json, part);
         }
     }
 

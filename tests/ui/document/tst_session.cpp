@@ -61,7 +61,8 @@ private slots:
         QVERIFY(session.pose().exists());
     }
 
-    /// sin 330° = -1/2 = (c - b)/a. The angle is rounded: the drawing said that the mechanism could not be assembled.
+    /// sin 330° = -1/2 = (c - b)/a. A former defect: because the angle is rounded, the drawing said that the mechanism
+    /// could not be assembled.
     void theEndsOfARockersArcArePoses()
     {
         for (const double degrees : {210.0, 330.0}) {
@@ -126,7 +127,7 @@ private slots:
         QCOMPARE(session.result()->trajectory.time.size(), std::size_t(400001));
     }
 
-    /// The return is an edit of its own, which can be undone.
+    /// Cancelling is an edit of its own, which can be undone.
     void cancelReturnsToTheChoicesOfTheResult()
     {
         Session session;
@@ -150,7 +151,7 @@ private slots:
         session.cancel();
     }
 
-    /// Otherwise the result of the previous scene would be shown with the choices of this one.
+    /// Without the simplification, the result of the previous scene would be shown with the choices of the new one.
     void aSceneThatTakesLongIsSimplifiedUntilItIsComputed()
     {
         Session session;
@@ -268,7 +269,7 @@ private slots:
             session.beginDrag();
             for (const double b : couplers) {
                 session.setParameter(Parameter::B, b);
-                letTimePass(session); // longer than edits are merged without a drag
+                letTimePass(session); // without a drag, a later edit would be a new step
             }
             session.endDrag();
         };

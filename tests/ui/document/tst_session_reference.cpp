@@ -25,12 +25,12 @@ using namespace slidercrank;
 namespace tst_session_reference
 {
 
-/// An angle-indexed table of the initial mechanism. Its angles are measured from `zero` degrees.
-QByteArray angleTable(int zero)
+/// Returns an angle-indexed table of the initial mechanism. Its angles are counted from the crank angle `origin` (°).
+QByteArray angleTable(int origin)
 {
     QByteArray table = "CAD,theta3,R4_x\n";
     for (int angle = 0; angle <= 360; angle += 15) {
-        const double theta2 = (angle + zero) / kDegreesPerRadian;
+        const double theta2 = (angle + origin) / kDegreesPerRadian;
         const double theta3 = std::asin((25.0 - 20.0 * std::sin(theta2)) / 65.0);
         table += QByteArray::number(angle) + ',' + QByteArray::number(theta3 * kDegreesPerRadian, 'f', 6) + ',' +
                  QByteArray::number(20.0 * std::cos(theta2) + 65.0 * std::cos(theta3), 'f', 6) + '\n';
@@ -43,7 +43,7 @@ struct Positions {
     double slider = 0.0; ///< mm
 };
 
-/// The positions of the initial mechanism with b = 60 mm at a crank angle (rad).
+/// Returns the positions of the initial mechanism with b = 60 mm at a crank angle (rad).
 Positions positionsAt(double theta2)
 {
     const double theta3 = std::asin((25.0 - 20.0 * std::sin(theta2)) / 60.0);
@@ -51,7 +51,7 @@ Positions positionsAt(double theta2)
 }
 
 /// Returns a row of a table, with six decimals.
-QByteArray printed(std::initializer_list<double> values)
+QByteArray tableRow(std::initializer_list<double> values)
 {
     QByteArrayList cells;
     for (const double value : values) {
@@ -134,7 +134,7 @@ private slots:
         QVERIFY(session.isModified());
     }
 
-    void timesATableByCrankAngleForEachSpeed()
+    void theTimesOfAnAngleIndexedTableFollowTheSpeed()
     {
         const QTemporaryDir folder;
         Session session;
@@ -231,13 +231,13 @@ private slots:
         }
         const QTemporaryDir folder;
         Session session;
-        QSignalSpy parts(&session, &Session::progressed);
+        QSignalSpy progress(&session, &Session::progressed);
         session.loadReference(writeFile(folder, "x.csv", bytes));
         AWAIT(session.reference());
-        QVERIFY(parts.count() > 1);
-        for (qsizetype i = 0; i < parts.size(); ++i) {
-            const double part = parts[i][0].toDouble();
-            QVERIFY(part >= (i == 0 ? 0.0 : parts[i - 1][0].toDouble()) && part <= 1.0);
+        QVERIFY(progress.count() > 1);
+        for (qsizetype i = 0; i < progress.size(); ++i) {
+            const double done = progress[i][0].toDouble();
+            QVERIFY(done >= (i == 0 ? 0.0 : progress[i - 1][0].toDouble()) && done <= 1.0);
         }
     }
 
@@ -297,7 +297,7 @@ private slots:
         for (int row = 0; row <= 100; ++row) {
             const double angle = row / 100.0 * 2.0 * std::numbers::pi;
             const auto [theta3, slider] = positionsAt(angle);
-            bytes += printed({row / 100.0, theta3 / kDegreesPerRadian, slider});
+            bytes += tableRow({row / 100.0, theta3 / kDegreesPerRadian, slider});
         }
         Session session;
         session.loadReference(writeFile(folder, "x.csv", bytes));
@@ -319,7 +319,7 @@ private slots:
         for (int row = 0; row <= 150; ++row) {
             const double time = row / 100.0;
             const double angle = 0.5 * 10.0 * time * time;
-            bytes += printed({time, angle * kDegreesPerRadian, positionsAt(angle).slider});
+            bytes += tableRow({time, angle * kDegreesPerRadian, positionsAt(angle).slider});
         }
         Session session;
         QSignalSpy confirmed(&session, &Session::confirmed);

@@ -179,8 +179,8 @@ private slots:
     /// A former defect: in narrow figures with large letters, the parameters touched both edges.
     void theParametersKeepAwayFromTheEdges()
     {
-        const FigureDrawing nothing = [](QPainter &, const QSize &) {};
-        const FigureDrawing draw = withParameters(nothing, Mechanism(), paletteFor(Theme::Light));
+        const FigureDrawing drawNothing = [](QPainter &, const QSize &) {};
+        const FigureDrawing draw = withParameters(drawNothing, Mechanism(), paletteFor(Theme::Light));
         for (int width = 300; width <= 600; width += 5) {
             const FigureSize size{.size = {width, 200}, .fontPixels = 19};
             const QImage picture = figureImage(size, draw);
@@ -204,11 +204,11 @@ private slots:
             FigureSize size;
             size.size = QSize(400, 201);
             size.scale = scale;
-            const auto smoothly = [&draw](QPainter &painter, const QSize &drawn) { // as viewers of SVG do
+            const auto drawSmoothly = [&draw](QPainter &painter, const QSize &drawn) { // as viewers of SVG do
                 painter.setRenderHint(QPainter::Antialiasing);
                 draw(painter, drawn);
             };
-            const QImage image = figureImage(size, smoothly);
+            const QImage image = figureImage(size, drawSmoothly);
             for (int y = 0; y < static_cast<int>(scale * size.size.height()); ++y) {
                 QCOMPARE(image.pixelColor(1, y), background);
             }
@@ -342,7 +342,7 @@ private slots:
         QVERIFY(exportMotion(path("gone/x.csv"), *session.result(), {plottedChannels()})->contains("gone"));
     }
 
-    /// A former defect: in the notation of textbooks, the data had another θ₃ than the window and its table.
+    /// A former defect: in the notation of textbooks, θ₃ in the data was not that of the window and its table.
     void writesTheCouplerAngleOfTextbooks()
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
@@ -384,8 +384,8 @@ private slots:
         const ReportText alone(contentWith(65.0, nullptr));
         QVERIFY(!alone.has("eference") && !alone.has("found in"));
         QVERIFY(ReportText(contentWith(60.0, referenceIn({kSample}))).has("within the rounding of the file"));
-        QVERIFY(
-            reportHtml(contentWith(60.0, referenceIn({kSample}))).contains("\u00a0±\u00a0")); // a line ended before it
+        QVERIFY(reportHtml(contentWith(60.0, referenceIn({kSample})))
+                    .contains("\u00a0±\u00a0")); // a former defect: a line ended before ±
     }
 
     void reportsTheTableWithItsSettings()
@@ -408,7 +408,7 @@ private slots:
         QVERIFY(ReportText(content).has("Table, every 15°"));
     }
 
-    void reportsNeitherTableNorPolygonsOfWhatDoesNotMove()
+    void reportsOnlyTablesAndPolygonsThatExist()
     {
         Session session;
         session.setParameter(Parameter::Omega2, 0.0);
@@ -582,7 +582,7 @@ private slots:
     void aReportThatIsCancelledLeavesNoFile()
     {
         const auto drawSlowly = [](QPainter &painter, const QSize &size) {
-            QThread::msleep(50); // longer than pieces are done in a row
+            QThread::msleep(50); // longer than the 40 ms after which events are handled
             drawSquare(painter, size);
         };
         BackgroundTask task;

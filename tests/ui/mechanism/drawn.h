@@ -12,7 +12,7 @@
 namespace slidercrank
 {
 
-/// The drawing in a view of that size.
+/// The drawing of a mechanism at a time (s) in a view of `size` (px).
 struct Drawn {
     MechanismScene scene;
     std::unique_ptr<MechanismSketch> sketch;
@@ -33,7 +33,9 @@ struct Drawn {
         sketch->addLinkage();
     }
 
+    /// `model`: a point of the mechanism, mm.
     DrawnPart partAt(QPointF model) const { return sketch->partAt(sketch->toPixels(model)); }
+    /// Returns the box (px) of the first label that begins with the text, or a null box.
     QRectF label(const QString &text) const
     {
         const auto begins = [&text](const Label &label) { return label.text.startsWith(text); };

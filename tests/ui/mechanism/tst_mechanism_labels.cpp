@@ -113,8 +113,8 @@ private slots:
         QCOMPARE(Drawn({.a = 3.0, .b = 90.0}, 0.0, settings).label("outer dead"), QRectF()); // too close together
     }
 
-    /// Former defects: where the coupler passed the name of a dead centre, it covered half of it; later the name hid
-    /// G₃.
+    /// Former defects: where the coupler passed the name of a dead centre, the coupler covered half of the name; later,
+    /// the name hid G₃.
     void namesOfTheDeadCentresAreDrawnOverTheCoupler()
     {
         const Drawn drawn({.a = 40.0, .b = 120.0, .c = 20.0, .theta20 = -std::numbers::pi / 6.0}, 0.0, {.names = true},
@@ -168,7 +168,7 @@ private slots:
         }
     }
 
-    /// A former defect: in a picture of 85 mm, the letter covered a head of its dimension.
+    /// A former defect: in a picture of 85 mm, the letter c covered an arrow head of its dimension.
     void theLetterOfTheOffsetKeepsClearOfItsDimension()
     {
         for (const double width : {300.0, 400.0, 900.0}) {
@@ -210,8 +210,8 @@ private slots:
         }
     }
 
-    /// A former defect: in the report, the reason covered the pivot and the crank pin, and in small pictures, their
-    /// names stood across its letters.
+    /// A former defect: in the report, the reason why there is no assembly covered the pivot and the crank pin, and in
+    /// small pictures, the names of both stood across the letters of the reason.
     void theReasonCoversNothingInPictures()
     {
         MechanismScene scene;
@@ -315,12 +315,12 @@ private slots:
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
         setNotation({Symbols::Textbook, {LengthUnit::Inch, AngleUnit::Degree}});
-        constexpr MechanismSettings kFirst{.names = true, .dimensions = true, .angles = true};
-        QVERIFY(!Drawn({}, 0.0, kFirst, {400.0, 300.0}).label("a = ").isNull());
+        constexpr MechanismSettings kWithTexts{.names = true, .dimensions = true, .angles = true};
+        QVERIFY(!Drawn({}, 0.0, kWithTexts, {400.0, 300.0}).label("a = ").isNull());
         for (int i = 0; i < 24; ++i) {
-            const Drawn drawn({}, i / 24.0, kFirst, {331.0, 178.0});
+            const Drawn drawn({}, i / 24.0, kWithTexts, {331.0, 178.0});
             QVERIFY(drawn.label("a = ").isNull());
-            MechanismSettings withArrows = kFirst;
+            MechanismSettings withArrows = kWithTexts;
             withArrows.velocity = withArrows.acceleration = true;
             QVERIFY(Drawn({}, i / 24.0, withArrows, {331.0, 178.0}).label("Scale").isNull()); // over the coupler
             QVERIFY(!Drawn({}, i / 24.0, withArrows, {400.0, 400.0}).label("Scale").isNull());

@@ -27,16 +27,16 @@ namespace tst_mechanism_view
 {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kNotAssembled = 0.75; // s; θ2 = 270°, where b has to be 45 mm
+constexpr double kImpossibleTime = 0.75; // s; θ2 = 270°, where kOscillating would need b = 45 mm
 
 const Parameters kOscillating{.b = 40.0};
 
 /// A view connected with a session.
-struct Bench {
+struct TestedView {
     Session session;
     MechanismView view;
 
-    explicit Bench(const Parameters &parameters = {})
+    explicit TestedView(const Parameters &parameters = {})
     {
         QObject::connect(&session, &Session::resultChanged, &view, &MechanismView::setResult);
         QObject::connect(&session, &Session::timeChanged, &view, &MechanismView::setPose);
@@ -101,11 +101,11 @@ private slots:
     /// An export sets the result and the settings before the first pose.
     void drawsNoLinkageWithoutAPose()
     {
-        Bench bench;
-        bench.view.setSettings({.names = true});
-        QVERIFY(bench.text().contains("O₂"));
-        bench.view.setPose({});
-        QVERIFY(!bench.text().contains("O₂"));
+        TestedView tested;
+        tested.view.setSettings({.names = true});
+        QVERIFY(tested.text().contains("O₂"));
+        tested.view.setPose({});
+        QVERIFY(!tested.text().contains("O₂"));
     }
 
     void keepsTheWholeMotionInViewAndToScale()
@@ -114,63 +114,63 @@ private slots:
              {Parameters(), Parameters{.branch = Branch::Crossed}, Parameters{.c = -25.0}, Parameters{.c = 0.0},
               kOscillating, Parameters{.a = 40.0, .b = 20.0, .c = 5.0}, Parameters{.a = 0.02, .b = 0.065, .c = 0.025},
               Parameters{.a = 2e6, .b = 6.5e6, .c = 2.5e6}}) {
-            Bench bench(parameters);
-            const QRectF inside = QRectF(bench.view.rect()).adjusted(8.0, 8.0, -8.0, -8.0);
-            const QPointF origin = bench.view.toPixels({});
+            TestedView tested(parameters);
+            const QRectF inside = QRectF(tested.view.rect()).adjusted(8.0, 8.0, -8.0, -8.0);
+            const QPointF origin = tested.view.toPixels({});
             int poses = 0;
             for (int i = 0; i <= 100; ++i) {
-                bench.session.setTime(i / 100.0);
+                tested.session.setTime(i / 100.0);
                 const double theta2 = kTurn * i / 100.0;
                 QVERIFY(
-                    inside.contains(bench.view.toPixels(parameters.a * QPointF(std::cos(theta2), std::sin(theta2)))));
-                const bool exists = bench.session.pose().exists();
-                QVERIFY(!exists || inside.contains(bench.view.toPixels(bench.B())));
+                    inside.contains(tested.view.toPixels(parameters.a * QPointF(std::cos(theta2), std::sin(theta2)))));
+                const bool exists = tested.session.pose().exists();
+                QVERIFY(!exists || inside.contains(tested.view.toPixels(tested.B())));
                 poses += exists ? 1 : 0;
-                QCOMPARE(bench.view.toPixels({}), origin); // the frame does not move
+                QCOMPARE(tested.view.toPixels({}), origin); // the frame does not move
             }
             QVERIFY(poses > 20);
-            const QPointF right = bench.view.toPixels({parameters.a, 0.0}) - origin;
-            const QPointF up = bench.view.toPixels({0.0, parameters.a}) - origin;
+            const QPointF right = tested.view.toPixels({parameters.a, 0.0}) - origin;
+            const QPointF up = tested.view.toPixels({0.0, parameters.a}) - origin;
             QVERIFY2(right.x() > 20.0 && qFuzzyCompare(right.x(), -up.y()), qPrintable(QString::number(right.x())));
         }
     }
 
     void followsALengthInCoarseStepsAndFitsItAtTheEnd()
     {
-        Bench bench;
-        auto *delay = bench.view.findChild<QTimer *>("refitDelay");
-        const QRectF fitted = bench.view.frame().fitted();
+        TestedView tested;
+        auto *delay = tested.view.findChild<QTimer *>("refitDelay");
+        const QRectF fitted = tested.view.frame().fitted();
         int changes = 0;
         for (int i = 0; i <= 200; ++i) {
-            const QRectF before = bench.view.frame().fitted();
-            bench.session.setParameter(Parameter::B, 65.0 + 0.5 * i);
-            changes += bench.view.frame().fitted() != before ? 1 : 0;
+            const QRectF before = tested.view.frame().fitted();
+            tested.session.setParameter(Parameter::B, 65.0 + 0.5 * i);
+            changes += tested.view.frame().fitted() != before ? 1 : 0;
         }
         QVERIFY2(changes >= 1 && changes <= 5, qPrintable(QString::number(changes)));
-        bench.session.setParameter(Parameter::B, 80.0);
-        bench.session.setParameter(Parameter::B, 65.0);
-        const QRectF left = bench.view.frame().fitted();
-        QVERIFY(left != fitted);
+        tested.session.setParameter(Parameter::B, 80.0);
+        tested.session.setParameter(Parameter::B, 65.0);
+        const QRectF coarse = tested.view.frame().fitted();
+        QVERIFY(coarse != fitted);
 
-        bench.press({-15.0, -15.0}); // nothing moves while a button is held
+        tested.press({-15.0, -15.0}); // nothing moves while a button is held
         delay->start(0);
         QTest::qWait(20);
-        QCOMPARE(bench.view.frame().fitted(), left);
-        bench.release({-15.0, -15.0});
-        AWAIT(bench.view.frame().fitted() == fitted);
+        QCOMPARE(tested.view.frame().fitted(), coarse);
+        tested.release({-15.0, -15.0});
+        AWAIT(tested.view.frame().fitted() == fitted);
         QVERIFY(!delay->isActive());
 
-        bench.view.setZoom(QRectF(-10.0, -10.0, 20.0, 20.0)); // a zoom chosen by the user does not change
-        const QPointF there = bench.view.toPixels({5.0, 5.0});
-        bench.session.setParameter(Parameter::B, 150.0);
-        QCOMPARE(bench.view.toPixels({5.0, 5.0}), there);
-        bench.view.fit();
-        QVERIFY(!bench.view.zoom() && bench.view.toPixels({5.0, 5.0}) != there);
+        tested.view.setZoom(QRectF(-10.0, -10.0, 20.0, 20.0)); // a zoom chosen by the user does not change
+        const QPointF there = tested.view.toPixels({5.0, 5.0});
+        tested.session.setParameter(Parameter::B, 150.0);
+        QCOMPARE(tested.view.toPixels({5.0, 5.0}), there);
+        tested.view.fit();
+        QVERIFY(!tested.view.zoom() && tested.view.toPixels({5.0, 5.0}) != there);
     }
 
     void drawsTheCrankAndTheGapWhereItCannotBeAssembled()
     {
-        const Drawn drawn(kOscillating, kNotAssembled);
+        const Drawn drawn(kOscillating, kImpossibleTime);
         QCOMPARE(drawn.partAt({0.0, -20.0}), DrawnPart::A); // the crank is drawn at θ2 = 270°
         QCOMPARE(drawn.partAt({0.0, -10.0}), DrawnPart::Crank);
         QVERIFY(!drawn.sketch->has(DrawnPart::Coupler) && !drawn.sketch->has(DrawnPart::Slider)); // no older pose
@@ -188,9 +188,9 @@ private slots:
     {
         for (const auto &[c, limit] : {std::pair(25.00001, "full turns if b ≥ 45.0001 mm"),
                                        std::pair(100.00001, "assembled if b ≥ 80.0001 mm")}) {
-            Bench bench({.b = 40.0, .c = c});
-            bench.session.setTime(kNotAssembled);
-            QVERIFY2(bench.text().contains(limit), qPrintable(bench.text()));
+            TestedView tested({.b = 40.0, .c = c});
+            tested.session.setTime(kImpossibleTime);
+            QVERIFY2(tested.text().contains(limit), qPrintable(tested.text()));
         }
     }
 
@@ -201,14 +201,14 @@ private slots:
              {Parameters{.b = 10.0}, Parameters{.b = 10.0, .c = -25.0}, Parameters{.a = 76.2, .b = 12.7, .c = 78.0},
               Parameters{.b = 10.0, .c = -25.0, .branch = Branch::Crossed}}) {
             for (const QSize &size : {QSize(550, 620), QSize(450, 340), QSize(400, 260)}) {
-                Bench bench(parameters);
-                bench.view.resize(size);
-                bench.view.show();
-                bench.view.fit();
+                TestedView tested(parameters);
+                tested.view.resize(size);
+                tested.view.show();
+                tested.view.fit();
                 QCoreApplication::processEvents();
-                TextRecorder recorder(bench.view.size());
-                bench.view.render(&recorder, {}, {}, QWidget::DrawWindowBackground); // without the button
-                const QRectF button = bench.view.findChild<QToolButton *>()->geometry();
+                TextRecorder recorder(tested.view.size());
+                tested.view.render(&recorder, {}, {}, QWidget::DrawWindowBackground); // without the button
+                const QRectF button = tested.view.findChild<QToolButton *>()->geometry();
                 int reasons = 0;
                 for (const auto &[line, place] : recorder.texts) {
                     const bool isReason =
@@ -251,11 +251,11 @@ private slots:
 
     void describesEachPartByTheKeyboard()
     {
-        Bench bench;
-        const auto *note = bench.view.findChild<QLabel *>("mechanismNote");
+        TestedView tested;
+        const auto *note = tested.view.findChild<QLabel *>("mechanismNote");
         QStringList notes;
         for (int i = 0; i < 11; ++i) {
-            QTest::keyClick(&bench.view, Qt::Key_PageDown);
+            QTest::keyClick(&tested.view, Qt::Key_PageDown);
             notes << note->text();
         }
         notes.removeDuplicates();
@@ -265,16 +265,16 @@ private slots:
 
     void highlightsThePartOfAnEquation()
     {
-        Bench bench;
-        const QImage plain = bench.picture();
+        TestedView tested;
+        const QImage plain = tested.picture();
         QImage before = plain;
         for (int part = 1; part <= static_cast<int>(MechanismPart::Drive); ++part) {
-            bench.view.highlight(static_cast<MechanismPart>(part));
-            QVERIFY(bench.picture() != before && bench.picture() != plain);
-            before = bench.picture();
+            tested.view.highlight(static_cast<MechanismPart>(part));
+            QVERIFY(tested.picture() != before && tested.picture() != plain);
+            before = tested.picture();
         }
-        bench.view.highlight(MechanismPart::None);
-        QCOMPARE(bench.picture(), plain);
+        tested.view.highlight(MechanismPart::None);
+        QCOMPARE(tested.picture(), plain);
     }
 
     void draggingTheCrankPinScrubs()
@@ -289,38 +289,38 @@ private slots:
                             {kTurn, 0.25, 0.2, 120.0, 0.25}, // past the end
                             {kTurn, 0.25, 0.05, -30.0, 0.0}, {0.0, 1.0, 0.1, 72.0, 0.1}}; // at rest
         for (const Row &row : rows) {
-            Bench bench({.omega2 = row.omega2});
-            bench.session.setSampling({0.0, row.duration, 200});
-            bench.session.setTime(row.from);
+            TestedView tested({.omega2 = row.omega2});
+            tested.session.setSampling({0.0, row.duration, 200});
+            tested.session.setTime(row.from);
             const double angle = row.degrees / kDegreesPerRadian;
-            bench.drag(bench.A(), 30.0 * QPointF(std::cos(angle), std::sin(angle)));
-            QVERIFY2(std::abs(bench.session.time() - row.time) < 0.005, // the error of one pixel
-                     qPrintable(QString::number(bench.session.time())));
+            tested.drag(tested.A(), 30.0 * QPointF(std::cos(angle), std::sin(angle)));
+            QVERIFY2(std::abs(tested.session.time() - row.time) < 0.005, // the error of one pixel
+                     qPrintable(QString::number(tested.session.time())));
         }
     }
 
     void slidesThroughADeadCentreWithoutTurningBack()
     {
-        Bench bench;
-        bench.session.setTime(0.9); // the outer dead centre is at θ2 = 17.1°, t = 1.0475
-        bench.session.setSampling({0.0, 4.0, 400});
-        bench.press(bench.B());
-        double before = bench.session.time();
+        TestedView tested;
+        tested.session.setTime(0.9); // the outer dead centre is at θ2 = 17.1°, t = 1.0475
+        tested.session.setSampling({0.0, 4.0, 400});
+        tested.press(tested.B());
+        double before = tested.session.time();
         const auto moveTo = [&](double x) {
-            bench.move({x, 25.0});
-            QVERIFY2(bench.session.time() >= before - 1e-6 && bench.session.time() - before < 0.2,
-                     qPrintable(QStringLiteral("%1 after %2").arg(bench.session.time()).arg(before)));
-            before = bench.session.time();
+            tested.move({x, 25.0});
+            QVERIFY2(tested.session.time() >= before - 1e-6 && tested.session.time() - before < 0.2,
+                     qPrintable(QStringLiteral("%1 after %2").arg(tested.session.time()).arg(before)));
+            before = tested.session.time();
         };
-        for (double x = bench.B().x(); x < 86.0; x += 2.0) {
+        for (double x = tested.B().x(); x < 86.0; x += 2.0) {
             moveTo(x);
         }
-        QVERIFY(std::abs(bench.session.time() - 1.0475) < 1e-3);
+        QVERIFY(std::abs(tested.session.time() - 1.0475) < 1e-3);
         for (double x = 86.0; x > 33.0; x -= 2.0) { // back again: the crank turns on
             moveTo(x);
         }
-        QVERIFY(bench.session.time() > 1.5);
-        bench.release({60.0, 25.0});
+        QVERIFY(tested.session.time() > 1.5);
+        tested.release({60.0, 25.0});
     }
 
     void pullsLengthsAndTakesThemBack()
@@ -337,27 +337,27 @@ private slots:
                             {{-15.0, 25.0}, {0.0, -10.0}, {}, Parameter::C, 15.0},
                             {{10.0, 0.0}, {-40.0, 0.0}, {}, Parameter::A, 0.5}}; // beyond O₂
         for (const Row &row : rows) {
-            Bench bench;
-            const QPointF fixed = bench.view.toPixels({10.0, 10.0});
-            bench.press(row.from, row.keys);
+            TestedView tested;
+            const QPointF fixed = tested.view.toPixels({10.0, 10.0});
+            tested.press(row.from, row.keys);
             for (int i = 1; i <= 8; ++i) {
-                bench.move(row.from + i / 8.0 * row.by);
-                QCOMPARE(bench.view.toPixels({10.0, 10.0}), fixed); // nothing jumps under the pointer
+                tested.move(row.from + i / 8.0 * row.by);
+                QCOMPARE(tested.view.toPixels({10.0, 10.0}), fixed); // nothing jumps under the pointer
             }
-            bench.release(row.from + row.by);
-            const double length = valueOf(bench.session.parameters(), row.parameter);
+            tested.release(row.from + row.by);
+            const double length = valueOf(tested.session.parameters(), row.parameter);
             QVERIFY2(std::abs(length - row.length) <= 0.6, qPrintable(QString::number(length)));
             QCOMPARE(2.0 * length, std::round(2.0 * length)); // on a grid of half millimetres
-            QCOMPARE(bench.session.undoStack().count(), 1);
-            bench.session.undoStack().undo();
-            QCOMPARE(bench.session.parameters(), Parameters());
+            QCOMPARE(tested.session.undoStack().count(), 1);
+            tested.session.undoStack().undo();
+            QCOMPARE(tested.session.parameters(), Parameters());
 
-            bench.press(row.from, row.keys);
-            bench.move(row.from + row.by);
-            QVERIFY(bench.session.parameters() != Parameters());
-            QTest::keyClick(&bench.view, Qt::Key_Escape);
-            QCOMPARE(bench.session.parameters(), Parameters());
-            bench.release(row.from);
+            tested.press(row.from, row.keys);
+            tested.move(row.from + row.by);
+            QVERIFY(tested.session.parameters() != Parameters());
+            QTest::keyClick(&tested.view, Qt::Key_Escape);
+            QCOMPARE(tested.session.parameters(), Parameters());
+            tested.release(row.from);
         }
     }
 
@@ -365,35 +365,35 @@ private slots:
     {
         for (const auto &[shown, flipped] :
              {std::pair(Branch::Open, Branch::Crossed), {Branch::Crossed, Branch::Open}}) {
-            Bench bench({.branch = shown});
-            QSignalSpy requested(&bench.view, &MechanismView::branchRequested);
-            bench.view.findChild<QToolButton *>("flipButton")->click();
+            TestedView tested({.branch = shown});
+            QSignalSpy requested(&tested.view, &MechanismView::branchRequested);
+            tested.view.findChild<QToolButton *>("flipButton")->click();
             QCOMPARE(requested.takeFirst()[0].value<Branch>(), flipped);
         }
     }
 
     void zoomsAndMovesTheDrawing()
     {
-        Bench bench;
-        const QPointF whole = bench.view.toPixels({30.0, 5.0});
-        bench.drag({60.0, -20.0}, {50.0, -10.0});
-        const QPointF moved = bench.view.toPixels({30.0, 5.0});
-        QVERIFY(bench.view.zoom() && moved != whole);
-        const auto scale = [&bench] { return bench.view.toPixels({1.0, 0.0}).x() - bench.view.toPixels({}).x(); };
+        TestedView tested;
+        const QPointF whole = tested.view.toPixels({30.0, 5.0});
+        tested.drag({60.0, -20.0}, {50.0, -10.0});
+        const QPointF moved = tested.view.toPixels({30.0, 5.0});
+        QVERIFY(tested.view.zoom() && moved != whole);
+        const auto scale = [&tested] { return tested.view.toPixels({1.0, 0.0}).x() - tested.view.toPixels({}).x(); };
         const double before = scale();
-        const auto triggerActionOf = [&bench](Qt::Key key) {
-            for (QAction *action : bench.view.choices()) {
+        const auto triggerActionOf = [&tested](Qt::Key key) {
+            for (QAction *action : tested.view.choices()) {
                 if (action->shortcuts().contains(QKeySequence(key))) {
                     action->trigger();
                 }
             }
         };
         triggerActionOf(Qt::Key_Plus); // zooms in
-        QTest::keyClick(&bench.view, Qt::Key_Right, Qt::ControlModifier);
+        QTest::keyClick(&tested.view, Qt::Key_Right, Qt::ControlModifier);
         QVERIFY(scale() > 1.2 * before);
         triggerActionOf(Qt::Key_0); // fits the drawing
-        QVERIFY(!bench.view.zoom());
-        QCOMPARE(bench.view.toPixels({30.0, 5.0}), whole);
+        QVERIFY(!tested.view.zoom());
+        QCOMPARE(tested.view.toPixels({30.0, 5.0}), whole);
     }
 
     void arrowsAreTheDerivativesOfWhatIsDrawn_data()
@@ -407,7 +407,8 @@ private slots:
     void arrowsAreTheDerivativesOfWhatIsDrawn()
     {
         QFETCH(const double, alpha2);
-        const Drawn drawn({}, 0.37, {.velocity = true, .acceleration = true}, {800.0, 600.0}, alpha2);
+        constexpr double kTime = 0.37; // s
+        const Drawn drawn({}, kTime, {.velocity = true, .acceleration = true}, {800.0, 600.0}, alpha2);
         const SeriesColours colours = drawn.sketch->colours();
         const ArrowScale velocity = drawn.scene.arrows(&PointMotion::velocity);
         const Parameters p;
@@ -427,15 +428,15 @@ private slots:
                 return 0.5 * (A + B);
             };
             const auto hasArrow = [&](QPointF derivative, const ArrowScale &scale, const QColor &colour) {
-                const QPointF tip = drawn.sketch->toPixels(at(0.37) + derivative * (scale.length / scale.amount));
+                const QPointF tip = drawn.sketch->toPixels(at(kTime) + derivative * (scale.length / scale.amount));
                 return std::ranges::any_of(drawn.sketch->shapes(), [&](const DrawnShape &shape) {
                     // The first point of an arrow head is its tip.
                     return shape.brush.color() == colour && shape.path.length() > 10.0 &&
                            (QPointF(shape.path.elementAt(0)) - tip).manhattanLength() < 0.05;
                 });
             };
-            QVERIFY(hasArrow((at(0.37 + kStep) - at(0.37 - kStep)) / (2.0 * kStep), velocity, colours.velocity));
-            QVERIFY(hasArrow((at(0.37 + kStep) - 2.0 * at(0.37) + at(0.37 - kStep)) / (kStep * kStep),
+            QVERIFY(hasArrow((at(kTime + kStep) - at(kTime - kStep)) / (2.0 * kStep), velocity, colours.velocity));
+            QVERIFY(hasArrow((at(kTime + kStep) - 2.0 * at(kTime) + at(kTime - kStep)) / (kStep * kStep),
                              drawn.scene.arrows(&PointMotion::acceleration), colours.acceleration));
         }
         QVERIFY(!drawn.label(arrowScaleText(velocity)).isNull());
@@ -470,61 +471,61 @@ private slots:
         QVERIFY(!drawn.label("Instant centre P: ω³ = −2.094 rad/s = −120.0 °/s").isNull());
         QVERIFY(!drawn.label("PA = 60.00 mm, PB = 25.00 mm").isNull());
         QVERIFY(!Drawn({}, 0.25, settings).label("Instant centre P at infinity").isNull());
-        QVERIFY(Drawn(kOscillating, kNotAssembled, settings).label("Instant").isNull());
+        QVERIFY(Drawn(kOscillating, kImpossibleTime, settings).label("Instant").isNull());
     }
 
     /// A former defect: in pictures the lengths were written twice.
     void picturesHaveALegendWithoutTheLengths()
     {
-        Bench bench;
-        bench.view.setSettings({.velocity = true, .acceleration = true, .dimensions = true, .instantCentre = true});
-        bench.session.setTime(0.3);
-        const QString text = bench.text();
+        TestedView tested;
+        tested.view.setSettings({.velocity = true, .acceleration = true, .dimensions = true, .instantCentre = true});
+        tested.session.setTime(0.3);
+        const QString text = tested.text();
         QCOMPARE(text.count("Scale"), 2);
         QVERIFY(text.contains("Instant centre P") && !text.contains("a = 20 mm"));
     }
 
     void showsTheGhostWithinTheView()
     {
-        Bench bench;
-        const SeriesColours colours = seriesColours(bench.view.palette());
-        const QImage without = bench.picture();
-        bench.view.setGhost({.exists = true, .pinX = 10.0, .pinY = -12.0, .sliderX = 70.0, .sliderY = 20.0});
-        QVERIFY(countPixels(bench.picture(), colours.reference) > 20);
-        QVERIFY(bench.text().contains("file"));
-        bench.view.setGhost({});
-        QCOMPARE(bench.picture(), without);
+        TestedView tested;
+        const SeriesColours colours = seriesColours(tested.view.palette());
+        const QImage without = tested.picture();
+        tested.view.setGhost({.exists = true, .pinX = 10.0, .pinY = -12.0, .sliderX = 70.0, .sliderY = 20.0});
+        QVERIFY(countPixels(tested.picture(), colours.reference) > 20);
+        QVERIFY(tested.text().contains("file"));
+        tested.view.setGhost({});
+        QCOMPARE(tested.picture(), without);
 
-        const QPointF before = bench.view.toPixels({20.0, 0.0});
+        const QPointF before = tested.view.toPixels({20.0, 0.0});
         for (const double tooLarge : {2e4, qInf()}) { // as in a different unit; the model must not become tiny
-            bench.view.setGhostBounds(QRectF(0.0, 0.0, tooLarge, 1.0));
-            QCOMPARE(bench.view.toPixels({20.0, 0.0}), before);
+            tested.view.setGhostBounds(QRectF(0.0, 0.0, tooLarge, 1.0));
+            QCOMPARE(tested.view.toPixels({20.0, 0.0}), before);
         }
-        bench.view.setGhostBounds(QRectF(QPointF(-20.0, -20.0), QPointF(130.0, 25.0)));
-        QVERIFY(QRectF(bench.view.rect()).contains(bench.view.toPixels({130.0, 25.0})));
+        tested.view.setGhostBounds(QRectF(QPointF(-20.0, -20.0), QPointF(130.0, 25.0)));
+        QVERIFY(QRectF(tested.view.rect()).contains(tested.view.toPixels({130.0, 25.0})));
     }
 
     void linksGrowWithTheFont()
     {
-        Bench bench;
-        const SeriesColours colours = seriesColours(bench.view.palette());
-        const int usual = countPixels(bench.picture(), colours.model);
-        const QPointF there = bench.view.toPixels({7.0, 0.0});
-        QFont font = bench.view.font();
+        TestedView tested;
+        const SeriesColours colours = seriesColours(tested.view.palette());
+        const int usual = countPixels(tested.picture(), colours.model);
+        const QPointF there = tested.view.toPixels({7.0, 0.0});
+        QFont font = tested.view.font();
         font.setPixelSize(2 * QFontInfo(font).pixelSize());
-        bench.view.setFont(font);
-        QCOMPARE(bench.view.toPixels({7.0, 0.0}), there); // nothing moves
-        QVERIFY(countPixels(bench.picture(), colours.model) > 3 * usual / 2);
+        tested.view.setFont(font);
+        QCOMPARE(tested.view.toPixels({7.0, 0.0}), there); // nothing moves
+        QVERIFY(countPixels(tested.picture(), colours.model) > 3 * usual / 2);
     }
 
     void paintsVectorsInLandscapeForDocuments()
     {
-        Bench bench({.c = 150.0});
-        QVERIFY(bench.view.pictureHeight(900) < 900);
+        TestedView tested({.c = 150.0});
+        QVERIFY(tested.view.pictureHeight(900) < 900);
         QImage image(900, 600, QImage::Format_RGB32);
         image.fill(Qt::magenta);
         QPainter painter(&image);
-        bench.view.paintMechanism(painter, image.size(), paletteFor(Theme::Dark));
+        tested.view.paintMechanism(painter, image.size(), paletteFor(Theme::Dark));
         painter.end();
         QCOMPARE(countPixels(image, Qt::magenta), 0);
         QVERIFY(countPixels(image, paletteFor(Theme::Dark).color(QPalette::Base)) > 900 * 300);
