@@ -28,7 +28,7 @@ using namespace slidercrank;
 namespace tst_column_mapping
 {
 
-/// Columns whose headings do not name a quantity; all but the last one have a unit.
+/// Returns a file with the time and three columns whose headings name no quantity. The last column has no unit.
 QByteArray inventorFile()
 {
     QByteArray bytes = "Time (s),P[3.1] (deg),P[4.1] (mm),what\n";
@@ -72,7 +72,7 @@ struct Dialog {
     }
 };
 
-std::vector<ColumnChoice> remembered(const QByteArray &bytes)
+std::vector<ColumnChoice> storedChoices(const QByteArray &bytes)
 {
     return savedChoices(layoutOf(readReferenceData(bytes.toStdString())), {QStringLiteral("/a/results.csv")});
 }
@@ -120,7 +120,7 @@ private slots:
         Dialog cancelled({inventorFile()});
         cancelled.choose("meaning", 3, "theta2");
         cancelled.mapping.reject();
-        QVERIFY(cancelled.chosen.isEmpty() && remembered(inventorFile()).empty());
+        QVERIFY(cancelled.chosen.isEmpty() && storedChoices(inventorFile()).empty());
         Dialog dialog({inventorFile()});
         dialog.choose("meaning", 3, "theta2");
         dialog.choose("unit", 3, "rad");
@@ -128,8 +128,8 @@ private slots:
         QTest::keyClick(&dialog.mapping, Qt::Key_Return);
         QVERIFY(dialog.chosen.size() == 1 && !dialog.mapping.isVisible());
         QByteArray other = inventorFile();
-        QVERIFY(remembered(other.replace("what", "else")).empty());
-        const auto outcome = readReferenceData(inventorFile().toStdString(), {remembered(inventorFile()), {}});
+        QVERIFY(storedChoices(other.replace("what", "else")).empty());
+        const auto outcome = readReferenceData(inventorFile().toStdString(), {storedChoices(inventorFile()), {}});
         QVERIFY(!std::get<ReferenceData>(outcome).layout.isGuessed()); // an accepted guess is a choice
 
         Dialog again({inventorFile()}, {"/elsewhere/others.csv"});
@@ -138,7 +138,7 @@ private slots:
         again.press("guessButton");
         QCOMPARE(again.meaning(3), "ignored");
         again.press("useButton");
-        QVERIFY(std::ranges::count(remembered(inventorFile()), 3u, &ColumnChoice::column) == 0);
+        QVERIFY(std::ranges::count(storedChoices(inventorFile()), 3u, &ColumnChoice::column) == 0);
     }
 
     void storesTheChoiceForAFileWithoutHeadingsByItsPath()

@@ -174,13 +174,13 @@ private slots:
         QCOMPARE(findingsOf(result, &identification).back().remedy, Remedy::None);
     }
 
-    void offersOnlyAnIdentifiedMechanismThatIsAnotherOne()
+    void offersOnlyAFoundMechanismThatDiffers()
     {
         using Outcome = Identification::Outcome;
         struct Row {
             Outcome outcome;
             double b;
-            bool offered;
+            bool isOffered;
         };
         const Result result = resultWith({comparisonWith(Verdict::Differs)});
         for (const Row &row : {Row{Outcome::Identified, 60.0, true}, Row{Outcome::Approximate, 60.0, true},
@@ -190,7 +190,7 @@ private slots:
             identification.found.outcome = row.outcome;
             identification.found.rounded.b = row.b;
             QCOMPARE(std::ranges::count(remediesOf(errorPage(result, &identification)), Remedy::UseFoundMechanism),
-                     row.offered);
+                     row.isOffered);
         }
     }
 
@@ -341,7 +341,7 @@ private slots:
 
         identification.found.rounded = result.mechanism.parameters(); // the model is this mechanism
         QCOMPARE(referencePage(result, &identification).findings[1].remedy, Remedy::None);
-        identification.reference = std::make_shared<Reference>(); // the identification of another file
+        identification.reference = std::make_shared<Reference>(); // the identification of a different file
         QVERIFY(isSearching(&identification));
     }
 };

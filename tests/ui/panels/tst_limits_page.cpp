@@ -19,7 +19,7 @@ namespace tst_limits_page
 {
 
 enum Column { Name, Value, Angle, Time };
-enum Part { Positions, Peaks };
+enum Section { Positions, Peaks };
 
 Page pageOf(const Parameters &parameters, const Sampling &sampling = {})
 {
@@ -30,7 +30,7 @@ Page pageOf(const Parameters &parameters, const Sampling &sampling = {})
     return limitsPage(result);
 }
 
-TableRow find(const Page &page, const QString &name)
+TableRow rowNamed(const Page &page, const QString &name)
 {
     const std::vector<TableRow> &rows = page.tables[0].rows;
     return *std::ranges::find(rows, name, [](const TableRow &row) { return row.cells[Name].text; });
@@ -104,7 +104,7 @@ private slots:
     {
         struct Row {
             Parameters parameters;
-            Part part;
+            Section section;
             QStringList rows;
         };
         for (const Row &row :
@@ -171,7 +171,7 @@ private slots:
                    "peak coupler angular velocity|0 °/s|crank at rest|",
                    "peak coupler angular acceleration|0 °/s²|crank at rest|"}}}) {
             QStringList rows = rowTexts(pageOf(row.parameters).tables[0]);
-            rows.removeIf([&](const QString &text) { return text.startsWith("peak ") != (row.part == Peaks); });
+            rows.removeIf([&](const QString &text) { return text.startsWith("peak ") != (row.section == Peaks); });
             QCOMPARE(rows, row.rows);
         }
     }
@@ -181,13 +181,13 @@ private slots:
         // Crank and coupler are in one line at the dead centres, where Pythagoras' theorem gives R4x.
         const double stroke = std::sqrt(80.0 * 80.0 - 625.0) - std::sqrt(40.0 * 40.0 - 625.0);
         const Page of60 = pageOf({20, 60, 25});
-        const TableRow row = find(of60, "stroke");
+        const TableRow row = rowNamed(of60, "stroke");
         QVERIFY(!row.time && std::abs(row.cells[Value].number.value() / stroke - 1.0) < 1e-12);
         QCOMPARE(row.cells[Name].csv, "stroke [mm]");
         const ClosedForm motion{Mechanism()};
         const Page page = pageOf({});
-        QVERIFY(std::abs(motion.motionAt(find(page, "outer dead centre").time.value()).R4xDot) < 1e-11);
-        QVERIFY(std::abs(motion.motionAt(find(page, "peak slider velocity").time.value()).R4xDDot) < 1e-10);
+        QVERIFY(std::abs(motion.motionAt(rowNamed(page, "outer dead centre").time.value()).R4xDot) < 1e-11);
+        QVERIFY(std::abs(motion.motionAt(rowNamed(page, "peak slider velocity").time.value()).R4xDDot) < 1e-10);
     }
 
     void hasNoTimeForRowsOutsideTheTimeRange()
@@ -195,19 +195,19 @@ private slots:
         Sampling half;
         half.duration = 0.5;
         const Page page = pageOf({}, half);
-        QCOMPARE(find(page, "outer dead centre").cells[Time].text, "0.04751");
-        const TableRow inner = find(page, "inner dead centre");
+        QCOMPARE(rowNamed(page, "outer dead centre").cells[Time].text, "0.04751");
+        const TableRow inner = rowNamed(page, "inner dead centre");
         QVERIFY(!inner.time);
         QCOMPARE(inner.cells[Angle].text, "213.75");
         QVERIFY(inner.explanation.contains("Outside"));
 
         Sampling justEnough; // includes the last time step
         justEnough.duration = 0.75;
-        QVERIFY(find(pageOf({}, justEnough), "peak coupler angular acceleration").time);
-        Parameters there;
-        there.omega2 = 0.0;
-        there.theta20 = 1.5 * std::numbers::pi; // at rest where the coupler is steepest
-        QCOMPARE(find(pageOf(there), "minimum transmission angle").time, std::optional(0.0));
+        QVERIFY(rowNamed(pageOf({}, justEnough), "peak coupler angular acceleration").time);
+        Parameters steepest; // at rest where the coupler is steepest
+        steepest.omega2 = 0.0;
+        steepest.theta20 = 1.5 * std::numbers::pi;
+        QCOMPARE(rowNamed(pageOf(steepest), "minimum transmission angle").time, std::optional(0.0));
     }
 
     void canBeAssembledAtTheTimeOfEveryRow()

@@ -50,14 +50,14 @@ using namespace slidercrank;
 namespace tst_limits_panel
 {
 
-// The line widths in figures of polygons, px, as in the SVG file. The first of the three lines of a scale is its bar,
-// and the others are its ends.
+// The line widths in figures of polygons, px, as in the SVG file: those of scales, of components, and of the sums of
+// components. The first of the three lines of a scale is its bar, and the other two are its ends.
 const QString kScaleWidth = "1.2";
-const QString kPartWidth = "1.6";
+const QString kComponentWidth = "1.6";
 const QString kSumWidth = "2.5";
 constexpr std::size_t kLinesOfAScale = 3;
 
-/// Returns the lines of that width (px) in an SVG file, in their order.
+/// Returns the lines of `width` (px) in an SVG file, in their order.
 std::vector<QLineF> linesIn(const QString &svg, const QString &width)
 {
     static const QRegularExpression kElement(
@@ -77,23 +77,26 @@ std::vector<QLineF> linesIn(const QString &svg, const QString &width)
     return lines;
 }
 
-/// Returns the vectors of both polygons in their order, with y upwards, by differentiating a cos θ₂ + b cos θ₃ = x and
-/// a sin θ₂ + b sin θ₃ = c by hand.
+/// Returns the vectors of the velocity polygon (mm/s) and then of the acceleration polygon (mm/s²), each ending with
+/// its sum, with y upwards. The equations a cos θ₂ + b cos θ₃ = x and a sin θ₂ + b sin θ₃ = c are differentiated by
+/// hand.
 std::vector<QPointF> expectedVectors(const Parameters &parameters, double theta2, double alpha2)
 {
     const auto &[a, b, c, omega2, theta20, branch] = parameters;
     const auto polar = [](double length, double angle) {
         return QPointF(length * std::cos(angle), length * std::sin(angle));
     };
-    constexpr double kRight = 0.5 * std::numbers::pi;
+    constexpr double kRightAngle = 0.5 * std::numbers::pi;
     const double theta3 = std::asin((c - a * std::sin(theta2)) / b);
     const double omega3 = -a * omega2 * std::cos(theta2) / (b * std::cos(theta3));
     const double alpha3 = (a * omega2 * omega2 * std::sin(theta2) - a * alpha2 * std::cos(theta2) +
                            b * omega3 * omega3 * std::sin(theta3)) /
                           (b * std::cos(theta3));
-    const std::vector<QPointF> velocities{polar(a * omega2, theta2 + kRight), polar(b * omega3, theta3 + kRight)};
-    const std::vector<QPointF> accelerations{polar(-a * omega2 * omega2, theta2), polar(a * alpha2, theta2 + kRight),
-                                             polar(-b * omega3 * omega3, theta3), polar(b * alpha3, theta3 + kRight)};
+    const std::vector<QPointF> velocities{polar(a * omega2, theta2 + kRightAngle),
+                                          polar(b * omega3, theta3 + kRightAngle)};
+    const std::vector<QPointF> accelerations{
+        polar(-a * omega2 * omega2, theta2), polar(a * alpha2, theta2 + kRightAngle),
+        polar(-b * omega3 * omega3, theta3), polar(b * alpha3, theta3 + kRightAngle)};
     std::vector<QPointF> vectors;
     for (const auto &chain : {velocities, accelerations}) {
         vectors.insert(vectors.end(), chain.begin(), chain.end());
@@ -102,9 +105,10 @@ std::vector<QPointF> expectedVectors(const Parameters &parameters, double theta2
     return vectors;
 }
 
+// Indices of the limits in LimitValues.
 constexpr std::size_t kStroke = 0, kRatio = 1, kTransmissionAngle = 2, kSpeed = 3, kAcceleration = 4;
 
-/// Compares two lists of limits, but for the rounding of a conversion of units; NaN equals NaN.
+/// Whether two lists of limits are equal except for the rounding of a unit conversion. NaN equals NaN.
 bool isSame(const LimitValues &first, const LimitValues &second)
 {
     return std::ranges::equal(first, second, [](double x, double y) {
@@ -393,7 +397,6 @@ private slots:
         QVERIFY(!QApplication::clipboard()->image().isNull());
     }
 
-    /// A former defect: the outcome stood beside the fields, outside a window of 1024 px.
     /// A former defect: the exported charts did not say what their hollow dots are.
     void exportedChartsExplainTheDotsOfPinnedMotions()
     {
@@ -411,6 +414,7 @@ private slots:
         AWAIT(isExplained());
     }
 
+    /// A former defect: the outcome stood beside the fields, outside a window of 1024 px.
     void theDesignFormFitsBesideTheMechanism()
     {
         const ShownDesign shown;
@@ -481,7 +485,7 @@ private slots:
         QVERIFY(shown.refusal().isEmpty());
     }
 
-    /// Against the inverse: the time ratio of the mechanism that is found.
+    /// Checks that the mechanism that is found has the time ratio that was typed.
     void designsTheOffsetAlone()
     {
         ShownDesign shown;
@@ -501,7 +505,7 @@ private slots:
     /// Reads the vectors and the scales back from the exported SVG.
     void exportsPolygonsThatCloseAndAreToScale()
     {
-        constexpr double kWritten = 2e-3; // px: six digits of a coordinate below 1000
+        constexpr double kRounding = 2e-3; // px: coordinates below 1000 are written with six digits
         std::mt19937 random(46);
         const auto between = [&](double lower, double upper) {
             return std::uniform_real_distribution(lower, upper)(random);
@@ -522,30 +526,31 @@ private slots:
             QFile file(path);
             QVERIFY(file.open(QIODevice::ReadOnly));
             const QString svg = QString::fromUtf8(file.readAll());
-            const std::vector<QLineF> parts = linesIn(svg, kPartWidth);
+            const std::vector<QLineF> components = linesIn(svg, kComponentWidth);
             const std::vector<QLineF> sums = linesIn(svg, kSumWidth);
             const std::vector<QLineF> scales = linesIn(svg, kScaleWidth);
-            QVERIFY(parts.size() == 6 && sums.size() == 2 && scales.size() == 2 * kLinesOfAScale);
+            QVERIFY(components.size() == 6 && sums.size() == 2 && scales.size() == 2 * kLinesOfAScale);
             static const QRegularExpression kScale(QStringLiteral(">\\s*([-0-9.]+) mm/s"));
             auto amounts = kScale.globalMatch(svg);
             const std::vector<QPointF> expected = expectedVectors(parameters, theta2, alpha2);
             for (const std::size_t polygon : {0U, 1U}) {
                 const std::size_t count = polygon == 0 ? 2 : 4;
-                std::vector<QLineF> vectors(parts.begin() + (polygon == 0 ? 0 : 2),
-                                            parts.begin() + (polygon == 0 ? 2 : 6));
+                std::vector<QLineF> vectors(components.begin() + (polygon == 0 ? 0 : 2),
+                                            components.begin() + (polygon == 0 ? 2 : 6));
                 vectors.push_back(sums[polygon]);
                 const double pixelsPerUnit =
                     scales[kLinesOfAScale * polygon].length() / amounts.next().captured(1).toDouble();
                 for (std::size_t i = 0; i <= count; ++i) {
                     const QPointF from = i == 0 || i == count ? vectors.front().p1() : vectors[i - 1].p2();
-                    QVERIFY(QLineF(vectors[i].p1(), from).length() < kWritten);
+                    QVERIFY(QLineF(vectors[i].p1(), from).length() < kRounding);
                     const QPointF vector = expected[(polygon == 0 ? 0 : 3) + i];
                     const QPointF drawn(vectors[i].dx(), -vectors[i].dy());
-                    const QPointF off = drawn - pixelsPerUnit * vector;
-                    QVERIFY2(std::hypot(off.x(), off.y()) < 2.0 * kWritten + 1e-5 * std::hypot(drawn.x(), drawn.y()),
-                             qPrintable(QString("%1 %2 %3").arg(round).arg(i).arg(off.y())));
+                    const QPointF deviation = drawn - pixelsPerUnit * vector;
+                    QVERIFY2(std::hypot(deviation.x(), deviation.y()) <
+                                 2.0 * kRounding + 1e-5 * std::hypot(drawn.x(), drawn.y()),
+                             qPrintable(QString("%1 %2 %3").arg(round).arg(i).arg(deviation.y())));
                 }
-                QVERIFY(QLineF(vectors[count - 1].p2(), vectors[count].p2()).length() < kWritten);
+                QVERIFY(QLineF(vectors[count - 1].p2(), vectors[count].p2()).length() < kRounding);
             }
         }
     }

@@ -102,10 +102,10 @@ private slots:
     {
         MotionTableSettings settings;
         settings.columns = usualTableChannels();
-        const std::vector<TablePosition> places = tablePositions(settings, Mechanism(), {});
-        QCOMPARE(places.size(), std::size_t(25));
-        QVERIFY(std::abs(places[4].theta2 - std::numbers::pi / 3.0) < 1e-15);
-        QVERIFY(std::abs(*places[4].time - 1.0 / 6.0) < 1e-15);
+        const std::vector<TablePosition> positions = tablePositions(settings, Mechanism(), {});
+        QCOMPARE(positions.size(), std::size_t(25));
+        QVERIFY(std::abs(positions[4].theta2 - std::numbers::pi / 3.0) < 1e-15);
+        QVERIFY(std::abs(*positions[4].time - 1.0 / 6.0) < 1e-15);
         QVERIFY(!tablePositions(settings, Mechanism(), {0.0, 0.25, 10}).back().time.has_value() ||
                 *tablePositions(settings, Mechanism(), {0.0, 0.25, 10}).back().time == 0.0);
         settings.step = TableStep::Time;
@@ -171,7 +171,7 @@ private slots:
         QCOMPARE(texts, (QStringList{"v", "B"}));
     }
 
-    /// As in the drawing and in the box of the timeline.
+    /// The drawing and the timeline also show angles from 0° to 360°.
     void theCrankAngleIsWithinARevolution()
     {
         for (const auto &[degrees, shown] : {std::pair{-30.0, 330.0}, {-300.0, 60.0}, {360.0, 360.0}, {4321.0, 1.0}}) {
@@ -257,7 +257,7 @@ private slots:
         }
     }
 
-    /// So that both have the same columns also when they are scrolled to the right end.
+    /// Otherwise, both tables would show different columns when they are scrolled to the right end.
     void thePresentPositionIsAsWideAsTheRows()
     {
         const ShownTable table;
@@ -369,7 +369,7 @@ private slots:
         QCOMPARE(shown.rowOf("presentPosition", 1).mid(1), QStringList(9, QString()));
     }
 
-    /// A former defect: the values stayed when the crank turned, and were judged at another position.
+    /// A former defect: the values stayed when the crank turned, and were judged at a different position.
     void typedValuesBelongToTheirPosition()
     {
         ShownTable shown;
@@ -422,7 +422,7 @@ private slots:
         QVERIFY2(rows->height() < rows->minimumSizeHint().height(), qPrintable(QString::number(rows->height())));
     }
 
-    /// A former defect: neither did anything to the cell that had just been typed into.
+    /// A former defect: neither the key nor the click had an effect on the cell that had just been typed into.
     void aSelectedCellIsErasedByAKeyAndOpenedByAClick()
     {
         for (const Qt::Key key : {Qt::Key_Delete, Qt::Key_Backspace}) {
@@ -604,7 +604,8 @@ private:
                 if (channel == OutputChannel(Channel{Theta3, Order::Position})) { // measured at B
                     expected += branch == Branch::Open ? std::numbers::pi : -std::numbers::pi;
                 }
-                double size = (isAngle ? 1.0 : 42.0) * std::pow(100.0, static_cast<int>(orderOf(channel)));
+                constexpr double kLengths = 42.0; // in, a + b + c
+                double size = (isAngle ? 1.0 : kLengths) * std::pow(p.omega2, static_cast<int>(orderOf(channel)));
                 const bool isRate = orderOf(channel) != Order::Position;
                 if (isAngle && unit != AngleUnit::Radian && !(isRate && unit != AngleUnit::Degree)) {
                     expected *= kDegreesPerRadian;

@@ -41,10 +41,10 @@ PageTable tableOf(const QString &name, const std::vector<double> &numbers)
 
 struct ShownTable {
     Page page;
-    int made = 0; ///< pages
+    int madePages = 0;
     Session session;
     TablePanel panel{&session, "panel", "Panel", [this] {
-                         ++made;
+                         ++madePages;
                          return page;
                      }};
 
@@ -107,19 +107,19 @@ private slots:
     void computesNothingWhileHiddenAndRarelyDuringADrag()
     {
         ShownTable shown(pageWith({1.0}));
-        QCOMPARE(shown.made, 1);
+        QCOMPARE(shown.madePages, 1);
         for (int i = 0; i < 50; ++i) {
             shown.panel.refresh();
         }
-        QCOMPARE(shown.made, 1);
+        QCOMPARE(shown.madePages, 1);
         letTimePass(shown.panel);
-        QCOMPARE(shown.made, 2);
+        QCOMPARE(shown.madePages, 2);
         shown.panel.hide();
         shown.page = pageWith({1.0, 2.0});
         letTimePass(shown.panel);
         shown.panel.refresh();
         letTimePass(shown.panel);
-        QCOMPARE(shown.made, 2);
+        QCOMPARE(shown.madePages, 2);
         shown.panel.show();
         QCOMPARE(shown.table()->model()->rowCount(), 2);
     }
@@ -210,15 +210,15 @@ private slots:
         const NumberTable *table = shown.table();
         settle(shown.panel);
         const int names = table->columnWidth(0);
-        const int panelAround = shown.panel.width() - table->viewport()->width();
-        const int whole = names + table->columnWidth(1) + table->columnWidth(2);
+        const int panelMargins = shown.panel.width() - table->viewport()->width();
+        const int wholeWidth = names + table->columnWidth(1) + table->columnWidth(2);
         for (const int missing : {1, names / 10, names / 6}) { // px
-            shown.panel.resize(panelAround + whole - missing, 300);
+            shown.panel.resize(panelMargins + wholeWidth - missing, 300);
             settle(shown.panel);
             QCOMPARE(table->columnWidth(0), names - missing);
             QCOMPARE(table->horizontalScrollBar()->maximum(), 0);
         }
-        shown.panel.resize(panelAround + whole - names / 2, 300); // the first number is more important
+        shown.panel.resize(panelMargins + wholeWidth - names / 2, 300); // the first number is more important
         settle(shown.panel);
         QVERIFY(table->horizontalScrollBar()->maximum() > 0);
     }
@@ -281,7 +281,7 @@ private slots:
         QVERIFY(isVisible());
     }
 
-    /// The table of errors had a scroll bar although all rows were visible.
+    /// A former defect: the table of errors had a scroll bar although all rows were visible.
     void hasNoScrollBarIfAllRowsFit()
     {
         Page page = pageWith({1.0, 2.0, 3.0});
