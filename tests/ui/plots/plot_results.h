@@ -15,7 +15,8 @@
 namespace slidercrank
 {
 
-struct Shown {
+/// What the plots show.
+struct PlotInput {
     Parameters model = withCoupler(60.0);
     std::shared_ptr<const Reference> reference = {};
     std::vector<Parameters> pinned = {};
@@ -23,14 +24,15 @@ struct Shown {
     Method method = Method::ClosedForm;
 };
 
-inline std::shared_ptr<const Result> resultOf(const Shown &shown)
+inline std::shared_ptr<const Result> resultOf(const PlotInput &shown)
 {
     SolverSettings solver;
     solver.method = shown.method;
     return compute({shown.model, shown.sampling, solver, shown.reference, shown.pinned}, {});
 }
 
-/// Returns the motion with this coupler length at 41 time stamps as a reference with that many channels.
+/// Returns the motion with the coupler length `b` (mm) at 41 time stamps as a reference with the first `channels` of
+/// the plotted channels.
 inline std::shared_ptr<Reference> referenceOf(double b, std::size_t channels = kPlottedChannels.size())
 {
     const std::shared_ptr<const Result> result = resultOf({.model = withCoupler(b), .sampling = {0.0, 1.0, 40}});
@@ -43,7 +45,8 @@ inline std::shared_ptr<Reference> referenceOf(double b, std::size_t channels = k
     return reference;
 }
 
-/// Returns θ³ (°) and Rₓ⁴ (mm) for a = 20, c = 25: asin((c − a sin θ₂)/b), a cos θ₂ + √(b² − (c − a sin θ₂)²).
+/// Returns θ³ (°) and Rₓ⁴ (mm) for a = 20, c = 25, θ₂ = 2π `turns`: asin((c − a sin θ₂)/b), a cos θ₂ + √(b² − (c − a
+/// sin θ₂)²).
 inline std::array<double, 2> positionsAt(double turns, double b)
 {
     const double theta2 = 2.0 * std::numbers::pi * turns;
@@ -64,7 +67,7 @@ inline QString textOf(const PlotPane &pane)
 }
 
 /// Returns "t,v" for each point; a gap is "t,-".
-inline QString written(const std::vector<CurvePoint> &points)
+inline QString textOfPoints(const std::vector<CurvePoint> &points)
 {
     QStringList texts;
     for (const CurvePoint &point : points) {

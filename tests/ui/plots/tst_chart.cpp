@@ -149,8 +149,8 @@ private slots:
         QPainter painter(&picture);
         chart.paint(painter, {400, 300}, QPalette());
         painter.end();
-        constexpr uint kBytes = 50'000;
-        QVERIFY2(picture.size() < kBytes, qPrintable(QString::number(picture.size())));
+        constexpr uint kMaxBytes = 50'000;
+        QVERIFY2(picture.size() < kMaxBytes, qPrintable(QString::number(picture.size())));
     }
 
     void namesItsPartsWhereThereIsRoom()

@@ -35,7 +35,7 @@ private slots:
         const std::vector<double> time = evenTime(11);
         std::vector<double> values = time;
         values[4] = kInfinity;
-        QCOMPARE(written(decimate(time, values, {0.32, 0.58}, 100)), "0.3,0.3 0.4,- 0.5,0.5 0.6,0.6");
+        QCOMPARE(textOfPoints(decimate(time, values, {0.32, 0.58}, 100)), "0.3,0.3 0.4,- 0.5,0.5 0.6,0.6");
         QCOMPARE(decimate(time, values, kWhole, 100).size(), time.size());
     }
 
@@ -63,14 +63,14 @@ private slots:
         for (const std::size_t gap : {0, 1, 9'999, 10'000, 20'000}) {
             std::vector<double> values(time.size(), 1.0);
             values[gap] = -kInfinity;
-            QCOMPARE(written(decimate(time, values, kWhole, 200)).count(",-"), 1);
+            QCOMPARE(textOfPoints(decimate(time, values, kWhole, 200)).count(",-"), 1);
         }
         std::vector<double> values(time.size(), 0.0);
         values[20] = kNone;
         values[30] = -7.0;
         values[40] = 9.0;
         const std::vector<CurvePoint> points = decimate(time, values, kWhole, 2);
-        QCOMPARE(written({points.begin(), points.begin() + 3}), "0.001,- 0.0015,-7 0.002,9");
+        QCOMPARE(textOfPoints({points.begin(), points.begin() + 3}), "0.001,- 0.0015,-7 0.002,9");
         QCOMPARE(usualRange(points, kWhole), std::optional(Interval{-7.0, 9.0}));
         QVERIFY(!usualRange(std::vector<CurvePoint>{{0.0, kNone}}, kWhole));
         constexpr bool kIsUnbounded = true;
@@ -95,11 +95,11 @@ private slots:
               Row{{{0, -1}, {1, 3}}, "0.25,0 0.5,1 0.5,-"}, // both ends are outside
               Row{{{0, 2}, {1, 3}}, ""}, Row{{{0, 0.5}, {1, kNone}, {1.5, 0.25}}, "0,0.5 1,- 1.5,0.25"},
               Row{{{0, 0.5}, {1, 1e300}}, "0,0.5 5e-301,1 5e-301,-"}}) {
-            QCOMPARE(written(clip(row.points, {0.0, 2.0}, {0.0, 1.0})), row.expected);
+            QCOMPARE(textOfPoints(clip(row.points, {0.0, 2.0}, {0.0, 1.0})), row.expected);
         }
-        QCOMPARE(
-            written(isolatedPoints(std::vector<CurvePoint>{{0, 1}, {1, kNone}, {2, 3}, {3, 4}, {4, kNone}, {5, 6}})),
-            "0,1 5,6");
+        QCOMPARE(textOfPoints(
+                     isolatedPoints(std::vector<CurvePoint>{{0, 1}, {1, kNone}, {2, 3}, {3, 4}, {4, kNone}, {5, 6}})),
+                 "0,1 5,6");
     }
 
     void removesOnlyPointsOnTheRemainingLine()
@@ -111,16 +111,16 @@ private slots:
         constexpr double kTolerance = 1e-3;
         const std::vector<CurvePoint> kept = withoutNeedlessPoints(curve, kTolerance);
         QVERIFY(kept.size() < curve.size() / 4 && kept.front().t == 0.0 && kept.back().t == 1.0);
-        std::size_t part = 0;
+        std::size_t segment = 0; // of the kept line
         for (const CurvePoint &point : curve) {
-            part += kept[part + 1].t < point.t ? 1 : 0;
-            const double along = (point.t - kept[part].t) / (kept[part + 1].t - kept[part].t);
-            QVERIFY(std::abs(std::lerp(kept[part].value, kept[part + 1].value, along) - point.value) <=
+            segment += kept[segment + 1].t < point.t ? 1 : 0;
+            const double fraction = (point.t - kept[segment].t) / (kept[segment + 1].t - kept[segment].t);
+            QVERIFY(std::abs(std::lerp(kept[segment].value, kept[segment + 1].value, fraction) - point.value) <=
                     kTolerance * (1.0 + 1e-9));
         }
         const std::vector<CurvePoint> corners{{0, 0}, {1, 1},     {2, 2}, {3, 0}, {4, kNone},
                                               {5, 7}, {6, kNone}, {7, 1}, {8, 1}, {9, 1}};
-        QCOMPARE(written(withoutNeedlessPoints(corners, 0.01)), "0,0 2,2 3,0 4,- 5,7 6,- 7,1 9,1");
+        QCOMPARE(textOfPoints(withoutNeedlessPoints(corners, 0.01)), "0,0 2,2 3,0 4,- 5,7 6,- 7,1 9,1");
         QVERIFY(withoutNeedlessPoints({}, 0.01).empty());
     }
 };

@@ -32,7 +32,8 @@ constexpr std::size_t kSliderAcceleration = 7;
 constexpr std::size_t kAccelerationErrors = 8;
 const std::vector<std::size_t> kAllPlots{0, 1, 2, 3, 4, 5, 6, 7, 8};
 
-PlotFigure &figureOf(const Shown &shown)
+/// Returns a figure that exists until the next call.
+PlotFigure &figureOf(const PlotInput &shown)
 {
     static std::unique_ptr<PlotFigure> figure;
     figure = std::make_unique<PlotFigure>();
@@ -40,6 +41,7 @@ PlotFigure &figureOf(const Shown &shown)
     return *figure;
 }
 
+/// Composes the figure with this plot alone, and returns the plot.
 const Plot &plotOf(PlotFigure &figure, std::size_t plot)
 {
     figure.compose({{plot}, QFont(), paletteFor(Theme::Light)}, {360, 200});
@@ -75,9 +77,9 @@ PlotSettings logarithmicSettingsWith(ErrorMeasure measure)
     return {.error = measure, .logarithmicError = true};
 }
 
-bool isNear(double value, double expected, double part)
+bool isNear(double value, double expected, double relativeTolerance)
 {
-    return std::abs(value - expected) <= part * std::max(1e-9, std::abs(expected));
+    return std::abs(value - expected) <= relativeTolerance * std::max(1e-9, std::abs(expected));
 }
 
 class TestPlotFigure : public QObject
@@ -85,18 +87,19 @@ class TestPlotFigure : public QObject
     Q_OBJECT
 
 private:
-    /// Checks that no value of a figure with a file covers a curve, and how many are left out.
+    /// Checks that no value at the cursor of a figure with a file covers a curve, and that at most the fraction
+    /// `mostLeftOut` of the values is left out.
     void checkValuesOfAFigure(int width, double mostLeftOut)
     {
         constexpr int kCorner = 6; // px: a corner may touch a curve
-        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
         QFont font;
         font.setPixelSize(12);
         PlotFigure &figure = figureOf({.reference = referenceOf(62.0)});
-        figure.compose({all, font, paletteFor(Theme::Light)}, {width, PlotFigure::heightFor(all, width, font)});
+        figure.compose({kAllPlots, font, paletteFor(Theme::Light)},
+                       {width, PlotFigure::heightFor(kAllPlots, width, font)});
         int values = 0;
         int leftOut = 0;
-        for (const std::size_t plot : all) {
+        for (const std::size_t plot : kAllPlots) {
             const Plot &shown = figure.shownPlot(plot);
             for (int step = 0; step <= 40; ++step) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 40.0, {})};
@@ -146,7 +149,8 @@ private slots:
               Row{settingsWith(ErrorMeasure::Absolute), none},
               Row{logarithmicSettingsWith(ErrorMeasure::Percent), reference},
               Row{logarithmicSettingsWith(ErrorMeasure::OfPeak), peak}}) {
-            for (const Shown &shown : {Shown{.pinned = {withCoupler(65.0)}}, Shown{.reference = referenceOf(65.0)}}) {
+            for (const PlotInput &shown :
+                 {PlotInput{.pinned = {withCoupler(65.0)}}, PlotInput{.reference = referenceOf(65.0)}}) {
                 PlotFigure &figure = figureOf(shown);
                 figure.setSettings(settings);
                 const std::vector<PlotReading> readings = readingsOf(figure, kPositionErrors, 0.0);
@@ -223,8 +227,8 @@ private slots:
     void everyPlotSaysThatTheMechanismCannotBeAssembled()
     {
         for (const ErrorMeasure measure : {ErrorMeasure::OfPeak, ErrorMeasure::Percent, ErrorMeasure::Absolute}) {
-            for (const Shown &shown : {Shown{withCoupler(1.0)}, Shown{withCoupler(1.0), referenceOf(65.0)},
-                                       Shown{withCoupler(1.0), nullptr, {Parameters()}}}) {
+            for (const PlotInput &shown : {PlotInput{withCoupler(1.0)}, PlotInput{withCoupler(1.0), referenceOf(65.0)},
+                                           PlotInput{withCoupler(1.0), nullptr, {Parameters()}}}) {
                 PlotFigure &figure = figureOf(shown);
                 figure.setSettings(settingsWith(measure));
                 for (std::size_t plot = 0; plot < kPlotCount; ++plot) {
@@ -324,19 +328,20 @@ private slots:
                 figureOf({.reference = referenceOf(65.0), .sampling = {0.0, 1.0, steps}, .method = method});
             const Interval whole = *plotOf(figure, kSliderPosition).values;
             for (const Interval &time : {Interval{0.3, 0.4}, Interval{0.55, 0.62}, Interval{0.81, 0.83}}) {
-                double least = 1e9;
-                double most = -1e9;
+                double smallest = 1e9;
+                double largest = -1e9;
                 for (int i = 0; i <= 1000; ++i) {
                     for (const double b : {60.0, 65.0}) {
                         const double value = positionsAt(time.lower + time.length() * i / 1000.0, b)[1];
-                        least = std::min(least, value);
-                        most = std::max(most, value);
+                        smallest = std::min(smallest, value);
+                        largest = std::max(largest, value);
                     }
                 }
                 figure.zoomTime(time);
-                const Interval seen = *plotOf(figure, kSliderPosition).values;
-                QVERIFY(seen.lower <= least + chord && seen.upper >= most - chord);
-                QVERIFY(seen.length() < 1.5 * (most - least) + 4.0 * chord && seen.length() < 0.8 * whole.length());
+                const Interval shown = *plotOf(figure, kSliderPosition).values;
+                QVERIFY(shown.lower <= smallest + chord && shown.upper >= largest - chord);
+                QVERIFY(shown.length() < 1.5 * (largest - smallest) + 4.0 * chord &&
+                        shown.length() < 0.8 * whole.length());
             }
             figure.zoomValues(kSliderPosition, {10.0, 20.0}); // a chosen range does not depend on the time shown
             figure.zoomTime({0.5, 0.6});
@@ -439,11 +444,10 @@ private slots:
         QTest::addColumn<std::vector<std::size_t>>("plots");
         QTest::addColumn<QSize>("size");
         QTest::addColumn<int>("letters"); // px
-        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
-        QTest::addRow("a wide figure") << all << QSize(900, 700) << 12;
-        QTest::addRow("half a column of text") << all << QSize(302, 400) << 12;
-        QTest::addRow("large letters") << all << QSize(605, 600) << 19;
-        QTest::addRow("larger than the figure") << all << QSize(302, 600) << 24;
+        QTest::addRow("a wide figure") << kAllPlots << QSize(900, 700) << 12;
+        QTest::addRow("half a column of text") << kAllPlots << QSize(302, 400) << 12;
+        QTest::addRow("large letters") << kAllPlots << QSize(605, 600) << 19;
+        QTest::addRow("larger than the figure") << kAllPlots << QSize(302, 600) << 24;
         QTest::addRow("a single plot") << std::vector{kSliderPosition} << QSize(302, 200) << 12;
         QTest::addRow("a single plot of errors") << std::vector{kVelocityErrors} << QSize(302, 200) << 12;
     }
@@ -504,8 +508,8 @@ private slots:
     void theTitleOfErrorsNamesTheQuantity()
     {
         for (const bool isOfFile : {true, false}) {
-            PlotFigure &figure =
-                figureOf(isOfFile ? Shown{.reference = referenceOf(65.0)} : Shown{.pinned = {withCoupler(80.0)}});
+            PlotFigure &figure = figureOf(isOfFile ? PlotInput{.reference = referenceOf(65.0)}
+                                                   : PlotInput{.pinned = {withCoupler(80.0)}});
             figure.compose({.plots = {kPositionErrors, kVelocityErrors}}, {700, 300});
             const auto title = [&figure](std::size_t plot) {
                 const Plot &shown = figure.shownPlot(plot);
@@ -584,7 +588,7 @@ private slots:
         QVERIFY(columns == 3 || plots.size() < kPlotCount || topOf(kPositionErrors) > topOf(kSliderAcceleration));
     }
 
-    /// A motion that stops in between is a curve with gaps: the legend says why.
+    /// The legend says why a curve has gaps: the mechanism cannot be assembled there.
     void theLegendExplainsGaps()
     {
         const auto nameOf = [](double b, std::size_t plot) {
@@ -597,7 +601,7 @@ private slots:
         }
     }
 
-    /// The same of a motion that is known at its time steps only.
+    /// With Newton-Raphson, the motion is known at its time steps only.
     void aValueOfTheNearestTimeStepSaysSo()
     {
         PlotFigure &figure = figureOf({.sampling = {0.0, 1.0, 10}, .method = Method::Newton});
@@ -617,13 +621,12 @@ private slots:
     void theModelsValueIsTheLastToBeLeftOut()
     {
         QFETCH(std::shared_ptr<Reference>, reference);
-        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
         QFont font;
         font.setPixelSize(12);
         PlotFigure &figure = figureOf({.reference = reference, .pinned = {withCoupler(65.0)}});
-        figure.compose({all, font, paletteFor(Theme::Light)}, {605, PlotFigure::heightFor(all, 605, font)});
+        figure.compose({kAllPlots, font, paletteFor(Theme::Light)}, {605, PlotFigure::heightFor(kAllPlots, 605, font)});
         std::array<int, 3> shown{}; // by rank
-        for (const std::size_t plot : all) {
+        for (const std::size_t plot : kAllPlots) {
             for (int step = 0; step <= 200; ++step) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 200.0, {})};
                 placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick,
@@ -725,7 +728,7 @@ private slots:
     {
         struct Row {
             int width;          // px
-            double mostLeftOut; // part of the values
+            double mostLeftOut; // fraction of the values
         };
         for (const Row &row : {Row{321, 0.7}, Row{605, 0.2}}) { // 85 mm: each plot is 12 mm wide; 160 mm
             checkValuesOfAFigure(row.width, row.mostLeftOut);
@@ -739,11 +742,10 @@ private slots:
         QFont font;
         font.setPixelSize(12);
         PlotFigure &figure = figureOf({.reference = referenceOf(62.0)});
-        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
-        figure.compose({all, font, paletteFor(Theme::Light)}, {1400, 900});
+        figure.compose({kAllPlots, font, paletteFor(Theme::Light)}, {1400, 900});
         int inOrder = 0;
         int exchanged = 0;
-        for (const std::size_t plot : all) {
+        for (const std::size_t plot : kAllPlots) {
             for (int step = 0; step <= 100; ++step) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, step / 100.0, {})};
                 placeLabels(cursors, figure.shownPlot(plot).axes->rect(), PlotFonts(font).tick,
@@ -803,11 +805,10 @@ private slots:
         QFont font;
         font.setPixelSize(12);
         PlotFigure &figure = figureOf({.reference = referenceOf(62.0)});
-        const std::vector<std::size_t> all{0, 1, 2, 3, 4, 5, 6, 7, 8};
-        figure.compose({all, font, paletteFor(Theme::Light)}, {1400, 900});
+        figure.compose({kAllPlots, font, paletteFor(Theme::Light)}, {1400, 900});
         int values = 0;
         int jumps = 0;
-        for (const std::size_t plot : all) {
+        for (const std::size_t plot : kAllPlots) {
             std::vector<PlotCursor> before;
             for (int frame = 0; frame <= kFrames; ++frame) {
                 std::vector<PlotCursor> cursors{*figure.cursorAt(plot, static_cast<double>(frame) / kFrames, {})};
@@ -832,9 +833,9 @@ private slots:
     {
         struct Row {
             std::vector<std::size_t> plots;
-            double smallest; // height of the axes in widths of the axes
+            double minRatio; // height of the axes over their width
         };
-        for (const auto &[plots, smallest] : {Row{{0, 1, 3, 4, 6, 7}, 0.4}, Row{{0, 1, 2, 3, 4, 5, 6, 7, 8}, 0.4},
+        for (const auto &[plots, minRatio] : {Row{{0, 1, 3, 4, 6, 7}, 0.4}, Row{{0, 1, 2, 3, 4, 5, 6, 7, 8}, 0.4},
                                               Row{{0}, 0.3}, Row{{0, 1, 3, 4}, 0.4}}) {
             for (const int width : {321, 605, 1400}) { // 85 mm, 160 mm
                 QFont font;
@@ -844,7 +845,7 @@ private slots:
                 figure.compose({plots, font, QPalette()}, {width, height});
                 for (const std::size_t plot : plots) {
                     const QRect axes = figure.shownPlot(plot).axes->rect();
-                    QVERIFY2(axes.height() >= smallest * axes.width() && axes.height() > 40,
+                    QVERIFY2(axes.height() >= minRatio * axes.width() && axes.height() > 40,
                              qPrintable(QString("%1 plots, %2 px: %3×%4")
                                             .arg(plots.size())
                                             .arg(width)
@@ -904,15 +905,15 @@ private slots:
              {Row{1.0, {0.0, 1.0}, 80.0}, Row{1.0, {0.23, 0.26}, 80.0}, Row{1000.0, {0.0, 1000.0}, 80.0},
               Row{1000.0, {700.0, 700.5}, 80.0}, Row{1.0, {0.0, 1.0}, 40.0}}) {
             const Sampling sampling{0.0, duration, 7};
-            const Shown pinned{withCoupler(60.0), nullptr, {withCoupler(b)}, sampling};
-            const Shown swapped{withCoupler(b), nullptr, {withCoupler(60.0)}, sampling};
+            const PlotInput pinned{withCoupler(60.0), nullptr, {withCoupler(b)}, sampling};
+            const PlotInput swapped{withCoupler(b), nullptr, {withCoupler(60.0)}, sampling};
             std::array<QStringList, 2> curves;
             for (const bool isPinned : {false, true}) {
                 PlotFigure &figure = figureOf(isPinned ? pinned : swapped);
                 figure.zoomTime(time);
                 for (const std::size_t plot : {0, 1, 3, 4, 6, 7}) {
                     const std::vector<PlotCurve> &shown = plotOf(figure, plot).curves;
-                    curves[isPinned ? 1 : 0] << written((isPinned ? shown.front() : shown.back()).points);
+                    curves[isPinned ? 1 : 0] << textOfPoints((isPinned ? shown.front() : shown.back()).points);
                 }
             }
             QVERIFY(!curves[0].contains(QString()));

@@ -36,7 +36,7 @@ enum class DragEnd { Release, Escape };
 class ShownGrid : public QObject
 {
 public:
-    explicit ShownGrid(const Shown &shown = {}, const QSize &size = QSize(900, 600))
+    explicit ShownGrid(const PlotInput &shown = {}, const QSize &size = QSize(900, 600))
     {
         grid.resize(size);
         show(shown);
@@ -51,7 +51,7 @@ public:
         }
     }
 
-    void show(const Shown &shown)
+    void show(const PlotInput &shown)
     {
         grid.setResult(resultOf(shown));
         settle();
@@ -59,7 +59,7 @@ public:
 
     PlotPane &pane(const QString &name) const { return *grid.findChild<PlotPane *>(name); }
 
-    /// Returns the position at parts (0 … 1) of the axes, from their upper left corner.
+    /// Returns a position (px) in the plot. `x` and `y`: fractions (0 … 1) of the axes, from their upper left corner.
     QPoint at(const QString &name, double x, double y = 0.5) const
     {
         const QRect axes = pane(name).axes();
@@ -115,7 +115,8 @@ public:
     int mostRectangles = 0; ///< in the region of a paint event
 };
 
-int pixelsLike(const QImage &image, const QColor &wanted)
+/// Counts the saturated pixels with about the hue of the colour.
+int countPixelsOfHue(const QImage &image, const QColor &wanted)
 {
     int count = 0;
     for (int i = 0; i < image.width() * image.height(); ++i) {
@@ -140,8 +141,9 @@ private slots:
             for (const QString &name : PlotGrid::plotNames()) {
                 const bool isError = name.contains("error");
                 const QImage image = shown.grid.grab(shown.pane(name).geometry()).toImage();
-                QVERIFY2(pixelsLike(image, isError ? colours.sliderError : colours.model) > 50, qPrintable(name));
-                QVERIFY2(pixelsLike(image, isError ? colours.couplerError : colours.reference) > 50, qPrintable(name));
+                QVERIFY2(countPixelsOfHue(image, isError ? colours.sliderError : colours.model) > 50, qPrintable(name));
+                QVERIFY2(countPixelsOfHue(image, isError ? colours.couplerError : colours.reference) > 50,
+                         qPrintable(name));
                 QCOMPARE(image.pixelColor(1, 1), colours.background);
                 QVERIFY(!shown.pane(name).accessibleName().isEmpty());
                 QVERIFY(!shown.pane(name).accessibleDescription().isEmpty());
@@ -439,7 +441,7 @@ private slots:
 
     void errorsAreOfferedOnlyWhereSomethingIsCompared()
     {
-        for (const Shown &content : {Shown(), Shown{.reference = referenceOf(65.0)}}) {
+        for (const PlotInput &content : {PlotInput(), PlotInput{.reference = referenceOf(65.0)}}) {
             ShownGrid shown(content);
             const auto isOffered = [](const QAction *choice) { return choice->isVisible(); };
             const auto offered = std::ranges::count_if(shown.grid.choices(), isOffered);

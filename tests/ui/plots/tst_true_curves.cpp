@@ -22,13 +22,13 @@ namespace tst_true_curves
 
 constexpr std::array<std::size_t, 6> kMotionPlots{0, 1, 3, 4, 6, 7};
 
-/// The cells, a quarter of a pixel in size, through which the motion passes in a plot and slightly beyond it. The
-/// motion is evaluated at many times in each column of cells. If a column contains more than a turn, only one turn is
-/// evaluated.
-class Truth
+/// The cells, a quarter of a pixel in size, through which the exact motion passes in a plot and slightly beyond the
+/// plot. The motion is evaluated at many times in each column of cells. If a column contains more than a turn, only one
+/// turn is evaluated.
+class MotionCells
 {
 public:
-    Truth(const Result &result, std::size_t channel, const Plot &plot)
+    MotionCells(const Result &result, std::size_t channel, const Plot &plot)
         : m_motion(result.mechanism)
         , m_channel(channel)
         , m_plot(plot)
@@ -43,31 +43,31 @@ public:
         // Near a toggle, the features of the motion are about this wide (rad).
         const double width = std::sqrt(2.0 * std::abs(p.b - p.a - std::abs(p.c)) / p.a);
         const double stepsPerRadian = 30.0 / std::clamp(width, 0.01, 0.3);
-        int turn = -1; // a column that contains one
+        int turnColumn = -1; // the first column that contains a turn
         for (int column = 0; column < m_columns; ++column) {
             const double from = std::max(start, timeAt(column));
             const double to = std::min(end, timeAt(column + 1));
-            const bool holdsTurns = speed * (to - from) > kTurn;
-            if (holdsTurns && turn >= 0) {
-                std::copy_n(m_passed.begin() + cell(turn, 0), m_rows, m_passed.begin() + cell(column, 0));
+            const bool containsTurn = speed * (to - from) > kTurn;
+            if (containsTurn && turnColumn >= 0) {
+                std::copy_n(m_passed.begin() + cell(turnColumn, 0), m_rows, m_passed.begin() + cell(column, 0));
             } else if (from <= to) {
-                turn = holdsTurns ? column : turn;
-                const int steps = holdsTurns ? 20'000 : 12 + static_cast<int>(stepsPerRadian * speed * (to - from));
-                markValues(column, from, holdsTurns ? from + kTurn / speed : to, steps);
+                turnColumn = containsTurn ? column : turnColumn;
+                const int steps = containsTurn ? 20'000 : 12 + static_cast<int>(stepsPerRadian * speed * (to - from));
+                markValues(column, from, containsTurn ? from + kTurn / speed : to, steps);
             }
         }
     }
 
     bool isEmpty() const { return !m_passed.contains('\1'); }
 
-    /// Returns whether the motion comes within that distance (px) of a pixel of the plot.
+    /// Whether the motion comes within `distance` (px) of the pixel at x, y of the plot.
     bool isNear(int x, int y, double distance) const
     {
         const int reach = static_cast<int>(distance * kPerPixel);
         for (int column = -reach; column <= reach; ++column) {
             for (int row = -reach; row <= reach; ++row) {
                 if (column * column + row * row <= reach * reach &&
-                    has(kPerPixel * (x + kMargin) + column, kPerPixel * (y + kMargin) + row)) {
+                    isPassed(kPerPixel * (x + kMargin) + column, kPerPixel * (y + kMargin) + row)) {
                     return true;
                 }
             }
@@ -93,11 +93,11 @@ public:
     }
 
 private:
-    static constexpr int kPerPixel = 4;
-    static constexpr int kMargin = 4; // px, beyond the axes
+    static constexpr int kPerPixel = 4; // cells along the side of a pixel
+    static constexpr int kMargin = 4;   // px, beyond the axes
 
     int cell(int column, int row) const { return column * m_rows + row; }
-    bool has(int column, int row) const { return m_passed[cell(column, row)] != 0; }
+    bool isPassed(int column, int row) const { return m_passed[cell(column, row)] != 0; }
     int pixelOf(int columnOrRow) const { return (columnOrRow + kPerPixel / 2) / kPerPixel - kMargin; }
     double timeAt(int column) const
     {
@@ -143,7 +143,7 @@ private:
         }
     }
 
-    /// Marks the pixels from one value to the other in the column.
+    /// Marks the cells of the column from one value to the other.
     void mark(int column, double first, double second)
     {
         const auto [top, bottom] = std::minmax({rowAt(first), rowAt(second)});
@@ -153,13 +153,13 @@ private:
 
     /// Returns the value at the limit of an oscillating crank, between a time at which the motion exists and one at
     /// which it does not. Derivatives are infinite there.
-    double lastValue(double there, double notThere) const
+    double lastValue(double existing, double missing) const
     {
         for (int i = 0; i < 60; ++i) {
-            const double middle = 0.5 * (there + notThere);
-            (std::isfinite(valueAt(middle)) ? there : notThere) = middle;
+            const double middle = 0.5 * (existing + missing);
+            (std::isfinite(valueAt(middle)) ? existing : missing) = middle;
         }
-        const double last = valueAt(there);
+        const double last = valueAt(existing);
         return kPlottedChannels[m_channel].order == Order::Position ? last : std::copysign(kInfinity, last);
     }
 
@@ -196,9 +196,9 @@ struct BareFigure {
     QString fault(std::size_t plot) const
     {
         const Plot &shown = figure.shownPlot(plot);
-        const Truth truth(*figure.result(), channelIndex(plot), shown);
+        const MotionCells motion(*figure.result(), channelIndex(plot), shown);
         if (!shown.values) {
-            return truth.isEmpty() ? QString() : "it is said not to exist";
+            return motion.isEmpty() ? QString() : "it is said not to exist";
         }
         const int paper = qGray(colours.background.rgb());
         const int painted = paper - static_cast<int>(0.3 * (paper - qGray(colours.model.rgb())));
@@ -207,12 +207,12 @@ struct BareFigure {
         for (int y = 0; y < axes.height(); ++y) {
             for (int x = 0; x < axes.width(); ++x) {
                 constexpr double kHalfPen = 1.0; // px
-                if (isPainted(x, y) && !truth.isNear(x, y, kHalfPen + 1.0)) {
+                if (isPainted(x, y) && !motion.isNear(x, y, kHalfPen + 1.0)) {
                     return QStringLiteral("pixel %1, %2 is far from the motion").arg(x).arg(y);
                 }
             }
         }
-        const std::optional<QPoint> missing = truth.missingPixel(isPainted);
+        const std::optional<QPoint> missing = motion.missingPixel(isPainted);
         return missing ? QStringLiteral("the motion at pixel %1, %2 is not painted").arg(missing->x()).arg(missing->y())
                        : QString();
     }

@@ -14,7 +14,7 @@ using namespace slidercrank;
 namespace tst_comparison_text
 {
 
-ChannelComparison compared(Verdict verdict, double largestErrorInBounds)
+ChannelComparison comparisonWith(Verdict verdict, double largestErrorInBounds)
 {
     ChannelComparison channel;
     channel.channel = kTheta3;
@@ -34,24 +34,24 @@ private slots:
 
     void writesVerdictsWithTheirNumbers()
     {
-        QCOMPARE(verdictText(compared(Verdict::Agrees, 5.4)), QString("agrees within the rounding of the file"));
-        QCOMPARE(verdictText(compared(Verdict::Close, 3.214)),
+        QCOMPARE(verdictText(comparisonWith(Verdict::Agrees, 5.4)), QString("agrees within the rounding of the file"));
+        QCOMPARE(verdictText(comparisonWith(Verdict::Close, 3.214)),
                  QString("close: at most 3.21 times the rounding of the file"));
-        QCOMPARE(verdictText(compared(Verdict::Differs, 4e5)), QString("differs"));
-        ChannelComparison rounded = compared(Verdict::Close, 0.8);
+        QCOMPARE(verdictText(comparisonWith(Verdict::Differs, 4e5)), QString("differs"));
+        ChannelComparison rounded = comparisonWith(Verdict::Close, 0.8);
         rounded.clockIsRounded = true;
         QCOMPARE(verdictText(rounded), QString("close, if the time stamps of the file are rounded"));
 
-        ChannelComparison missing = compared(Verdict::Differs, 1.0);
+        ChannelComparison missing = comparisonWith(Verdict::Differs, 1.0);
         missing.count = 0;
         QCOMPARE(verdictText(missing), QString("differs: nothing to compare with"));
     }
 
     void judgesAWholeFile()
     {
-        const ChannelComparison agrees = compared(Verdict::Agrees, 1.0);
-        const ChannelComparison close = compared(Verdict::Close, 20.0);
-        const ChannelComparison differs = compared(Verdict::Differs, 1e4);
+        const ChannelComparison agrees = comparisonWith(Verdict::Agrees, 1.0);
+        const ChannelComparison close = comparisonWith(Verdict::Close, 20.0);
+        const ChannelComparison differs = comparisonWith(Verdict::Differs, 1e4);
         ChannelComparison coarse = agrees; // whole millimetres: far off, and yet within its rounding
         coarse.channel = {R4x, Order::Position};
         coarse.percentOfPeak = 50.0;

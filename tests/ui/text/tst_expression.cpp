@@ -16,7 +16,7 @@ class TestExpression : public QObject
     Q_OBJECT
 
 private slots:
-    void computesWhatPersonsType()
+    void computesWhatPeopleType()
     {
         constexpr double kPi = std::numbers::pi;
         struct Row {

@@ -23,7 +23,7 @@ using Reason = LeftOutColumn::Reason;
 using Symmetry = AlternativeMechanism::Symmetry;
 
 /// A mechanism that was identified; standard errors in mm, rad/s, rad.
-Identification identified()
+Identification identifiedMechanism()
 {
     Identification found;
     found.outcome = Outcome::Identified;
@@ -35,9 +35,9 @@ Identification identified()
 }
 
 /// The same mechanism with residuals of up to 1.2 % of the range of R4_x and 0.5 % of that of theta3.
-Identification approximate()
+Identification approximateMechanism()
 {
-    Identification found = identified();
+    Identification found = identifiedMechanism();
     found.outcome = Outcome::Approximate;
     found.residuals = {{kTheta3, 0.02, 0.1, 0.5}, {kSlider, 0.123, 0.48, 1.2}};
     return found;
@@ -65,17 +65,17 @@ private slots:
 
     void namesTheMechanismWithItsStandardErrors()
     {
-        QCOMPARE(summaryText(identified()), QString("Mechanism identified in this file: ") + kMechanism);
+        QCOMPARE(summaryText(identifiedMechanism()), QString("Mechanism identified in this file: ") + kMechanism);
     }
 
     void statesTheResidualsOfAnApproximateMechanism()
     {
-        QCOMPARE(summaryText(approximate()),
+        QCOMPARE(summaryText(approximateMechanism()),
                  QString("Mechanism that approximately explains this file: ") + kMechanism +
                      " The columns deviate from its motion by up to 1.20 % of the range of Rₓ⁴, more than by rounding; "
                      "± holds if these errors are independent.");
 
-        Identification byFormula = approximate();
+        Identification byFormula = approximateMechanism();
         byFormula.followsApproximateFormula = true;
         QCOMPARE(
             summaryText(byFormula),
@@ -83,7 +83,7 @@ private slots:
                 " The columns agree with the approximate formula Rₓ⁴ ≈ a cos θ₂ + b − (a sin θ₂ − c)²/2b. From the "
                 "exact motion they deviate by up to 1.20 % of the range of Rₓ⁴.");
 
-        Identification systematic = approximate();
+        Identification systematic = approximateMechanism();
         systematic.hasSystematicResiduals = true;
         systematic.standardErrors.fill(kNone);
         QCOMPARE(
@@ -102,7 +102,7 @@ private slots:
 
     void anAngleAloneDeterminesRatios()
     {
-        Identification found = identified();
+        Identification found = identifiedMechanism();
         found.lengthScale = Identification::LengthScale::GivenCrank;
         found.parameters.a = 10.0;
         found.parameters.b = 30.0;
@@ -120,7 +120,7 @@ private slots:
 
     void derivativesOverTheAngleDetermineTheLengthsForTheGivenSpeed()
     {
-        Identification found = identified();
+        Identification found = identifiedMechanism();
         found.lengthScale = Identification::LengthScale::GivenSpeed;
         found.parameters.a = 10.0;
         found.identifiable = {};
@@ -179,7 +179,7 @@ private slots:
              "Outliers that were excluded: 12 (lines 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, …)."},
         };
         for (const auto &[change, sentence] : rows) {
-            Identification found = identified();
+            Identification found = identifiedMechanism();
             change(found);
             const QString text = summaryText(found);
             QVERIFY2(text.endsWith(u' ' + QString::fromUtf8(sentence)), qPrintable(text));
@@ -188,7 +188,7 @@ private slots:
 
     void saysHowTheCrankSpeedVaries()
     {
-        Identification found = identified();
+        Identification found = identifiedMechanism();
         QCOMPARE(driveText(found), QString());
         QCOMPARE(shownDriveText(found, 8.0), QString());
         found.drive = {6.2831856, 3e-7, 5.0, 9.5, {}};
@@ -256,7 +256,7 @@ private slots:
 
     void namesRoundNumbersThatFitEquallyWell()
     {
-        Identification found = identified();
+        Identification found = identifiedMechanism();
         QCOMPARE(roundNumbersText(found), QString());
         found.rounded = {20.0, 60.0, 25.0, 6.25, 0.0};
         QCOMPARE(roundNumbersText(found), QString("Rounded values that fit equally well: a = 20 mm, b = 60 mm, c = 25 "
@@ -271,7 +271,7 @@ private slots:
     void roundNumbersAreRoundInTheirUnit()
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
-        Identification found = identified();
+        Identification found = identifiedMechanism();
         found.rounded = {20.0, 60.0, 25.0, 6.25, 0.0};
         setNotation({.units = {.length = LengthUnit::Inch}});
         QVERIFY2(roundNumbersText(found).contains(": a = 20 mm, b = 60 mm, c = 25 mm, "),
@@ -291,7 +291,7 @@ private slots:
                  QString("With b = 60 mm instead of 65 mm, this mechanism agrees with the file."));
         QCOMPARE(singleLengthExplanationFor(Parameter::B, 60.0, Outcome::Approximate),
                  QString("With b = 60 mm instead of 65 mm, this mechanism fits the file as well as any other."));
-        Identification uneven = identified();
+        Identification uneven = identifiedMechanism();
         uneven.change = {Parameter::B, 60.0};
         uneven.drive = {5.0, 0.1, 4.0, 6.0, {}};
         QVERIFY(singleLengthExplanation(uneven, Parameters())
@@ -306,7 +306,7 @@ private slots:
 
     void writesLengthsInTheUnitOfTheFileUnlessOneIsChosen()
     {
-        Identification found = identified();
+        Identification found = identifiedMechanism();
         found.lengthUnit = 25.4;
         found.parameters.a = 50.7999;
         found.rounded.a = 50.8;

@@ -23,13 +23,13 @@ namespace tst_number_box
 constexpr int kWideBox = 300; // px, for every digit of a double
 
 /// A box for a length and another box in an active window.
-struct Shown {
+struct ShownBoxes {
     QWidget window;
     NumberBox *box = new NumberBox;
     NumberBox *other = new NumberBox;
     QSignalSpy edits{box, &NumberBox::edited};
 
-    explicit Shown(double value = 65.0)
+    explicit ShownBoxes(double value = 65.0)
     {
         auto *rows = new QVBoxLayout(&window);
         rows->addWidget(box);
@@ -75,7 +75,7 @@ private slots:
                             {"3e-12", 3e-12},       {"1e12", 1e12},
                             {"20/3", 20.0 / 3.0},   {"1/2 in", 12.7}};
         for (const Row &row : rows) {
-            Shown shown;
+            ShownBoxes shown;
             typeNumber(shown.box, row.typed);
             QVERIFY2(shown.box->value() == row.value, qPrintable(row.typed));
             QCOMPARE(shown.edits.count(), 1);
@@ -86,15 +86,15 @@ private slots:
 
     void namesZeroAsTheLimitOfPositiveNumbersOnly()
     {
-        const auto refusalOf = [](Shown &shown, const QString &typed) {
+        const auto refusalOf = [](ShownBoxes &shown, const QString &typed) {
             typeNumber(shown.box, typed);
             return shown.box->findChild<QLabel *>()->text();
         };
-        Shown positive;
+        ShownBoxes positive;
         positive.box->setPositiveRange(0.5, 100.0);
         QCOMPARE(refusalOf(positive, "0"), QString("This must be greater than 0."));
         QCOMPARE(refusalOf(positive, "0.25"), QString("This must be at least 0.5 mm."));
-        Shown limited;
+        ShownBoxes limited;
         limited.box->setRange(1e-9, 100.0);
         QCOMPARE(refusalOf(limited, "0"), QString("This must be at least 10⁻⁹ mm."));
     }
@@ -103,7 +103,7 @@ private slots:
     {
         struct Row {
             QString typed;
-            QString says;
+            QString reason;
         };
         const Row rows[] = {{"sixty", "“sixty” is not a number."},
                             {"20/", "“20/” is not a number."},
@@ -117,14 +117,14 @@ private slots:
                             {"1e-13", "This must be at least 10⁻¹² mm."},
                             {"1e13", "This must be at most 10¹² mm."}};
         for (const Row &row : rows) {
-            Shown shown;
+            ShownBoxes shown;
             typeNumber(shown.box, row.typed);
             QCOMPARE(shown.edits.count(), 0);
             QCOMPARE(shown.box->value(), 65.0);
             QCOMPARE(shown.box->text(), QString("65 mm"));
             QVERIFY(shown.noteIsShown());
-            QCOMPARE(shown.box->findChild<QLabel *>()->text(), row.says);
-            QCOMPARE(shown.box->accessibleDescription(), row.says);
+            QCOMPARE(shown.box->findChild<QLabel *>()->text(), row.reason);
+            QCOMPARE(shown.box->accessibleDescription(), row.reason);
             typeNumber(shown.box, "7");
             QVERIFY(!shown.noteIsShown());
             QCOMPARE(shown.box->accessibleDescription(), QString());
@@ -134,7 +134,7 @@ private slots:
     /// A former defect: a focused box showed a computed number cut off and without its unit.
     void hasSpaceForItsWidestNumber()
     {
-        Shown shown(2.906599664);
+        ShownBoxes shown(2.906599664);
         shown.box->resize(kWideBox, shown.box->height());
         const QString text = QStringLiteral("2.906599664 mm");
         shown.box->setFocus();
@@ -149,7 +149,7 @@ private slots:
 
     void acceptsOnlyWholeNumbersIfRequested()
     {
-        Shown shown;
+        ShownBoxes shown;
         shown.box->setRange(1.0, 1e6);
         shown.box->setFixedDecimals(0);
         shown.box->setValue(100.0);
@@ -163,7 +163,7 @@ private slots:
 
     void acceptsTypedTextWhenTheBoxLosesTheFocus()
     {
-        Shown shown(60.12345678901234);
+        ShownBoxes shown(60.12345678901234);
         QCOMPARE(shown.box->text(), QString("60.1235 mm"));
         shown.box->resize(kWideBox, shown.box->height());
         shown.box->setFocus(); // the focus alone changes nothing
@@ -191,7 +191,7 @@ private slots:
 
     void doesNotReplaceTextThatIsBeingTyped()
     {
-        Shown shown;
+        ShownBoxes shown;
         shown.box->setFocus();
         shown.box->selectAll();
         shown.box->setValue(66.0); // the text remains selected, and typing replaces it
@@ -206,7 +206,7 @@ private slots:
 
     void restoresTheNumberOnEscapeOrAnEmptyText()
     {
-        Shown shown;
+        ShownBoxes shown;
         shown.box->setFocus();
         QTest::keyClicks(shown.box, "7");
         QTest::keyClick(shown.box, Qt::Key_Escape);
@@ -227,12 +227,12 @@ private slots:
         const Row rows[] = {{65.0, Qt::Key_Up, 66.0},   {65.0, Qt::Key_Down, 64.0}, {100.0, Qt::Key_Down, 99.0},
                             {100.0, Qt::Key_Up, 110.0}, {0.2, Qt::Key_Up, 0.21},    {1e-6, Qt::Key_Down, 9.9e-7}};
         for (const Row &row : rows) {
-            Shown shown(row.value);
+            ShownBoxes shown(row.value);
             QTest::keyClick(shown.box, row.key);
             QVERIFY2(shown.box->value() == row.expected, qPrintable(shown.box->text()));
             QCOMPARE(shown.edits.count(), 1);
         }
-        Shown shown;
+        ShownBoxes shown;
         shown.box->setRange(-kLargestParameter, kLargestParameter);
         shown.box->setValue(0.0);
         QTest::keyClick(shown.box, Qt::Key_Down);
@@ -264,7 +264,7 @@ private slots:
     void theFocusShowsNoMoreDigitsThanFit()
     {
         for (const double value : {158.34558453847744, -1.2345678901234567e-7, 8.0}) {
-            Shown shown(8.0);
+            ShownBoxes shown(8.0);
             shown.box->setRange(-kLargestParameter, kLargestParameter);
             shown.box->setValue(value);
             shown.box->setFocus();
@@ -287,7 +287,7 @@ private slots:
 
     void selectsTheWholeNumberOnADoubleClick()
     {
-        Shown shown(6.25);
+        ShownBoxes shown(6.25);
         QTest::mouseDClick(shown.line(), Qt::LeftButton, {},
                            QPoint(shown.line()->width() - 6, shown.line()->height() / 2));
         AWAIT_COMPARE(shown.line()->selectedText(), "6.25 mm");
@@ -306,13 +306,13 @@ private slots:
                             {QLocale(QLocale::Swedish), QLocale(QLocale::Swedish).toString(-1.5e-7, 'g', 6), -1.5e-7}};
         for (const Row &row : rows) {
             QLocale::setDefault(row.locale);
-            Shown shown;
+            ShownBoxes shown;
             shown.box->setRange(-kLargestParameter, kLargestParameter);
             typeNumber(shown.box, row.typed);
             QVERIFY2(shown.box->value() == row.value, qPrintable(row.typed));
         }
         QLocale::setDefault(spanish);
-        QCOMPARE(Shown(60.5).box->text(), QString("60,5 mm"));
+        QCOMPARE(ShownBoxes(60.5).box->text(), QString("60,5 mm"));
     }
 };
 
