@@ -25,7 +25,7 @@ using namespace slidercrank;
 namespace tst_accessibility
 {
 
-QString described(const QWidget *widget)
+QString descriptionOf(const QWidget *widget)
 {
     return QStringLiteral("%1 \"%2\"").arg(QLatin1String(widget->metaObject()->className()), widget->objectName());
 }
@@ -33,16 +33,16 @@ QString described(const QWidget *widget)
 /// Whether the widget is a control, or accepts the focus by the Tab key. Internal parts of a control do not count.
 bool isControl(const QWidget *widget)
 {
-    const bool operated = qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QSlider *>(widget) ||
-                          qobject_cast<const QComboBox *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget) ||
-                          qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QTabBar *>(widget) ||
-                          qobject_cast<const QAbstractItemView *>(widget);
-    const bool stops = widget->focusPolicy() & Qt::TabFocus;
+    const bool isOperated = qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QSlider *>(widget) ||
+                            qobject_cast<const QComboBox *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget) ||
+                            qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QTabBar *>(widget) ||
+                            qobject_cast<const QAbstractItemView *>(widget);
+    const bool takesTabFocus = widget->focusPolicy() & Qt::TabFocus;
     const QWidget *owner = widget->parentWidget();
     const bool isPart = qobject_cast<const QAbstractSpinBox *>(owner) || qobject_cast<const QComboBox *>(owner) ||
                         widget->objectName().startsWith("qt_") || qobject_cast<const QScrollBar *>(widget) ||
                         qobject_cast<const QHeaderView *>(widget);
-    return (operated || stops) && !isPart;
+    return (isOperated || takesTabFocus) && !isPart;
 }
 
 /// Returns the panel or dialog that contains the control.
@@ -80,7 +80,8 @@ QVariantList stateOf(const QWidget *widget)
             QApplication::activeModalWidget() != nullptr};
 }
 
-QString accessible(QWidget *widget, QAccessible::Text text)
+/// Returns a text that a screen reader receives.
+QString accessibleText(QWidget *widget, QAccessible::Text text)
 {
     QAccessibleInterface *accessibleInterface = QAccessible::queryAccessibleInterface(widget);
     return accessibleInterface ? accessibleInterface->text(text).trimmed() : QString();
@@ -93,7 +94,7 @@ class TestAccessibility : public WindowFixture
 private:
     QStringList m_faults;
 
-    /// Checks the names and values of all visible controls.
+    /// Records a fault for each visible control without a name of its own or without a valid value.
     void checkControls(QWidget *window)
     {
         QSet<std::pair<const QWidget *, QString>> names;
@@ -101,26 +102,26 @@ private:
             if (!widget->isVisible() || widget->window() != window || !isControl(widget)) {
                 continue;
             }
-            const QString name = accessible(widget, QAccessible::Name);
+            const QString name = accessibleText(widget, QAccessible::Name);
             const std::pair<const QWidget *, QString> key{panelOf(widget), name};
             if (name.isEmpty() || names.contains(key)) {
-                m_faults << QStringLiteral("%1 has no name of its own: \"%2\"").arg(described(widget), name);
+                m_faults << QStringLiteral("%1 has no name of its own: \"%2\"").arg(descriptionOf(widget), name);
             }
             names << key;
             const auto *box = qobject_cast<QAbstractSpinBox *>(widget);
             const auto *slider = qobject_cast<QSlider *>(widget);
-            const QString value = accessible(widget, QAccessible::Value);
+            const QString value = accessibleText(widget, QAccessible::Value);
             if ((slider || box || qobject_cast<QComboBox *>(widget)) && value.isEmpty()) {
-                m_faults << QStringLiteral("%1 has no value").arg(described(widget));
+                m_faults << QStringLiteral("%1 has no value").arg(descriptionOf(widget));
             }
             if (slider && widget->objectName() != "designRatio" && value.back().isDigit()) {
-                m_faults << QStringLiteral("%1 has no unit: %2").arg(described(widget), value);
+                m_faults << QStringLiteral("%1 has no unit: %2").arg(descriptionOf(widget), value);
             }
             if (box) {
                 const auto *number = QAccessible::queryAccessibleInterface(widget)->valueInterface();
                 const double current = number->currentValue().toDouble();
                 if (!(number->minimumValue().toDouble() <= current && current <= number->maximumValue().toDouble())) {
-                    m_faults << QStringLiteral("%1 is %2, out of its range").arg(described(widget)).arg(current);
+                    m_faults << QStringLiteral("%1 is %2, out of its range").arg(descriptionOf(widget)).arg(current);
                 }
             }
         }
@@ -133,7 +134,7 @@ private:
         for (const bool plays : {true, false}) {
             QTest::keyClick(stop, Qt::Key_Space);
             if (view<Timeline>()->isPlaying() != plays || (!plays && stateOf(stop) != state)) {
-                m_faults << described(stop) + " uses Space itself";
+                m_faults << descriptionOf(stop) + " uses Space itself";
             }
         }
         stop->setFocus();
@@ -155,19 +156,19 @@ private:
                 QTest::keyClick(stop, Qt::Key_Tab); // the first key moved the focus to the link of the label
             }
             if (stop->hasFocus()) {
-                m_faults << QStringLiteral("%1 does not let the Tab key out").arg(described(stop));
+                m_faults << QStringLiteral("%1 does not let the Tab key out").arg(descriptionOf(stop));
                 return;
             }
             if (pictureOf(stop) == focused) {
-                m_faults << QStringLiteral("%1 does not show that it has the focus").arg(described(stop));
+                m_faults << QStringLiteral("%1 does not show that it has the focus").arg(descriptionOf(stop));
             }
             stop = QApplication::focusWidget();
         }
         for (QWidget *widget : window->findChildren<QWidget *>()) {
-            const bool wanted =
+            const bool isExpected =
                 widget->isVisible() && widget->isEnabled() && isControl(widget) && widget->window() == window;
-            if (wanted && !reached.contains(widget)) {
-                m_faults << QStringLiteral("%1 is not reached by the Tab key").arg(described(widget));
+            if (isExpected && !reached.contains(widget)) {
+                m_faults << QStringLiteral("%1 is not reached by the Tab key").arg(descriptionOf(widget));
             }
         }
     }
@@ -237,7 +238,7 @@ private slots:
             if (dialog->isVisible()) {
                 ++dialogs;
                 checkControls(dialog);
-                QVERIFY2(!dialog->windowTitle().isEmpty(), qPrintable(described(dialog)));
+                QVERIFY2(!dialog->windowTitle().isEmpty(), qPrintable(descriptionOf(dialog)));
             }
         }
         QCOMPARE(dialogs, 5);

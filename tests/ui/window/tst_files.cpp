@@ -116,7 +116,7 @@ private slots:
         m_window->setNotation({});
     }
 
-    /// The positions of enumerators would change with a new unit.
+    /// Stored positions of enumerators would change their meaning with a new unit.
     void theSettingsStoreTheNotationInWords()
     {
         const auto restore = qScopeGuard([] { setNotation({}); });
@@ -140,7 +140,7 @@ private slots:
         action("Copy link")->trigger();
         const QString link = QApplication::clipboard()->text();
         QCOMPARE(link, "slidercrank.html#a=20&b=61.25&c=25&omega2=60rpm");
-        QVERIFY2(said().contains("no file"), qPrintable(said()));
+        QVERIFY2(shownMessages().contains("no file"), qPrintable(shownMessages()));
 
         openWindow();
         const MechanismSettings drawn = view<MechanismView>()->settings();
@@ -150,10 +150,10 @@ private slots:
         QVERIFY(!recentFiles().contains(QStringList(link)));
         QVERIFY(view<MechanismView>()->settings() == drawn); // a link does not say what is drawn
         m_window->openFiles({"slidercrank.html#a=40&d=3"});
-        QVERIFY2(said().contains("“d”"), qPrintable(said()));
+        QVERIFY2(shownMessages().contains("“d”"), qPrintable(shownMessages()));
     }
 
-    /// The rows are the time steps, not crank angles: the tab Table exports those.
+    /// Exported data have a row for each time step. The tab Table exports rows for crank angles.
     void dataAreTheMotionAtTheTimeSteps()
     {
         m_window->exports().chooseData();
@@ -261,13 +261,13 @@ private slots:
     {
         setB(70.0);
         drop({writeFile(*m_folder, "rig.json", "{\"version\": 99}")});
-        QVERIFY(said().contains("rig.json") && !question("unsavedQuestion"));
+        QVERIFY(shownMessages().contains("rig.json") && !question("unsavedQuestion"));
         QVERIFY(session().undoStack().canUndo());
         QVERIFY(!m_window->scene().saveTo("/no/such/folder/other.json"));
-        QVERIFY(said().contains("other.json") && m_window->isWindowModified());
+        QVERIFY(shownMessages().contains("other.json") && m_window->isWindowModified());
         QCOMPARE(m_window->scene().path(), QString());
         rememberFiles({"/no/such/folder/deleted.csv"});
-        QCOMPARE(recentFolder(), QDir::homePath()); // the dialog would take the folder for the name of a file
+        QCOMPARE(recentFolder(), QDir::homePath()); // a dialog would take a missing folder for the name of a file
     }
 
     void opensASceneWithoutItsReferenceOrWithAnother()
@@ -277,7 +277,7 @@ private slots:
         scene.reference = ReferenceSource{{path("gone.csv")}, {}, {}};
         QCOMPARE(writeScene(scene, path("rig.json")), std::nullopt);
         m_window->openFiles({path("rig.json")});
-        AWAIT(said().contains("gone.csv"));
+        AWAIT(shownMessages().contains("gone.csv"));
         QCOMPARE(session().parameters().b, 70.0);
         m_window->scene().save();
         const Scene again = std::get<Scene>(readScene(path("rig.json")));
@@ -293,20 +293,20 @@ private slots:
         QCOMPARE(writeScene(scene, path("long.json")), std::nullopt);
         m_window->scene().open(path("long.json"));
         cancel();
-        QCOMPARE(said(), "Cancelled."); // the result is that of the simplified scene
+        QCOMPARE(shownMessages(), "Cancelled."); // the result is that of the simplified scene
         QCOMPARE(session().result()->choices.solver.method, Method::ClosedForm);
         session().setParameter(Parameter::A, 21.0);
         session().setSolver(scene.solver);
         session().setSampling(scene.sampling);
         cancel();
-        QCOMPARE(said(), "Cancelled.");
+        QCOMPARE(shownMessages(), "Cancelled.");
     }
 
     void theWindowStaysOpenWhileAFileIsWritten()
     {
         m_window->exports().writeData(path("motion.csv"), allChannels());
         m_window->close();
-        QVERIFY(m_window->isVisible() && said().contains("still being written"));
+        QVERIFY(m_window->isVisible() && shownMessages().contains("still being written"));
         AWAIT(!m_window->exports().isWriting());
         QVERIFY(QFile::exists(path("motion.csv")));
         m_window->close();
@@ -489,7 +489,7 @@ private:
         qFatal("no dialog");
     }
 
-    QLineEdit *name() const { return dialog()->findChild<QLineEdit *>("fileNameEdit"); }
+    QLineEdit *nameEdit() const { return dialog()->findChild<QLineEdit *>("fileNameEdit"); }
 
     void chooseFilter(int index) const
     {
@@ -498,14 +498,15 @@ private:
         emit types->textActivated(types->currentText());
     }
 
-    /// The place of the numbered frames among the types of animations: videos come first where they can be made.
+    /// Returns the position of numbered frames among the file types of animations. Videos come first if they can be
+    /// made.
     static int framesFilter() { return hasVideoEncoder() ? 3 : 0; }
 
     void choose(const QString &file, int filter = 0) const
     {
         dialog()->setDirectory(m_folder->path());
         chooseFilter(filter);
-        name()->setText(file);
+        nameEdit()->setText(file);
         QMetaObject::invokeMethod(dialog(), "accept");
         settle();
     }

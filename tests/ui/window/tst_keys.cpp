@@ -51,8 +51,8 @@ private:
         }
     }
 
-    /// Returns what Ctrl+C copies.
-    QString copied() const
+    /// Presses Ctrl+C, and returns the text in the clipboard.
+    QString copyWithKeys() const
     {
         press(Qt::Key_C, Qt::ControlModifier);
         return QApplication::clipboard()->text();
@@ -207,9 +207,9 @@ private slots:
         }
         while (messages()->isVisible()) {
             part("messageDismiss")->setFocus();
-            const qsizetype length = said().size();
+            const qsizetype length = shownMessages().size();
             press(Qt::Key_Return);
-            QVERIFY(said().size() < length);
+            QVERIFY(shownMessages().size() < length);
         }
     }
 
@@ -298,16 +298,16 @@ private slots:
             auto *table = part<QTableView>(row.table);
             table->setFocus();
             table->clearSelection();
-            QCOMPARE(copied().count('\n'), 1 + table->model()->rowCount());
+            QCOMPARE(copyWithKeys().count('\n'), 1 + table->model()->rowCount());
             table->selectRow(1);
-            QVERIFY2(copied().startsWith(QString(row.heading) + '\n' + row.second), qPrintable(copied()));
-            QCOMPARE(copied().count('\n'), 2);
+            QVERIFY2(copyWithKeys().startsWith(QString(row.heading) + '\n' + row.second), qPrintable(copyWithKeys()));
+            QCOMPARE(copyWithKeys().count('\n'), 2);
             press(Qt::Key_Down, Qt::ShiftModifier);
-            QCOMPARE(copied().count('\n'), 3);
-            QVERIFY(said().contains("clipboard"));
+            QCOMPARE(copyWithKeys().count('\n'), 3);
+            QVERIFY(shownMessages().contains("clipboard"));
         }
         part("mechanismView")->setFocus(); // without a table or text, Ctrl+C copies the figure
-        copied();
+        copyWithKeys();
         QVERIFY(QApplication::clipboard()->mimeData()->hasImage());
     }
 
@@ -318,9 +318,9 @@ private slots:
         auto *sentence = part<QLabel>("messageText");
         QTest::mouseDClick(sentence, Qt::LeftButton, Qt::NoModifier, QPoint(10, sentence->height() / 2));
         QVERIFY(sentence->hasSelectedText());
-        QCOMPARE(copied(), sentence->selectedText());
+        QCOMPARE(copyWithKeys(), sentence->selectedText());
         sentence->setSelection(0, 0);
-        copied(); // without selected text, Ctrl+C copies the figure
+        copyWithKeys(); // without selected text, Ctrl+C copies the figure
         QVERIFY(QApplication::clipboard()->mimeData()->hasImage());
     }
 

@@ -65,23 +65,24 @@ private slots:
     {
         const QSize columns = part("columns")->size();
         m_window->exports().write(m_window->exports().plot(), {}, "/no/such/folder/figure.png");
-        AWAIT(messages()->isVisible() && said().contains("figure.png cannot be written"));
+        AWAIT(messages()->isVisible() && shownMessages().contains("figure.png cannot be written"));
         openSample();
         setB(-1.0); // a different kind of problem
         m_window->exports().copy(m_window->exports().plot());
-        QCOMPARE(said().count('\n'), 2);
+        QCOMPARE(shownMessages().count('\n'), 2);
         settle();
         for (const QLabel *text : messages()->findChildren<QLabel *>("messageText")) {
             QVERIFY(text->height() >= text->heightForWidth(text->width())); // a former defect: cut off
         }
         setB(64.0);
-        QVERIFY(!said().contains("at least")); // the length is valid again
-        letTimePass(*part("confirmation"));    // until the hint disappears
+        QVERIFY(!shownMessages().contains("at least")); // the length is valid again
+        letTimePass(*part("confirmation"));             // until the hint disappears
         settle();
-        QVERIFY(said().startsWith("/no/such/folder/figure.png cannot be written") && !said().contains('\n'));
+        QVERIFY(shownMessages().startsWith("/no/such/folder/figure.png cannot be written") &&
+                !shownMessages().contains('\n'));
         QCOMPARE(part("columns")->size(), columns); // messages do not change the layout
         click("messageDismiss");
-        QVERIFY(!messages()->isVisible() && said().isEmpty());
+        QVERIFY(!messages()->isVisible() && shownMessages().isEmpty());
     }
 
     void savedAndCannotBeWrittenAreNotShownTogether()
@@ -93,9 +94,11 @@ private slots:
         };
         write("/no/such/folder/figure.png");
         write(folder.filePath("figure.png"));
-        QVERIFY2(said().startsWith("Exported to") && !said().contains('\n'), qPrintable(said()));
+        QVERIFY2(shownMessages().startsWith("Exported to") && !shownMessages().contains('\n'),
+                 qPrintable(shownMessages()));
         write("/no/such/folder/figure.png");
-        QVERIFY2(said().contains("figure.png cannot be written") && !said().contains('\n'), qPrintable(said()));
+        QVERIFY2(shownMessages().contains("figure.png cannot be written") && !shownMessages().contains('\n'),
+                 qPrintable(shownMessages()));
     }
 
     void movingASliderChangesWhatIsPainted()
@@ -174,18 +177,18 @@ private slots:
     {
         const QTemporaryDir folder;
         m_window->openReference(writeFile(folder, "empty.csv", ""));
-        AWAIT(said().contains("empty.csv"));
-        QCOMPARE(shownTab(), TableTab); // the errors would be empty
+        AWAIT(shownMessages().contains("empty.csv"));
+        QCOMPARE(shownTab(), TableTab); // the tab of the errors would be empty
         // A former defect: the text was squeezed into many short lines beside two buttons.
         QVERIFY(part("messageText")->height() < 5 * m_window->fontMetrics().lineSpacing());
         openSample();
         QCOMPARE(shownTab(), ErrorsTab);
         drop({writeFile(folder, "bad.csv", "hello\n")});
-        AWAIT(said().contains("bad.csv"));
+        AWAIT(shownMessages().contains("bad.csv"));
         QCOMPARE(session().result()->comparison.size(), std::size_t(6));
         drop({writeFile(folder, "bad.csv", "time,R4_x\n0,85\n1,85\n")}); // the user has corrected the file
         AWAIT(session().reference()->name == "bad.csv");
-        QVERIFY2(!said().contains("cannot"), qPrintable(said()));
+        QVERIFY2(!shownMessages().contains("cannot"), qPrintable(shownMessages()));
     }
 
     void asksForTheMeaningOfUnclearColumns()
@@ -226,7 +229,7 @@ private slots:
                                        {folder.filePath("gone.csv"), "gone.csv cannot be opened"},
                                        {folder.filePath("rig.slidercrank"), "rig.slidercrank is a scene"}}) {
             drop({files[1], refusal.file});
-            AWAIT2(said().contains(refusal.says), refusal.says);
+            AWAIT2(shownMessages().contains(refusal.says), refusal.says);
             QCOMPARE(session().reference()->source.paths, files);
         }
     }

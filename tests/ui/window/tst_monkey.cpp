@@ -74,11 +74,11 @@ public:
         m_window->show();
         // The timer answers open dialogs, also while one runs its own event loop. The answer is queued, because an
         // answer that opens another dialog would otherwise block the timer.
-        QObject::connect(&m_answers, &QTimer::timeout, &m_answers, [this] {
+        QObject::connect(&m_answerTimer, &QTimer::timeout, &m_answerTimer, [this] {
             QMetaObject::invokeMethod(
-                &m_answers, [this] { answer(); }, Qt::QueuedConnection);
+                &m_answerTimer, [this] { answer(); }, Qt::QueuedConnection);
         });
-        m_answers.start(5);
+        m_answerTimer.start(5);
     }
 
     MainWindow &window() { return *m_window; }
@@ -98,7 +98,7 @@ public:
             {"a menu", 8, &Monkey::trigger},       {"a context menu", 2, &Monkey::openContextMenu},
             {"a file", 5, &Monkey::drop},          {"cancel", 3, &Monkey::cancel},
             {"the size", 4, &Monkey::resize},      {"a moment", 3, &Monkey::wait}};
-        int choice = below(119);
+        int choice = randomBelow(119); // the sum of the weights
         const Action *action = std::begin(kActions);
         for (; choice >= action->weight; ++action) {
             choice -= action->weight;
@@ -109,11 +109,12 @@ public:
     }
 
 private:
-    int below(int end) { return static_cast<int>(m_random() % static_cast<unsigned>(std::max(1, end))); }
+    /// Returns a random number from 0 to end − 1.
+    int randomBelow(int end) { return static_cast<int>(m_random() % static_cast<unsigned>(std::max(1, end))); }
     template <class Container>
     auto randomElement(const Container &elements)
     {
-        return elements[static_cast<std::size_t>(below(static_cast<int>(std::size(elements))))];
+        return elements[static_cast<std::size_t>(randomBelow(static_cast<int>(std::size(elements))))];
     }
 
     QString path(const QString &name) const { return QDir(m_folder).filePath(name); }
@@ -122,11 +123,11 @@ private:
     {
         QByteArray noise;
         for (int i = 0; i < 4000; ++i) {
-            noise += static_cast<char>(below(256));
+            noise += static_cast<char>(randomBelow(256));
         }
         QByteArray large = "time,theta3,R4_x\n";
         for (int i = 0; i < 100'000; ++i) {
-            large += QByteArray::number(i * 1e-5, 'f', 5) + ',' + QByteArray::number(below(40)) + ",80.5\n";
+            large += QByteArray::number(i * 1e-5, 'f', 5) + ',' + QByteArray::number(randomBelow(40)) + ",80.5\n";
         }
         QFile sample(QStringLiteral(SLIDERCRANK_SOURCE_DIR "/data/inventor_sample.csv"));
         QVERIFY(sample.open(QIODevice::ReadOnly));
@@ -156,15 +157,15 @@ private:
         QWidget *top = QApplication::activeModalWidget() ? QApplication::activeModalWidget() : m_window.get();
         QList<Kind *> widgets = top->findChildren<Kind *>();
         erase_if(widgets, [](const Kind *widget) { return !widget->isVisible() || !widget->isEnabled(); });
-        return widgets.isEmpty() ? nullptr : widgets[below(static_cast<int>(widgets.size()))];
+        return widgets.isEmpty() ? nullptr : widgets[randomBelow(static_cast<int>(widgets.size()))];
     }
 
-    QPoint within(const QWidget &widget) { return {below(widget.width()), below(widget.height())}; }
+    QPoint randomPointIn(const QWidget &widget) { return {randomBelow(widget.width()), randomBelow(widget.height())}; }
 
     void moveSlider()
     {
         if (auto *slider = randomWidget<QAbstractSlider>()) {
-            slider->setValue(slider->minimum() + below(slider->maximum() - slider->minimum() + 1));
+            slider->setValue(slider->minimum() + randomBelow(slider->maximum() - slider->minimum() + 1));
         }
     }
 
@@ -183,7 +184,8 @@ private:
             }
         }
         if (line) {
-            QTest::sendKeyEvent(QTest::Click, line, below(4) == 0 ? Qt::Key_Escape : Qt::Key_Return, QString(), {});
+            QTest::sendKeyEvent(QTest::Click, line, randomBelow(4) == 0 ? Qt::Key_Escape : Qt::Key_Return, QString(),
+                                {});
         }
     }
 
@@ -192,8 +194,8 @@ private:
     {
         const QPointer<QWidget> widget = randomWidget<QWidget>();
         const Qt::KeyboardModifiers modifiers = randomElement(kModifiers);
-        const Qt::MouseButton button = below(5) == 0 ? Qt::MiddleButton : Qt::LeftButton;
-        QPoint at = widget ? within(*widget) : QPoint();
+        const Qt::MouseButton button = randomBelow(5) == 0 ? Qt::MiddleButton : Qt::LeftButton;
+        QPoint at = widget ? randomPointIn(*widget) : QPoint();
         const auto send = [&](QEvent::Type type, Qt::MouseButtons buttons) {
             if (widget) {
                 QMouseEvent event(type, at, widget->mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button,
@@ -202,11 +204,11 @@ private:
             }
         };
         send(QEvent::MouseMove, Qt::NoButton);
-        send(below(9) == 0 ? QEvent::MouseButtonDblClick : QEvent::MouseButtonPress, button);
-        for (int i = below(2) * below(7); i > 0 && widget; --i) {
-            at = within(*widget) * 2 - QPoint(20, 20);
+        send(randomBelow(9) == 0 ? QEvent::MouseButtonDblClick : QEvent::MouseButtonPress, button);
+        for (int i = randomBelow(2) * randomBelow(7); i > 0 && widget; --i) {
+            at = randomPointIn(*widget) * 2 - QPoint(20, 20);
             send(QEvent::MouseMove, button);
-            if (below(3) == 0) {
+            if (randomBelow(3) == 0) {
                 QCoreApplication::processEvents();
             }
         }
@@ -216,8 +218,8 @@ private:
     void turnWheel()
     {
         if (auto *widget = randomWidget<QWidget>()) {
-            const QPoint at = within(*widget);
-            QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120 * (below(9) - 4)}, Qt::NoButton,
+            const QPoint at = randomPointIn(*widget);
+            QWheelEvent event(at, widget->mapToGlobal(at), {}, {0, 120 * (randomBelow(9) - 4)}, Qt::NoButton,
                               randomElement(kModifiers), Qt::NoScrollPhase, false);
             QCoreApplication::sendEvent(widget, &event);
         }
@@ -237,7 +239,7 @@ private:
     void switchTab()
     {
         if (auto *bar = randomWidget<QTabBar>(); bar && bar->count() > 0) {
-            bar->setCurrentIndex(below(bar->count()));
+            bar->setCurrentIndex(randomBelow(bar->count()));
         }
     }
 
@@ -248,7 +250,7 @@ private:
             actions += menu->actions();
         }
         erase_if(actions, [](const QAction *action) { return action->menu() || !action->isEnabled(); });
-        QAction *action = actions[below(static_cast<int>(actions.size()))];
+        QAction *action = actions[randomBelow(static_cast<int>(actions.size()))];
         m_lastAction += QStringLiteral(" \"%1\"").arg(action->text());
         action->trigger();
     }
@@ -256,7 +258,7 @@ private:
     void openContextMenu()
     {
         if (auto *widget = randomWidget<QWidget>()) {
-            const QPoint at = within(*widget);
+            const QPoint at = randomPointIn(*widget);
             QContextMenuEvent event(QContextMenuEvent::Mouse, at, widget->mapToGlobal(at));
             QCoreApplication::sendEvent(widget, &event);
         }
@@ -267,7 +269,7 @@ private:
     void drop()
     {
         QMimeData data;
-        const QString file = m_files[below(static_cast<int>(m_files.size()))];
+        const QString file = m_files[randomBelow(static_cast<int>(m_files.size()))];
         m_lastAction += QLatin1Char(' ') + file;
         data.setUrls({QUrl::fromLocalFile(file)});
         QDropEvent event(m_window->rect().center(), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -277,9 +279,9 @@ private:
     /// Resizes the window, and sometimes moves it to another screen or partly beyond an edge.
     void resize()
     {
-        m_window->resize(500 + below(1200), 400 + below(800));
-        if (below(4) == 0) {
-            m_window->move(below(3000) - 100, below(900) - 50);
+        m_window->resize(500 + randomBelow(1200), 400 + randomBelow(800));
+        if (randomBelow(4) == 0) {
+            m_window->move(randomBelow(3000) - 100, randomBelow(900) - 50);
         }
     }
 
@@ -289,7 +291,7 @@ private:
         QList<QTimer *> timers = m_window->findChildren<QTimer *>();
         erase_if(timers, [](const QTimer *timer) { return !timer->isActive(); });
         if (!timers.isEmpty()) {
-            letTimePass(*timers[below(static_cast<int>(timers.size()))]->parent());
+            letTimePass(*timers[randomBelow(static_cast<int>(timers.size()))]->parent());
         }
         settle();
     }
@@ -297,10 +299,11 @@ private:
     void answer()
     {
         if (QWidget *popup = QApplication::activePopupWidget()) {
-            if (below(3) == 0) {
+            if (randomBelow(3) == 0) {
                 popup->close();
             } else {
-                QTest::sendKeyEvent(QTest::Click, popup, below(2) == 0 ? Qt::Key_Down : Qt::Key_Return, QString(), {});
+                QTest::sendKeyEvent(QTest::Click, popup, randomBelow(2) == 0 ? Qt::Key_Down : Qt::Key_Return, QString(),
+                                    {});
             }
             return;
         }
@@ -311,13 +314,13 @@ private:
                                                      "frames/x.png", "x.unknown", "no/such/folder.png"};
             const bool isSaved = files->acceptMode() == QFileDialog::AcceptSave;
             files->selectFile(isSaved ? path(QLatin1String(randomElement(kNames)))
-                                      : m_files[below(static_cast<int>(m_files.size()))]);
+                                      : m_files[randomBelow(static_cast<int>(m_files.size()))]);
             QDialog &dialog = *files; // declares these functions as public
-            below(2) == 0 ? dialog.reject() : dialog.accept();
+            randomBelow(2) == 0 ? dialog.reject() : dialog.accept();
         } else if (auto *box = qobject_cast<QMessageBox *>(modal)) {
             const QList<QAbstractButton *> buttons = box->buttons();
-            buttons[below(static_cast<int>(buttons.size()))]->click();
-        } else if (modal && below(4) == 0) {
+            buttons[randomBelow(static_cast<int>(buttons.size()))]->click();
+        } else if (modal && randomBelow(4) == 0) {
             modal->close();
         }
     }
@@ -325,7 +328,7 @@ private:
     std::mt19937 m_random;
     QString m_folder;
     QStringList m_files;
-    QTimer m_answers;
+    QTimer m_answerTimer;
     QString m_lastAction;
     std::unique_ptr<MainWindow> m_window;
 };

@@ -35,8 +35,8 @@ int editAndWait(const QString &settings, const QString &scene)
     window.show();
     if (!scene.isEmpty()) {
         window.scene().open(scene);
-        finishBackgroundTasks(); // the recent files have been written: if killed while writing, it would leave a lock
-                                 // for 30 s
+        // Waits until the recent files are written. If this process were killed before, it would leave a lock for 30 s.
+        finishBackgroundTasks();
     }
     window.session().setParameter(Parameter::B, 70.0);
     letTimePass(*window.findChild<Recovery *>());
@@ -210,7 +210,7 @@ private:
     QString offer() const
     {
         const auto *row = m_window->findChild<QWidget *>("recovery");
-        return row && row->isVisible() ? said() : QString();
+        return row && row->isVisible() ? shownMessages() : QString();
     }
 
     void press(const QString &button) const

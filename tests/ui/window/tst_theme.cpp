@@ -21,13 +21,13 @@ namespace tst_theme
 using Triple = std::array<double, 3>;
 using Matrix = std::array<Triple, 3>;
 
-constexpr Matrix kNormal{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+constexpr Matrix kNormalVision{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 constexpr Matrix kProtanopia{
     {{0.152286, 1.052583, -0.204868}, {0.114503, 0.786281, 0.099216}, {-0.003882, -0.048116, 1.051998}}};
 constexpr Matrix kDeuteranopia{
     {{0.367322, 0.860646, -0.227968}, {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}}};
 
-Triple times(const Matrix &matrix, const Triple &vector)
+Triple matrixProduct(const Matrix &matrix, const Triple &vector)
 {
     Triple product{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -38,7 +38,7 @@ Triple times(const Matrix &matrix, const Triple &vector)
     return product;
 }
 
-/// Returns the linearComponents components of an sRGB colour.
+/// Returns the linear components of an sRGB colour.
 Triple linearComponents(const QColor &colour)
 {
     const auto channel = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
@@ -48,13 +48,14 @@ Triple linearComponents(const QColor &colour)
 constexpr Matrix kToXyz{
     {{0.4124564, 0.3575761, 0.1804375}, {0.2126729, 0.7151522, 0.0721750}, {0.0193339, 0.1191920, 0.9503041}}};
 
+/// Returns L*, a*, b* (white D65) of the colour as it is seen with that colour vision.
 Triple labComponents(const QColor &colour, const Matrix &vision)
 {
-    Triple seen = times(vision, linearComponents(colour));
+    Triple seen = matrixProduct(vision, linearComponents(colour));
     for (double &channel : seen) {
         channel = std::clamp(channel, 0.0, 1.0);
     }
-    const Triple xyz = times(kToXyz, seen);
+    const Triple xyz = matrixProduct(kToXyz, seen);
     const auto f = [](double t) { return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0; };
     const double x = f(xyz[0] / 0.95047);
     const double y = f(xyz[1]);
@@ -62,7 +63,7 @@ Triple labComponents(const QColor &colour, const Matrix &vision)
     return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
 }
 
-double distance(const QColor &first, const QColor &second, const Matrix &vision)
+double colourDifference(const QColor &first, const QColor &second, const Matrix &vision)
 {
     const Triple a = labComponents(first, vision);
     const Triple b = labComponents(second, vision);
@@ -71,8 +72,8 @@ double distance(const QColor &first, const QColor &second, const Matrix &vision)
 
 double contrast(const QColor &first, const QColor &second)
 {
-    const double a = times(kToXyz, linearComponents(first))[1] + 0.05;
-    const double b = times(kToXyz, linearComponents(second))[1] + 0.05;
+    const double a = matrixProduct(kToXyz, linearComponents(first))[1] + 0.05;
+    const double b = matrixProduct(kToXyz, linearComponents(second))[1] + 0.05;
     return std::max(a, b) / std::min(a, b);
 }
 
@@ -96,12 +97,12 @@ private slots:
                                                {colours.reference, Axes::Motion},
                                                {colours.couplerError, Axes::Errors},
                                                {colours.sliderError, Axes::Errors}}};
-            for (const Matrix &vision : {kNormal, kProtanopia, kDeuteranopia}) {
+            for (const Matrix &vision : {kNormalVision, kProtanopia, kDeuteranopia}) {
                 for (std::size_t i = 0; i < curves.size(); ++i) {
                     for (std::size_t j = 0; j < i; ++j) {
-                        const double apart = distance(curves[i].colour, curves[j].colour, vision);
+                        const double difference = colourDifference(curves[i].colour, curves[j].colour, vision);
                         const double least = curves[i].axes == curves[j].axes ? kInTheSameAxes : kInOneFigure;
-                        QVERIFY2(apart > least, qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(apart)));
+                        QVERIFY2(difference > least, qPrintable(QString("%1 %2: %3").arg(i).arg(j).arg(difference)));
                     }
                 }
             }

@@ -77,7 +77,8 @@ protected:
     }
 
     MessageBar *messages() const { return view<MessageBar>(); }
-    QString said() const { return messageText(*messages()); }
+    QString shownMessages() const { return messageText(*messages()); }
+    /// Returns the widget of the window with this object name.
 
     template <typename Widget = QWidget>
     Widget *part(const QString &name) const
@@ -143,19 +144,19 @@ protected:
     std::unique_ptr<MainWindow> m_window;
 };
 
-/// Calls the function on each tab, and on each page of a tab that a list selects.
-inline void onEveryPage(MainWindow &window, const std::function<void(const QString &page)> &look)
+/// Shows each tab, and each page of a tab with a list of pages, and calls the function with the title.
+inline void onEveryPage(MainWindow &window, const std::function<void(const QString &title)> &visit)
 {
     auto *tabs = window.findChild<QTabWidget *>();
     for (int tab = 0; tab < tabs->count(); ++tab) {
         tabs->setCurrentIndex(tab);
         settle(window);
-        look(tabs->tabText(tab));
+        visit(tabs->tabText(tab));
         auto *pages = tabs->currentWidget()->findChild<QListWidget *>();
         for (int page = 1; pages && page < pages->count(); ++page) {
             pages->setCurrentRow(page);
             settle(window);
-            look(pages->item(page)->text());
+            visit(pages->item(page)->text());
         }
     }
 }
