@@ -306,9 +306,9 @@ def check_old_browser(address, lack):
     try:
         browser.call("Page.addScriptToEvaluateOnNewDocument", source=lack)
         browser.call("Page.navigate", url=address)
-        said = lambda: browser.script("document.getElementById('state')?.textContent") or ""
-        browser.wait_for("the sentence for an old browser", lambda: "lacks WebAssembly" in said())
-        check("says what an old browser lacks", True, said())
+        state_text = lambda: browser.script("document.getElementById('state')?.textContent") or ""
+        browser.wait_for("the sentence for an old browser", lambda: "lacks WebAssembly" in state_text())
+        check("says what an old browser lacks", True, state_text())
     except AssertionError as error:
         check("says what an old browser lacks", False, error)
     finally:
