@@ -460,21 +460,7 @@ private slots:
         settle(*m_window);
         QCOMPARE(picture("errorPanel"), errors);
 
-        m_window->menuBar()->setFocus(); // as after a menu that was left by a key
-        press(Qt::Key_F11);
-        press(Qt::Key_Escape);
-        QVERIFY(!m_window->isFullScreen());
-        m_window->setWindowState(Qt::WindowMaximized);
-        for (const bool isOn : {true, false}) {
-            press(Qt::Key_F11);
-            QCOMPARE(m_window->windowState(), Qt::WindowMaximized | (isOn ? Qt::WindowFullScreen : Qt::WindowNoState));
-        }
-        m_window->setWindowState(Qt::WindowNoState);
-        session().undoStack().setClean();
-        press(Qt::Key_F11);
-        m_window->close(); // presentation mode is not saved
-        openWindow();
-        QVERIFY(!m_window->isFullScreen());
+        checkWindowStateAfterPresentation();
     }
 
     void theEnlargedMechanismFillsTheWindow()
@@ -537,6 +523,27 @@ private slots:
             }
         }
         QVERIFY(groups >= 3); // theme, language, error
+    }
+
+private:
+    /// Checks that presentation mode restores the state of the window, and that a new window starts without this mode.
+    void checkWindowStateAfterPresentation()
+    {
+        m_window->menuBar()->setFocus(); // as after a menu that was left by a key
+        press(Qt::Key_F11);
+        press(Qt::Key_Escape);
+        QVERIFY(!m_window->isFullScreen());
+        m_window->setWindowState(Qt::WindowMaximized);
+        for (const bool isOn : {true, false}) {
+            press(Qt::Key_F11);
+            QCOMPARE(m_window->windowState(), Qt::WindowMaximized | (isOn ? Qt::WindowFullScreen : Qt::WindowNoState));
+        }
+        m_window->setWindowState(Qt::WindowNoState);
+        session().undoStack().setClean();
+        press(Qt::Key_F11);
+        m_window->close(); // presentation mode is not saved
+        openWindow();
+        QVERIFY(!m_window->isFullScreen());
     }
 };
 
