@@ -320,7 +320,7 @@ QString errorTable(const std::vector<ChannelComparison> &comparison, const Refer
             return shownDifference(channel.channel, error);
         };
         const QString time = channel.largestError ? numberText(channel.timeOfLargestError) : dash();
-        const QString place = file ? placeText(channel, *file) : time;
+        const QString place = file ? abscissaOfLargestError(channel, *file) : time;
         const QString largest = errorText(inShownUnit(channel.largestError));
         rows.push_back({QStringLiteral("%1 %2").arg(quantityName(channel.channel), symbolText(channel.channel)),
                         channel.largestError ? withUnit(largest, unit) : largest, place,

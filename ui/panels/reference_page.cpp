@@ -142,7 +142,7 @@ Page referencePage(const Result &result, const ReferenceIdentification *identifi
     }
     Page page;
     page.sentence = displayName(result.reference->source.paths);
-    page.findings = {{.sentence = ReferencePage::tr("%1. Rows: %2.").arg(formText(data.layout), rows),
+    page.findings = {{.sentence = ReferencePage::tr("%1. Rows: %2.").arg(layoutText(data.layout), rows),
                       .remedy = Remedy::ChooseColumns,
                       .remedyText = ReferencePage::tr("Choose columns…")}};
     if (data.crank) {

@@ -97,7 +97,7 @@ QString slipText(Slip slip, const QStringList &wrongNames)
 QString explanationText(const CheckResult &result, const QStringList &wrongNames)
 {
     if (result.status != Status::Solved) {
-        return {}; // a value may not exist: that is said elsewhere
+        return {}; // checkedValueText() says which values do not exist
     }
     switch (result.explanation) {
     case CheckOutcome::NotNeeded: return CheckText::tr("All values are right to their last digit.");

@@ -291,7 +291,7 @@ QString roundingText(const Rounding &rounding)
     return {};
 }
 
-QString formText(const FileLayout &layout)
+QString layoutText(const FileLayout &layout)
 {
     if (!layout.files.empty()) {
         return ColumnText::tr("Joined files of one motion: %1").arg(layout.files.size());

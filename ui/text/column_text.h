@@ -51,8 +51,8 @@ QString reasonText(const FileLayout &layout, std::size_t column);
 /// Describes how values are rounded: "significant digits: 6", or a dash if that is unknown.
 QString roundingText(const Rounding &rounding);
 
-/// Describes the format: "columns separated by “,”, decimal point, headings in line 1".
-QString formText(const FileLayout &layout);
+/// Describes the layout of a file: "columns separated by “,”, decimal point, headings in line 1".
+QString layoutText(const FileLayout &layout);
 
 /// Returns the range of the abscissa: "t = 0 … 1 s" or "θ₂ = 0 … 360°".
 QString abscissaText(const ReferenceData &data);

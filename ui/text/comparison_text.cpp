@@ -47,7 +47,7 @@ QString verdictText(const ChannelComparison &channel)
                                        : ComparisonText::tr("differs");
 }
 
-QString placeText(const ChannelComparison &channel, const ReferenceData &file)
+QString abscissaOfLargestError(const ChannelComparison &channel, const ReferenceData &file)
 {
     if (!channel.largestError) {
         return dash();
@@ -73,7 +73,7 @@ std::vector<QStringList> comparisonTable(std::span<const ChannelComparison> chan
             return shownDifference(channel.channel, error);
         };
         rows.push_back({QStringLiteral("%1 [%2]").arg(columnName(channel.channel), shownUnit(channel.channel)),
-                        errorText(inShownUnit(channel.largestError)), placeText(channel, file),
+                        errorText(inShownUnit(channel.largestError)), abscissaOfLargestError(channel, file),
                         errorText(inShownUnit(channel.rms)), errorText(channel.percentOfPeak),
                         errorText(channel.maxPercent), numberText(inShownUnit(channel.roundingStep), kStepDigits),
                         verdictText(channel)});

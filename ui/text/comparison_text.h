@@ -22,8 +22,9 @@ QString errorText(std::optional<double> value);
 /// Describes a verdict: "agrees within the rounding of the file", "close: at most 12.3 times the rounding of the file".
 QString verdictText(const ChannelComparison &channel);
 
-/// Returns where the largest error of a channel is: its time, or the crank angle if the file is indexed by it.
-QString placeText(const ChannelComparison &channel, const ReferenceData &file);
+/// Returns the time (s) of the largest error of a channel, or its crank angle if the file is angle-indexed, without
+/// the unit. Returns a dash if there is no error.
+QString abscissaOfLargestError(const ChannelComparison &channel, const ReferenceData &file);
 
 /// Returns a table of the errors of each channel against a file, in the units that are shown. The first row contains
 /// the headings.

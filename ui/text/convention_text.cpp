@@ -95,7 +95,7 @@ QString misreadUnitText(const Convention &convention)
                 .arg(ConventionText::tr(isLarger ? larger : smaller), ConventionText::tr(isLarger ? smaller : larger));
         }
     }
-    // A file may state a rarer unit; then the only other one that is tried is the default unit.
+    // The file states a unit that kUnits does not list. For such a unit, only the default unit is tried instead.
     return convention.kind == Kind::TimeUnit ? ConventionText::tr("in seconds, but read in a different unit")
                                              : ConventionText::tr("in millimetres, but read in a different unit");
 }

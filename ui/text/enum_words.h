@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The words of enumerators in scenes and on the command line. EnumWords<Enum> lists them; everything else asks it.
+// The words of enumerators in scenes and on the command line. EnumWords<Enum> is the only list of them.
 
 #include "core/mechanism/mechanism.h"
 #include "core/newton/newton_options.h"

@@ -300,7 +300,7 @@ Notation notationOf(const Identification &found)
 {
     Notation notationOfFile = notation();
     if (notationOfFile.units.length == LengthUnit::Millimetre) { // the default: no unit was chosen
-        notationOfFile.units.length = lengthUnitOf(found.lengthUnit);
+        notationOfFile.units.length = lengthUnitWithSize(found.lengthUnit);
     }
     return notationOfFile;
 }
@@ -360,7 +360,7 @@ static Notation notationOfRoundLengths(const Identification &found, int digits)
     };
     const Parameters &rounded = found.rounded;
     if (!isRound(rounded.a) || !isRound(rounded.b) || !isRound(rounded.c)) {
-        shown.units.length = lengthUnitOf(found.lengthUnit);
+        shown.units.length = lengthUnitWithSize(found.lengthUnit);
     }
     return shown;
 }

@@ -85,9 +85,9 @@ LengthAndBound distinctTexts(double length, double bound)
     return {.length = parameterText(Parameter::B, length, digits), .bound = parameterText(Parameter::B, bound, digits)};
 }
 
-/// Returns the first time (s) in the time range at which the crank has the angle theta2 (rad). At a limit of the
-/// motion, which is known only up to a rounding error, it prefers a neighbouring time at which the mechanism can be
-/// assembled.
+/// Returns the first time (s) in the time range at which the crank has the angle theta2 (rad). A limit of
+/// the motion is known only up to a rounding error: if the mechanism cannot be assembled at that time, tries the times
+/// of the neighbouring angles.
 std::optional<double> firstTimeAt(double theta2, const Mechanism &mechanism, const Sampling &sampling)
 {
     constexpr double kNudge = 1e-9; // rad, more than the rounding error of a crank angle

@@ -46,7 +46,7 @@ SeriesColours seriesColours(const QPalette &palette);
 inline constexpr std::array kPinnedColours{&SeriesColours::pinnedFirst, &SeriesColours::pinnedSecond,
                                            &SeriesColours::pinnedThird, &SeriesColours::pinnedFourth};
 
-/// Returns an opaque mixture that contains that share of the colour.
+/// Returns an opaque mixture of two colours. `share`: the fraction of `colour`, 0 to 1.
 QColor mixed(const QColor &colour, const QColor &background, double share);
 
 /// Sets the text colour of a widget.

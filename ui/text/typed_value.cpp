@@ -23,8 +23,8 @@ struct TypedValueText {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::TypedValueText)
 };
 
-/// Returns whether many other numbers would mean an angle that rounds to the same digits: 154 rad beyond several whole
-/// turns, or 1 rad, which stands for everything between 29° and 86°.
+/// Returns whether many other numbers would mean an angle that rounds to the same digits: an angle of more than a turn,
+/// such as 154 rad, or one with few digits, such as 1 rad, which stands for everything between 29° and 86°.
 bool isCommonAngle(const TypedValue &typed)
 {
     const GivenValue given = typed.given();

@@ -36,11 +36,12 @@ struct TypedValue {
 /// Reads a value. `units`: those of a number without a unit. The decimal sign is a point.
 TypedValue readTypedValue(const QString &text, const OutputChannel &channel, const Units &units);
 
-/// Returns the values, of which angular ones without a unit may now be in the other unit of angles: textbooks give ω
-/// and α in rad/s beside angles in degrees. `units`: those of a number without a unit. A value changes its unit
+/// Changes the unit of angular values without a unit from degrees to radians, or vice versa, where that is likely:
+/// textbooks give ω and α in rad/s beside angles in degrees. Returns all values. `units`: those of a number without a
+/// unit. A value changes its unit
 ///
-///  - if it is right in the other unit only. An angle must be within a turn, and have enough digits that chance is
-///    unlikely;
+///  - if it is right in the other unit only. An angle must also be within a turn, and have so many digits that it is
+///    hardly right by chance;
 ///  - if it is a wrong ω or α, and a slip explains all wrong values in the other unit, but not in the expected unit;
 ///  - if it is a wrong ω or α that no slip explains, and is nearer in size to the exact value in the other unit.
 std::vector<TypedValue> inLikelyUnits(std::vector<TypedValue> values, const CrankPosition &position,

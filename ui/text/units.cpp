@@ -60,7 +60,7 @@ QString baseUnit(Measure measure, const Units &units)
 
 } // namespace
 
-LengthUnit lengthUnitOf(double millimetres)
+LengthUnit lengthUnitWithSize(double millimetres)
 {
     constexpr double kTolerance = 1e-9; // relative rounding error of a computed factor
     for (const auto &[unit, description] : kLengthUnitRows) {

@@ -26,8 +26,8 @@ struct Units {
     friend bool operator==(const Units &, const Units &) = default;
 };
 
-/// Returns the unit of a length in mm: inches for 25.4; millimetres if there is no such unit.
-LengthUnit lengthUnitOf(double millimetres);
+/// Returns the unit that is this many millimetres long: Inch for 25.4. Returns Millimetre if there is no such unit.
+LengthUnit lengthUnitWithSize(double millimetres);
 
 /// Converts a value from the core's unit (mm, rad, s).
 double shownValue(Measure measure, double value, const Units &units = {});

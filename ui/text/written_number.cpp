@@ -31,7 +31,7 @@ int exponentOf(double magnitude)
     return static_cast<int>(std::floor(std::log10(magnitude)));
 }
 
-/// Returns the exponent of a magnitude that is rounded to that many significant digits: 1 for 9.9999 and 4 digits.
+/// Returns the exponent of a magnitude that is rounded to `digits` significant digits: 1 for 9.9999 and 4 digits.
 int exponentOfRounded(double magnitude, int digits)
 {
     const int exponent = exponentOf(magnitude);
@@ -159,12 +159,13 @@ QString measuredText(double value, double standardError, double scale)
         constexpr int kDigitsAlone = 9;
         return numberText(std::abs(value) > kArithmetic * scale ? value : 0.0, kDigitsAlone);
     }
-    // Power of ten of the error, rounded to one digit: 0 for 0.96, which is rounded to 1.
-    const int place = exponentOf(standardError / 0.95);
-    const double unit = std::pow(10.0, place);
+    constexpr double kRoundedToOne = 0.95; // the smallest number that one digit rounds to 1
+    // Exponent of the error after rounding to one digit: 0 for 0.96.
+    const int errorExponent = exponentOf(standardError / kRoundedToOne);
+    const double unit = std::pow(10.0, errorExponent);
     const double rounded = std::round(value / unit) * unit + 0.0; // never -0
     const double roundedError = std::round(standardError / unit) * unit;
-    const int digits = rounded == 0.0 ? 1 : std::max(1, exponentOf(std::abs(rounded)) - place + 1);
+    const int digits = rounded == 0.0 ? 1 : std::max(1, exponentOf(std::abs(rounded)) - errorExponent + 1);
     return QStringLiteral("%1 ± %2").arg(shortNumber(rounded, digits), shortNumber(roundedError, 1));
 }
 

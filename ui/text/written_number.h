@@ -23,14 +23,14 @@ QString numberText(std::optional<double> value, int significantDigits = kUsualDi
 QString lowerBoundText(double value, int significantDigits);
 QString upperBoundText(double value, int significantDigits);
 
-/// Formats a value with exactly `digits` significant digits, except that all digits before the decimal sign are written.
-/// Values below 1e-6 or from 1e6 on have a power of ten. Returns a dash for nullopt and NaN.
+/// Formats a value with exactly `digits` significant digits, except that all digits before the decimal sign are
+/// written. Values below 1e-6 or from 1e6 on have a power of ten. Returns a dash for nullopt and NaN.
 QString shortNumber(std::optional<double> value, int digits = kReadoutDigits);
 
 /// Returns the text that stands for a missing value.
 QString dash();
 
-/// Formats a value with that many decimals. A value that rounds to zero has no sign.
+/// Formats a value with exactly `decimals` decimals. A value that rounds to zero has no sign.
 QString fixedText(double value, int decimals);
 
 /// Returns the number of digits, 6 to 17, that show how two values differ.
