@@ -114,6 +114,14 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     setHorizontalHeader(new FormulaHeader(this));
     makeHeadings();
     setModel(m_model);
+    setBehaviour();
+    setAppearance();
+    connectSignals();
+    fitColumns();
+}
+
+void NumberTable::setBehaviour()
+{
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -121,6 +129,10 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     setTabKeyNavigation(false);
     setMouseTracking(true);
+}
+
+void NumberTable::setAppearance()
+{
     setAlternatingRowColors(true);
     setShowGrid(false);
     setWordWrap(false);
@@ -129,10 +141,14 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
     verticalHeader()->setMinimumSectionSize(1);
     horizontalHeader()->setHighlightSections(false);
     horizontalHeader()->setMinimumSectionSize(1);
+}
+
+void NumberTable::connectSignals()
+{
     connect(this, &QTableView::clicked, this, &NumberTable::goToRow);
     connect(this, &QTableView::activated, this, &NumberTable::goToRow); // Enter
     connect(this, &QTableView::clicked, this, [this](const QModelIndex &index) {
-        if (isTypedInto(index) && state() != EditingState) { // Qt does not begin to edit the current cell
+        if (isEditableCell(index) && state() != EditingState) { // Qt does not begin to edit the current cell
             QTableView::edit(index);
         }
     });
@@ -145,7 +161,6 @@ NumberTable::NumberTable(const QString &name, const QString &title, std::vector<
             emit typed(item->column(), item->text());
         }
     });
-    fitColumns();
 }
 
 void NumberTable::makeHeadings()
@@ -329,7 +344,7 @@ void NumberTable::keyPressEvent(QKeyEvent *event)
     const bool isErasing = event->key() == Qt::Key_Delete || event->key() == Qt::Key_Backspace;
     if (event->matches(QKeySequence::Copy)) {
         copy();
-    } else if (isErasing && isTypedInto(currentIndex())) {
+    } else if (isErasing && isEditableCell(currentIndex())) {
         m_model->setData(currentIndex(), QString(), Qt::DisplayRole);
     } else {
         QTableView::keyPressEvent(event);
@@ -344,7 +359,7 @@ void NumberTable::resizeEvent(QResizeEvent *event)
     }
 }
 
-bool NumberTable::isTypedInto(const QModelIndex &index) const
+bool NumberTable::isEditableCell(const QModelIndex &index) const
 {
     return m_editableRow >= 0 && index.row() == m_editableRow && index.column() >= m_firstEditableColumn;
 }

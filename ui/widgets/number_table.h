@@ -58,13 +58,14 @@ public:
     /// `name`: the object name; `title`: what a screen reader announces.
     NumberTable(const QString &name, const QString &title, std::vector<TableColumn> columns);
 
-    /// Replaces the titles of the columns, whose number stays.
+    /// Replaces the columns; their number must stay the same.
     void setColumns(const std::vector<TableColumn> &columns);
 
     /// Replaces the rows. Only the cells that change are painted again.
     void setRows(std::vector<TableRow> rows);
 
-    /// Lets a person type into that row, from that column on; typed() reports the text, and setRows() has to show it.
+    /// Lets a person type into the cells of `row` from `firstColumn` on. typed() then reports the text, and the
+    /// receiver must call setRows() to show it.
     void setEditable(int row, int firstColumn);
 
     QSize contentSize() const; ///< size of the headings and all rows, px
@@ -87,10 +88,13 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    void setBehaviour();
+    void setAppearance();
+    void connectSignals();
     void makeHeadings();
     void goToRow(const QModelIndex &index);
-    bool isTypedInto(const QModelIndex &index) const; ///< whether a person can type into the cell
-    bool hasNames() const;                            ///< whether numbers follow the texts of the first column
+    bool isEditableCell(const QModelIndex &index) const; ///< whether a person can type into the cell
+    bool hasNames() const;                               ///< whether numbers follow the texts of the first column
     int widthOfNames() const;
     void fillCells();
     void fitColumns();
@@ -101,7 +105,7 @@ private:
     int m_namesWidth = 0;   ///< px, the width that the texts of the first column need
     int m_editableRow = -1; ///< -1: none
     int m_firstEditableColumn = 0;
-    bool m_isFilling = false;
+    bool m_isFilling = false; ///< fillCells() is changing cells, which are therefore not typed
     QStandardItemModel *m_model;
 };
 

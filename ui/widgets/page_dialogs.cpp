@@ -32,14 +32,14 @@ struct PageDialogText {
 };
 
 /// The open request that waits for the browser's answer, and the widget that it belongs to.
-struct Waiting {
+struct WaitingRequest {
     QPointer<QWidget> parent;
     std::function<void(const QStringList &)> open;
 };
 
-Waiting &waiting()
+WaitingRequest &waitingRequest()
 {
-    static Waiting request;
+    static WaitingRequest request;
     return request;
 }
 
@@ -62,7 +62,7 @@ extern "C" EMSCRIPTEN_KEEPALIVE void slidercrankOpenFiles(const char *names)
     for (const QString &name : QString::fromUtf8(names).split(u'\n')) {
         paths += QDir::home().filePath(name);
     }
-    if (const auto open = std::exchange(waiting().open, {}); open && waiting().parent) {
+    if (const auto open = std::exchange(waitingRequest().open, {}); open && waitingRequest().parent) {
         open(paths);
     }
 }
@@ -94,7 +94,7 @@ EM_JS(void, slidercrankChooseFiles, (const char *suffixes, const char *folder), 
 
 void chooseFilesToOpen(QWidget *parent, const OpenRequest &request)
 {
-    waiting() = {parent, request.open};
+    waitingRequest() = {parent, request.open};
     slidercrankChooseFiles(suffixesOf(request.filters).toUtf8(), QDir::homePath().toUtf8());
 }
 
