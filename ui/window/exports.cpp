@@ -27,6 +27,21 @@ namespace
 
 using Problem = std::optional<QString>;
 
+/// Returns a function that draws the frame of an animation at a time (s): the mechanism as `view` shows it, with the
+/// ghost behind it if `ghostPose` is not empty, and the parameters. `view` must exist as long as the function is used.
+FrameDrawing drawFrameWith(MechanismView &view, const Mechanism &mechanism,
+                           const std::function<ReferencePose(double)> &ghostPose)
+{
+    return [&view, mechanism, ghostPose](QPainter &painter, const QSize &size, double time) {
+        view.setPose(poseAt(mechanism.parameters(), time));
+        view.setGhost(ghostPose ? ghostPose(time) : ReferencePose());
+        const auto paint = [&view](QPainter &target, const QSize &part) {
+            view.paintMechanism(target, part, paletteFor(Theme::Light));
+        };
+        withParameters(FigureDrawing(paint), mechanism, paletteFor(Theme::Light))(painter, size);
+    };
+}
+
 } // namespace
 
 Exports::Exports(Session *session, const Views &views, QWidget *window)
@@ -245,15 +260,7 @@ void Exports::writeAnimation(const QString &path, const Animation &animation)
     view.setResult(m_session->result());
     view.setSettings(m_views.mechanism->settings());
     view.setFrame(m_views.mechanism->frame());
-    const auto draw = [&view, mechanism = m_session->result()->mechanism,
-                       ghost = m_views.ghost->motion()](QPainter &painter, const QSize &size, double time) {
-        view.setPose(poseAt(mechanism.parameters(), time));
-        view.setGhost(ghost ? ghost(time) : ReferencePose());
-        const auto paint = [&view](QPainter &target, const QSize &part) {
-            view.paintMechanism(target, part, paletteFor(Theme::Light));
-        };
-        withParameters(FigureDrawing(paint), mechanism, paletteFor(Theme::Light))(painter, size);
-    };
+    const FrameDrawing draw = drawFrameWith(view, m_session->result()->mechanism, m_views.ghost->motion());
     QProgressDialog dialog(tr("Exporting the animation…"), tr("Cancel"), 0, animation.frameCount(), m_window);
     dialog.setWindowModality(Qt::WindowModal);
     const auto progress = [&dialog](int done) {

@@ -32,11 +32,11 @@ public:
 
     bool isWriting() const { return m_task->isRunning(); }
 
-    FigureSubject plot(const QString &name = {}) const; ///< the whole figure if there is no name
+    FigureSubject plot(const QString &name = {}) const; ///< one plot, or those that the options choose
     FigureSubject mechanism() const;
     FigureSubject polygons() const; ///< the velocity and acceleration polygons at the current time
 
-    /// Asks for the options and the name of the file.
+    /// Asks for the options and the name of the file, then writes the figure.
     void choose(const FigureSubject &subject);
 
     /// Copies a picture with the options that were chosen last.
@@ -45,16 +45,19 @@ public:
     /// Draws the figure, and writes a PNG, SVG or PDF file in the background, according to the suffix.
     void write(const FigureSubject &subject, const FigureOptions &options, const QString &path);
 
-    /// Write the motion at the time steps as CSV in the background.
+    /// Write the motion at the time steps as CSV in the background. chooseData() first asks for the file and the
+    /// channels.
     void chooseData();
     void writeData(const QString &path, const ChannelSet &channels);
 
-    /// Write the report of the present motion as PDF, in the background. Write none, and say why, while the mechanism
-    /// of the reference is still being identified.
+    /// Write the report of the current motion as PDF in the background. chooseReport() first asks for the file and the
+    /// paper. While the mechanism of the reference is still being identified, no report is written, and the user is
+    /// told why.
     void chooseReport();
     void writeReport(const QString &path, PaperSize paper = PaperSize::A4);
 
     /// Write the moving mechanism as frames in a folder or as a video. A modal dialog shows the progress.
+    /// chooseAnimation() first asks for the options and the file.
     void chooseAnimation();
     void writeAnimation(const QString &path, const Animation &animation);
 

@@ -62,9 +62,9 @@ constexpr QSize kInitialSize(1400, 900); // px
 /// Returns a height (px) at which the error table and its text are visible, also with a large font.
 int panelHeight(const QWidget &tabs)
 {
-    constexpr int kUsual = 230; // px
-    constexpr int kLines = 15;
-    return std::max(kUsual, kLines * tabs.fontMetrics().height());
+    constexpr int kMinHeight = 230; // px
+    constexpr int kMinLines = 15;   // of text
+    return std::max(kMinHeight, kMinLines * tabs.fontMetrics().height());
 }
 
 QStringList droppedFiles(const QDropEvent &event)

@@ -65,8 +65,8 @@ void Presentation::setOn(bool on)
     m_isOn = on;
     setMechanismAlone(false);
     if (on) {
-        m_wasFolded = m_views.tabs->isFolded();
-        m_widths = m_views.columns->sizes();
+        m_wasFoldedBefore = m_views.tabs->isFolded();
+        m_columnWidthsBefore = m_views.columns->sizes();
     }
     m_views.plots->setPresentation(on);
     m_messages->setMuted(on);
@@ -75,9 +75,9 @@ void Presentation::setOn(bool on)
     m_views.tabs->setFolded(true); // folding and unfolding give the tabs the height for the new font
     setFontOfParts(*m_window->centralWidget(), on ? largeFont(*m_window) : QFont());
     m_views.tabs->setFolded(false);
-    m_views.tabs->setFolded(on || m_wasFolded);
+    m_views.tabs->setFolded(on || m_wasFoldedBefore);
     const QList<int> largePlots{400, 600}; // the proportion of the widths
-    m_views.columns->setSizes(on ? largePlots : m_widths);
+    m_views.columns->setSizes(on ? largePlots : m_columnWidthsBefore);
     // The maximized state remains set: a Wayland compositor may end a program that changes both states at once.
     m_window->setWindowState(m_window->windowState().setFlag(Qt::WindowFullScreen, on));
     // The hidden menu bar, which keeps the focus after its menus are left by a key, would take Escape.

@@ -39,8 +39,8 @@ private:
     MessageBar *m_messages;
     QMainWindow *m_window;
     bool m_isOn = false;
-    bool m_wasFolded = false; ///< whether the tabs were folded before
-    QList<int> m_widths;      ///< px, of the columns before
+    bool m_wasFoldedBefore = false;  ///< whether the tabs were folded before the mode began
+    QList<int> m_columnWidthsBefore; ///< px, before the mode began
 };
 
 } // namespace slidercrank

@@ -21,7 +21,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr std::chrono::seconds kRest{2};
+constexpr std::chrono::seconds kWriteDelay{2};
 
 constexpr int kMaxCopies = 100; // names that are tried: in a folder that cannot be written none of them is free
 
@@ -59,8 +59,8 @@ Recovery::Recovery(Session *session, SceneFile *scene, MessageBar *messages, QOb
     , m_scene(scene)
     , m_messages(messages)
 {
-    m_rest.setSingleShot(true);
-    connect(&m_rest, &QTimer::timeout, this, &Recovery::writeCopy);
+    m_writeDelay.setSingleShot(true);
+    connect(&m_writeDelay, &QTimer::timeout, this, &Recovery::writeCopy);
     connect(&session->undoStack(), &QUndoStack::indexChanged, this, &Recovery::followEdits);
     connect(&session->undoStack(), &QUndoStack::cleanChanged, this, &Recovery::followEdits);
     findOffer();
@@ -128,7 +128,7 @@ void Recovery::discardOffer()
 void Recovery::followEdits()
 {
     if (m_session->isModified()) {
-        m_rest.start(kRest);
+        m_writeDelay.start(kWriteDelay);
     } else {
         removeCopy();
     }
@@ -155,7 +155,7 @@ void Recovery::writeCopy()
 
 void Recovery::removeCopy()
 {
-    m_rest.stop();
+    m_writeDelay.stop();
     if (m_copy) {
         QFile::remove(m_copy->path);
         m_copy.reset();

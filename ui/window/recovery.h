@@ -49,8 +49,8 @@ private:
     SceneFile *m_scene;
     MessageBar *m_messages;
     std::unique_ptr<LockedCopy> m_copy;  ///< of this window; null as long as nothing has been edited
-    std::unique_ptr<LockedCopy> m_offer; ///< left by a crash, and waits for an answer
-    QTimer m_rest{this};
+    std::unique_ptr<LockedCopy> m_offer; ///< left by a crash; the user has not answered the offer yet
+    QTimer m_writeDelay{this};
 };
 
 } // namespace slidercrank

@@ -52,10 +52,10 @@ void StatusBar::showProgress(bool shown)
     m_cancel->setVisible(shown);
 }
 
-void StatusBar::setProgress(double part)
+void StatusBar::setProgress(double fraction)
 {
-    m_progress->setRange(0, part > 0.0 ? 100 : 0);
-    m_progress->setValue(static_cast<int>(100.0 * part));
+    m_progress->setRange(0, fraction > 0.0 ? 100 : 0);
+    m_progress->setValue(static_cast<int>(100.0 * fraction));
 }
 
 } // namespace slidercrank

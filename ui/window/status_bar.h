@@ -21,8 +21,8 @@ public:
     explicit StatusBar(QWidget *parent);
 
 public slots:
-    void setBusy(bool busy);       ///< called once for each start and each end of a task
-    void setProgress(double part); ///< 0 … 1; 0 if unknown
+    void setBusy(bool busy);           ///< called once for each start and each end of a task
+    void setProgress(double fraction); ///< of the task, 0 … 1; 0 if unknown
 
 signals:
     void cancelled();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// What the program remembers of its window from one session to the next: recent files, the theme, the layout, the
-// units, what the drawing shows, and the playback speed. The scene is not part of it.
+// The settings of the window that are kept from one start of the program to the next: recent files, the theme, the
+// layout, the units, what the drawing shows, and the playback speed. The scene is not part of it.
 
 #include "ui/text/notation.h"
 #include "ui/text/theme.h"
