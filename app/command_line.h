@@ -18,7 +18,7 @@ enum class ExitStatus {
     Differs = 1,        ///< --fail-on-difference was given and a channel differs, or a value of `check` is wrong
     UsageError = 2,     ///< the arguments are wrong
     FileError = 3,      ///< a file cannot be read or written, or its content is not valid
-    NotAssemblable = 4, ///< cannot be assembled at some time step; or no answer to --design, --when or --omega2-for
+    NotAssemblable = 4, ///< no assembly at some time step, or no answer to --design, --when or --omega2-for
     NotSolved = 5       ///< not converged or singular at some time step, or no mechanism was identified
 };
 

@@ -21,7 +21,7 @@ struct CommandOutput {
     ExitStatus status = ExitStatus::Success;
 };
 
-/// The mechanism, the format and the place of the output, as the options state them.
+/// The mechanism, and the format and the path of the output, as the options state them.
 struct Request {
     Mechanism mechanism;
     OutputFormat format;

@@ -38,7 +38,7 @@ bool hasDisplay()
 /// names of two files could become equal.
 bool isText([[maybe_unused]] const QByteArray &argument)
 {
-#ifdef Q_OS_WIN // Qt does not read these bytes, but the command line in UTF-16
+#ifdef Q_OS_WIN // Qt reads the command line in UTF-16 instead of these bytes
     return true;
 #else
     return QString::fromLocal8Bit(argument).toLocal8Bit() == argument;

@@ -37,7 +37,7 @@ public:
 
     const CommandDescription &command() const { return m_command; }
 
-    /// Supplies the values of options that are not given: the scene of --scene, or the defaults.
+    /// Returns the scene of --scene, or the default scene. Its values are used for options that are not given.
     const Scene &scene() const { return m_scene; }
     void readScene();
 
@@ -46,7 +46,7 @@ public:
     QStringList texts(const char *name) const; ///< all values of an option that may be repeated
 
     QStringList files() const { return m_parser.positionalArguments(); } ///< the arguments that are not options
-    void refuseFiles() const;                                            ///< throws if there are any
+    void refuseFiles() const;                                            ///< throws if files() is not empty
     QStringList inputFiles() const;                                      ///< all files that the command reads
 
     /// Throws if the argument names an option that takes a value, such as "b=8" instead of "--b 8".

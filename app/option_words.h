@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// The words of enumerators that only the command line has (ui/text/enum_words.h).
+// The words of those enumerators that only the command line reads or writes, listed as in ui/text/enum_words.h.
 
 #include "core/limits/mobility.h"
 #include "ui/export/report.h"

@@ -15,13 +15,14 @@ public:
     /// `path`: a file, or empty for standard output.
     Output(const Streams &streams, const QString &path);
 
-    /// Returns false if nothing can be written there, and reports the reason.
+    /// Opens the file. If that fails, reports the reason and returns false.
     bool open();
 
     /// Returns false after a failure. Then nothing more is written, so that a long computation can stop.
     bool write(const QByteArray &bytes);
 
-    /// Returns FileError if anything failed, and reports the reason. Then an existing file of that name is unchanged.
+    /// Completes the output. If this or an earlier write() failed, reports the reason and returns FileError; an
+    /// existing file at the path is then unchanged.
     ExitStatus finish();
 
 private:

@@ -62,8 +62,8 @@ ChannelValue readChannelValue(const char *option, const QString &text, const Uni
 }
 
 /// Returns the positions of a crank that stands still at each of the crank angles (rad).
-std::vector<Positions> atRest(const OptionReader &options, const Mechanism &mechanism,
-                              const std::vector<double> &crankAngles)
+std::vector<Positions> positionsAtRest(const OptionReader &options, const Mechanism &mechanism,
+                                       const std::vector<double> &crankAngles)
 {
     std::vector<Positions> positions;
     for (const double theta2 : crankAngles) {
@@ -91,7 +91,7 @@ std::vector<Positions> readRevolution(const OptionReader &options, const Mechani
         for (int i = 0; i <= stepCount; ++i) {
             crankAngles.push_back(mechanism.theta20() + kTurn * i / stepCount);
         }
-        return atRest(options, mechanism, crankAngles);
+        return positionsAtRest(options, mechanism, crankAngles);
     }
     const Sampling revolution{
         .start = readStart(options), .duration = kTurn / std::abs(mechanism.omega2()), .steps = stepCount};
@@ -151,7 +151,7 @@ std::vector<Positions> readSolutions(const OptionReader &options, const Mechanis
             theta2 = mechanism.theta20() + wrapToTwoPi(theta2 - mechanism.theta20());
         }
         std::ranges::sort(*angles);
-        return atRest(options, mechanism, *angles);
+        return positionsAtRest(options, mechanism, *angles);
     }
     Positions positions{.mechanism = mechanism, .timeStamps = {}};
     for (const double theta2 : *angles) {
@@ -168,7 +168,7 @@ std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &m
     const double theta2 = options.number("at-angle", 0.0, kDegree) / kDegreesPerRadian;
     if (!options.has("omega2-for")) {
         if (mechanism.omega2() == 0.0) {
-            return atRest(options, mechanism, {theta2});
+            return positionsAtRest(options, mechanism, {theta2});
         }
         return {{.mechanism = mechanism, .timeStamps = {firstTimeAtAngle(options, mechanism, theta2)}}};
     }
@@ -188,7 +188,7 @@ std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &m
     }
     streams.report("--omega2 " + typedNumberText(*speed));
     if (*speed == 0.0) {
-        return atRest(options, mechanism, {theta2});
+        return positionsAtRest(options, mechanism, {theta2});
     }
     const Mechanism driven = withDrive(mechanism, *speed, mechanism.theta20());
     return {{.mechanism = driven, .timeStamps = {firstTimeAtAngle(options, driven, theta2)}}};

@@ -34,7 +34,7 @@ double readCrankAcceleration(const OptionReader &options);
 /// Parses the name of a channel of the output, or its symbol in textbooks.
 OutputChannel parseOutputChannel(const QString &name);
 
-/// Does the same for a name in an option, such as "when", which a message names.
+/// Parses such a name in the value of an option, such as "when". The error message names the option.
 OutputChannel parseOutputChannel(const char *option, const QString &name);
 
 } // namespace slidercrank

@@ -55,9 +55,9 @@ QString messageFor(Status status, const SamplingSummary &summary, const NewtonOp
     return CommandLine::tr(rowOf(kMessages, status).text);
 }
 
-/// Returns where the first time step with the status is: "t = 0.5 s (θ₂ = 180.00°)". If the motion has several time
-/// steps, the number of those with the status comes before it.
-QString placeText(Status status, const SamplingSummary &summary)
+/// Returns the first time step that has the status: "t = 0.5 s (θ₂ = 180.00°)". If the motion has several time steps,
+/// the text begins with the number of those that have the status: "3 of 100 time steps, first at t = …".
+QString timeStepsText(Status status, const SamplingSummary &summary)
 {
     const StatusSummary &steps = summary.withStatus(status);
     const QString place =
@@ -101,7 +101,7 @@ ExitStatus reportTimeSteps(const Streams &streams, const SamplingSummary &summar
                         .replace("%4", numberText(newton.tolerance))
                         .replace("%3", QString::number(newton.maxIterations))
                         .replace("%2", atLeastText(shortestCouplerForFullTurn(mechanism)))
-                        .replace("%1", placeText(status, summary));
+                        .replace("%1", timeStepsText(status, summary));
         if (status == Status::IterationLimit && newton.toleranceKind == ToleranceKind::Absolute) {
             messages += CommandLine::tr("Very long links need --tolerance-kind relative.");
         }

@@ -24,10 +24,11 @@ ExitStatus reportPosition(const Streams &streams, Status status, const Mechanism
 class JumpingRows
 {
 public:
-    /// Adds those of a motion whose crank has the acceleration alpha2 (rad/s²) at each time stamp (s).
+    /// Adds the rows of a table with these time stamps (s) in which the velocities jump. At each time stamp, the crank
+    /// has the acceleration alpha2 (rad/s²).
     void add(const Mechanism &mechanism, std::span<const double> timeStamps, double alpha2 = 0.0);
 
-    /// Says which rows they are, if there are any.
+    /// Reports the number of such rows and the position of the first. Reports nothing if there are none.
     void report(const Streams &streams) const;
 
 private:
