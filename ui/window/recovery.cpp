@@ -72,7 +72,7 @@ Recovery::~Recovery()
     removeCopy();
 }
 
-/// Looks for a copy that a crash has left. Copies of windows that still run are locked.
+/// Offers the first copy that a crash has left. The copies of windows that still run are locked, and are passed over.
 void Recovery::findOffer()
 {
     m_offer.reset();
@@ -101,8 +101,8 @@ void Recovery::showOffer()
                              tr("Restore"), [this] { restore(); }, tr("Discard"), [this] { discardOffer(); }});
 }
 
-/// Restores the offered copy, which then becomes the copy of this window. The user may cancel; then it is still
-/// offered.
+/// Restores the offered copy, which then becomes the copy of this window. If the user cancels, the copy is
+/// still offered.
 void Recovery::restore()
 {
     const std::variant<Scene, QString> outcome = readScene(m_offer->path);
@@ -134,7 +134,8 @@ void Recovery::followEdits()
     }
 }
 
-/// A failure is not reported; saving the scene will report it.
+/// Writes the scene to the copy of this window. If there is none yet, first locks a name that is not in use. A failure
+/// is not reported; saving the scene will report it.
 void Recovery::writeCopy()
 {
     QDir().mkpath(folder().path());

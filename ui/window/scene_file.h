@@ -67,11 +67,12 @@ public slots:
     bool saveTo(const QString &path, const std::function<void()> &proceed = {});
 
 signals:
-    void changed();                                             ///< the path, or whether the scene is modified
+    void changed(); ///< emitted after a change of the path, or of whether the scene is modified
     void notationChosen(const slidercrank::Notation &notation); ///< by the scene that is shown
 
 private:
-    /// Shows the scene of that file, or of none if the path is empty. Reads its reference unless it is `loaded`.
+    /// Shows a scene. `path`: its file; empty if it has none. Reads the reference of the scene unless `loaded` contains
+    /// it.
     void show(const Scene &scene, const QString &path, const std::shared_ptr<const Reference> &loaded = nullptr);
 
     Session *m_session;

@@ -34,12 +34,12 @@ const QString kSeparator = "\x1f"; // between the paths of joined files, which d
 const QString kTheme = "theme";
 const QString kWindow = "layout/window";
 const QString kFolded = "layout/folded";
-const QString kSplitterState = "layout/";
+const QString kSplitterPrefix = "layout/";
 const QString kSpeed = "view/speed";
-const QString kChoice = "view/";
+const QString kViewPrefix = "view/";
 
 const QString kNotation = "notation"; // JSON, as in a scene
-const QString kTable = "table/";
+const QString kTablePrefix = "table/";
 
 const QStringList kUnitBoxes{"unit_theta20"};
 
@@ -56,16 +56,16 @@ void saveTable(QSettings &settings, const MotionTablePanel &panel)
     for (const OutputChannel &channel : table.columns) {
         columns << columnName(channel);
     }
-    settings.setValue(kTable + "columns", columns);
-    settings.setValue(kTable + "angleStep", table.angleStep);
-    settings.setValue(kTable + "everyDigit", panel.csvStyle().hasEveryDigit);
-    settings.setValue(kTable + "localSeparators", panel.csvStyle().isLocal);
+    settings.setValue(kTablePrefix + "columns", columns);
+    settings.setValue(kTablePrefix + "angleStep", table.angleStep);
+    settings.setValue(kTablePrefix + "everyDigit", panel.csvStyle().hasEveryDigit);
+    settings.setValue(kTablePrefix + "localSeparators", panel.csvStyle().isLocal);
 }
 
 void restoreTable(const QSettings &settings, MotionTablePanel &panel)
 {
     MotionTableSettings table = panel.settings();
-    if (const QStringList columns = settings.value(kTable + "columns").toStringList(); !columns.isEmpty()) {
+    if (const QStringList columns = settings.value(kTablePrefix + "columns").toStringList(); !columns.isEmpty()) {
         table.columns.clear();
         for (const QString &column : columns) {
             if (const std::optional<OutputChannel> channel = outputChannelNamed(column.toStdString())) {
@@ -73,11 +73,11 @@ void restoreTable(const QSettings &settings, MotionTablePanel &panel)
             }
         }
     }
-    const double step = settings.value(kTable + "angleStep", table.angleStep).toDouble();
+    const double step = settings.value(kTablePrefix + "angleStep", table.angleStep).toDouble();
     table.angleStep = step > 0.0 ? step : table.angleStep;
     panel.setSettings(table);
-    panel.setCsvStyle({.hasEveryDigit = settings.value(kTable + "everyDigit", false).toBool(),
-                       .isLocal = settings.value(kTable + "localSeparators", false).toBool()});
+    panel.setCsvStyle({.hasEveryDigit = settings.value(kTablePrefix + "everyDigit", false).toBool(),
+                       .isLocal = settings.value(kTablePrefix + "localSeparators", false).toBool()});
 }
 
 FoldingTabs &tabsIn(const QMainWindow &window)
@@ -148,15 +148,15 @@ void saveLayout(const QMainWindow &window)
     settings.setValue(kFolded, tabs.isFolded());
     for (const auto *splitter : window.findChildren<QSplitter *>()) {
         if (splitter != tabs.parentWidget() || !tabs.isFolded()) { // while folded, its state contains no height
-            settings.setValue(kSplitterState + splitter->objectName(), splitter->saveState());
+            settings.setValue(kSplitterPrefix + splitter->objectName(), splitter->saveState());
         }
     }
     for (const QAction *choice : window.findChild<MechanismView *>()->choices()) {
-        settings.setValue(kChoice + choice->objectName(), choice->isChecked());
+        settings.setValue(kViewPrefix + choice->objectName(), choice->isChecked());
     }
     saveTable(settings, *window.findChild<MotionTablePanel *>());
     for (const QString &name : kUnitBoxes) {
-        settings.setValue(kChoice + name, window.findChild<QComboBox *>(name)->currentIndex());
+        settings.setValue(kViewPrefix + name, window.findChild<QComboBox *>(name)->currentIndex());
     }
 }
 
@@ -172,23 +172,23 @@ void restoreLayout(QMainWindow &window)
     }
     window.findChild<Timeline *>()->setSpeed(settings.value(kSpeed, 1.0).toDouble());
     for (auto *splitter : window.findChildren<QSplitter *>()) {
-        splitter->restoreState(settings.value(kSplitterState + splitter->objectName()).toByteArray());
+        splitter->restoreState(settings.value(kSplitterPrefix + splitter->objectName()).toByteArray());
     }
     constexpr int kMinHeightForTabs = 800; // px: on a lower screen the nine plots need all the space
     tabs.setFolded(settings.value(kFolded, window.screen()->availableSize().height() < kMinHeightForTabs).toBool());
     for (QAction *choice : window.findChild<MechanismView *>()->choices()) {
         const QString name = choice->objectName();
-        if (choice->isChecked() != settings.value(kChoice + name, isShownAtFirst(name)).toBool()) {
+        if (choice->isChecked() != settings.value(kViewPrefix + name, isShownAtFirst(name)).toBool()) {
             choice->trigger();
         }
     }
     restoreTable(settings, *window.findChild<MotionTablePanel *>());
     for (const QString &name : kUnitBoxes) {
         auto *box = window.findChild<QComboBox *>(name);
-        if (!settings.contains(kChoice + name)) {
+        if (!settings.contains(kViewPrefix + name)) {
             continue; // the box has the unit of the notation
         }
-        box->setCurrentIndex(std::clamp(settings.value(kChoice + name).toInt(), 0, box->count() - 1));
+        box->setCurrentIndex(std::clamp(settings.value(kViewPrefix + name).toInt(), 0, box->count() - 1));
         emit box->activated(box->currentIndex());
     }
 }

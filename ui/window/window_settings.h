@@ -19,7 +19,8 @@ namespace slidercrank
 QList<QStringList> recentFiles();
 void rememberFiles(const QStringList &paths);
 
-/// Returns the folder of the file opened last, or the user's documents.
+/// Returns the folder of the file opened last, or the user's documents folder if there is none. If that folder does not
+/// exist, returns the home folder.
 QString recentFolder();
 
 /// Return and store the notation and the units that the user chose.
@@ -30,7 +31,8 @@ bool isNotationChosen(); ///< false as long as the user has chosen none: chosenN
 Theme chosenTheme();
 void rememberTheme(Theme theme);
 
-/// Saves and restores how the user has arranged the window.
+/// Save and restore the size and the splitters of the window, the parts of the drawing that are shown, the options of
+/// the motion table, units and playback speed.
 void saveLayout(const QMainWindow &window);
 void restoreLayout(QMainWindow &window);
 
