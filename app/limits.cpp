@@ -88,7 +88,8 @@ struct PrintedLimits {
         return isNegativePeak ? Change{.minus = more, .plus = less} : Change{.minus = less, .plus = more};
     }
 
-    /// Returns a record for each limit and place. A limit that does not exist has one record without a value.
+    /// Returns a record for each limit and each crank angle at which it occurs. A limit that does not exist has one
+    /// record without a value.
     std::vector<Record> records() const
     {
         std::vector<Record> all;
@@ -181,9 +182,16 @@ LengthTolerances readTolerances(const OptionReader &options, const Mechanism &me
     return tolerances;
 }
 
-/// Reads --vary, such as "b=50..120". Returns a row for each value of the parameter: the value, then the limits by
-/// their names. If a peak occurs at several crank angles, the row contains the value at the first of them.
-std::vector<Record> varyLimits(const OptionReader &options, Parameters parameters, const Units &units)
+/// Equally spaced values of a parameter.
+struct ParameterValues {
+    Parameter parameter;
+    double first; ///< mm, rad or rad/s
+    double last;
+    int count;
+};
+
+/// Reads --vary, such as "b=50..120", and --count.
+ParameterValues readVariation(const OptionReader &options)
 {
     static const QRegularExpression syntax("^(\\w+)=(.*[^.])\\.\\.([^.].*)$"); // not 5...7, which may be 5 to .7
     const QRegularExpressionMatch match = syntax.match(options.text("vary"));
@@ -203,14 +211,22 @@ std::vector<Record> varyLimits(const OptionReader &options, Parameters parameter
     const double first = parseParameter("vary", match.captured(2), *parameter);
     const double last = parseParameter("vary", match.captured(3), *parameter);
     const int count = options.integer("count", 100, 1, 100'000);
+    return {.parameter = *parameter, .first = first, .last = last, .count = count};
+}
+
+/// Returns a row for each value of the varied parameter: the value, then the limits by their names. If a peak occurs at
+/// several crank angles, the row contains the value at the first of them.
+std::vector<Record> varyLimits(Parameters parameters, const ParameterValues &variation, const Units &units)
+{
+    const auto &[parameter, first, last, count] = variation;
+    const bool isLength = parameter == Parameter::A || parameter == Parameter::B || parameter == Parameter::C;
     std::vector<Record> rows;
     for (int i = 0; i < count; ++i) {
         const double value = first + (count > 1 ? static_cast<double>(i) / (count - 1) : 0.0) * (last - first);
-        valueOf(parameters, *parameter) = value;
+        valueOf(parameters, parameter) = value;
         const Mechanism varied(parameters);
         const std::vector<Limit> limits = findLimits(varied, motionLimits(varied));
-        const bool isLength = *parameter == Parameter::A || *parameter == Parameter::B || *parameter == Parameter::C;
-        Record row{{match.captured(1), isLength ? shownValue(Measure::Length, value, units) : value}};
+        Record row{{optionName(parameter), isLength ? shownValue(Measure::Length, value, units) : value}};
         for (const LimitDescription &limit : kLimitDescriptions) {
             if (!limit.key.empty()) {
                 const double shown = shownValue(limit.measure, valueOf(limits, limit.kind), units);
@@ -303,7 +319,7 @@ ExitStatus limitsCommand(const OptionReader &options, const Streams &streams)
     if (options.has("vary")) {
         options.refuseIfGiven({"tolerance"},
                               CommandLine::tr("--vary prints values without their tolerances: remove %1."));
-        const std::vector<Record> rows = varyLimits(options, mechanism.parameters(), units);
+        const std::vector<Record> rows = varyLimits(mechanism.parameters(), readVariation(options), units);
         return request.write(streams,
                              {.text = csvText(rows), .rows = rows, .json = {{"rows", jsonList(rows, jsonObject)}}});
     }
