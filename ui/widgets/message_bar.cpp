@@ -31,6 +31,25 @@ constexpr int kActionColumn = 2;
 constexpr int kDismissColumn = 3;
 constexpr int kColumnsBesideSymbol = kDismissColumn - kTextColumn + 1;
 
+QLabel *makeSymbol(Message::Kind kind, const QWidget &widget)
+{
+    const auto icon = kind == Message::Kind::Problem ? QStyle::SP_MessageBoxWarning : QStyle::SP_MessageBoxInformation;
+    auto *symbol = new QLabel;
+    symbol->setPixmap(widget.style()->standardIcon(icon).pixmap(widget.fontMetrics().height() + 2));
+    return symbol;
+}
+
+/// Returns an empty frame for the message with this id.
+QFrame *makeFrame(const QString &id)
+{
+    auto *frame = named(id, new QFrame);
+    frame->setFrameShape(QFrame::Box);
+    frame->setAutoFillBackground(true);
+    frame->setBackgroundRole(QPalette::ToolTipBase);
+    frame->setForegroundRole(QPalette::ToolTipText);
+    return frame;
+}
+
 } // namespace
 
 MessageBar::MessageBar(QWidget *parent)
@@ -47,24 +66,15 @@ MessageBar::MessageBar(QWidget *parent)
 void MessageBar::showMessage(const Message &message)
 {
     removeMessage(message.id);
-    auto *row = named(message.id, new QFrame);
-    row->setFrameShape(QFrame::Box);
-    row->setAutoFillBackground(true);
-    row->setBackgroundRole(QPalette::ToolTipBase);
-    row->setForegroundRole(QPalette::ToolTipText);
-    auto *symbol = new QLabel;
-    const bool isProblem = message.kind == Message::Kind::Problem;
-    symbol->setPixmap(style()
-                          ->standardIcon(isProblem ? QStyle::SP_MessageBoxWarning : QStyle::SP_MessageBoxInformation)
-                          .pixmap(fontMetrics().height() + 2));
+    auto *row = makeFrame(message.id);
     auto *text = named("messageText", plainText(message.text));
     text->setForegroundRole(QPalette::ToolTipText);
-    const bool isAbove = message.action != nullptr; // two buttons beside the text would leave it little width
+    const bool areButtonsBelow = message.action != nullptr; // two buttons beside the text would leave it little width
     auto *grid = new QGridLayout(row);
     grid->setContentsMargins(kMarginsOfMessage);
     grid->setColumnStretch(kTextColumn, 1);
-    grid->addWidget(symbol, 0, kSymbolColumn);
-    grid->addWidget(text, 0, kTextColumn, 1, isAbove ? kColumnsBesideSymbol : 1);
+    grid->addWidget(makeSymbol(message.kind, *this), 0, kSymbolColumn);
+    grid->addWidget(text, 0, kTextColumn, 1, areButtonsBelow ? kColumnsBesideSymbol : 1);
     const auto addButton = [&](int column, const char *name, const QString &label,
                                const std::function<void()> &action) {
         // The accessible name includes the message, because there may be several such buttons.
@@ -76,7 +86,7 @@ void MessageBar::showMessage(const Message &message)
                 action();
             }
         });
-        grid->addWidget(button, isAbove ? 1 : 0, column);
+        grid->addWidget(button, areButtonsBelow ? 1 : 0, column);
     };
     if (message.action) {
         addButton(kActionColumn, "messageRemedy", message.actionText, message.action);
@@ -86,11 +96,11 @@ void MessageBar::showMessage(const Message &message)
     m_rows->insertWidget(0, row);
     row->show(); // the layout leaves out a row that is not shown yet
     if (message.kind == Message::Kind::Hint) {
-        auto *fade = new QTimer(row);
-        connect(fade, &QTimer::timeout, this, [this, row] { remove(row); });
-        fade->start(kHintDuration);
+        auto *timer = new QTimer(row);
+        connect(timer, &QTimer::timeout, this, [this, row] { remove(row); });
+        timer->start(kHintDuration);
     }
-    place();
+    updateGeometryAndVisibility();
 }
 
 void MessageBar::removeMessage(const QString &id)
@@ -107,24 +117,24 @@ void MessageBar::remove(QFrame *row)
     row->hide();
     row->setObjectName(QString());
     row->deleteLater();
-    place();
+    updateGeometryAndVisibility();
 }
 
 void MessageBar::setMuted(bool muted)
 {
     m_isMuted = muted;
-    place();
+    updateGeometryAndVisibility();
 }
 
 bool MessageBar::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Resize) {
-        place();
+        updateGeometryAndVisibility();
     }
     return QWidget::eventFilter(watched, event);
 }
 
-void MessageBar::place()
+void MessageBar::updateGeometryAndVisibility()
 {
     constexpr int kMargin = 6;    // px
     constexpr int kMaxWidth = 64; // characters

@@ -44,7 +44,7 @@ protected:
 
 private:
     void remove(QFrame *row);
-    void place();
+    void updateGeometryAndVisibility();
 
     QVBoxLayout *m_rows;
     bool m_isMuted = false;
