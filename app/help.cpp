@@ -20,7 +20,7 @@ bool isWindow(const CommandDescription &command)
 }
 
 /// Returns the line "slidercrank solve [options]".
-QString usage(const CommandDescription &command)
+QString usageLine(const CommandDescription &command)
 {
     return (isWindow(command) ? "slidercrank " : QString("slidercrank %1 ").arg(command.name)) + command.arguments;
 }
@@ -42,7 +42,7 @@ QString unitsText()
         "2*pi are accepted, too.");
 }
 
-/// Breaks the text into lines, all but the first of which are indented.
+/// Breaks the text into lines. All lines except the first begin with `indent` spaces.
 QString wrapped(QString text, qsizetype indent = 0)
 {
     const QRegularExpression line(QString("(.{1,%1})(?: |$)").arg(kLineWidth - indent));
@@ -50,7 +50,7 @@ QString wrapped(QString text, qsizetype indent = 0)
 }
 
 /// Returns an entry of a list: a name, and its description beside or below it.
-QString entry(const QString &name, const QString &description)
+QString helpEntry(const QString &name, const QString &description)
 {
     const QString start = "  " + name;
     return (start.size() < kIndent ? start.leftJustified(kIndent) : start + '\n' + QString(kIndent, ' ')) +
@@ -73,7 +73,7 @@ QString listOptions(const CommandDescription &command, const QString &headingMar
     if (isWindow(command)) {
         text += headingMark + CommandLine::tr("Commands") + '\n';
         for (const CommandDescription &each : allCommands()) {
-            text += writeEntry(usage(each), CommandLine::tr(each.summary));
+            text += writeEntry(usageLine(each), CommandLine::tr(each.summary));
         }
     }
     const char *group = nullptr;
@@ -96,15 +96,15 @@ QString manualEntry(const QString &name, const QString &description)
 
 QString helpText(const CommandDescription &command)
 {
-    return CommandLine::tr("Usage:") + ' ' + usage(command) + "\n\n" + wrapped(CommandLine::tr(command.text)) +
-           listOptions(command, "\n", entry) + '\n' + wrapped(unitsText()) + '\n' + wrapped(exitStatusText());
+    return CommandLine::tr("Usage:") + ' ' + usageLine(command) + "\n\n" + wrapped(CommandLine::tr(command.text)) +
+           listOptions(command, "\n", helpEntry) + '\n' + wrapped(unitsText()) + '\n' + wrapped(exitStatusText());
 }
 
 QString manualPage()
 {
     QString synopsis, sections;
     for (const CommandDescription &command : allCommands()) {
-        synopsis += usage(command) + "\n.br\n";
+        synopsis += usageLine(command) + "\n.br\n";
         sections += QString(".SH %1\n%2\n%3")
                         .arg(isWindow(command) ? "DESCRIPTION" : QString(command.name).toUpper(),
                              CommandLine::tr(command.text), listOptions(command, ".SS ", manualEntry));

@@ -38,7 +38,7 @@ std::vector<OutputChannel> readChannels(const OptionReader &options)
     return all;
 }
 
-/// What is written: the columns, and their units.
+/// The channels that are written as columns, and their units.
 struct Table {
     std::vector<OutputChannel> channels;
     Units units;
