@@ -214,7 +214,7 @@ void fillPage(MainWindow *window)
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     emscripten_set_visibilitychange_callback(window, false, storeLayout);
     const auto remake = [window] {
-        fillPage(window->remade().release());
+        fillPage(window->makeReplacement().release());
         window->deleteLater();
     };
     // Queued, because the menu in which the language was chosen belongs to the window that `remake` deletes.

@@ -42,7 +42,7 @@ ExitStatus resetSettings(const Streams &streams)
 void followLanguage(std::unique_ptr<MainWindow> &window)
 {
     const auto remake = [&window] {
-        std::unique_ptr<MainWindow> next = window->remade();
+        std::unique_ptr<MainWindow> next = window->makeReplacement();
         next->show();
         window = std::move(next);
         followLanguage(window);

@@ -203,7 +203,7 @@ void ColumnMapping::addRow(QGridLayout *grid, int line, std::size_t column)
     auto *values = new QLabel(firstValues(m_layout, column));
     values->setTextFormat(Qt::PlainText);
     int gridColumn = 0;
-    for (QWidget *widget : std::initializer_list<QWidget *>{plainText(headingAlone(m_layout, column)), values,
+    for (QWidget *widget : std::initializer_list<QWidget *>{plainText(headingWithoutFile(m_layout, column)), values,
                                                             row.meaning, row.unit, row.why}) {
         grid->addWidget(widget, line, gridColumn++);
     }

@@ -52,7 +52,7 @@ public:
             valueCount = QString::number(data.time.size());
         }
         TableRow row =
-            textRow({headingAlone(data.layout, column), unitText(fileColumn), meaningText(fileColumn),
+            textRow({headingWithoutFile(data.layout, column), unitText(fileColumn), meaningText(fileColumn),
                      series ? roundingText(series->rounding) : dash(), valueCount, reasonText(data.layout, column)});
         row.explanation = reasonText(data.layout, column);
         for (TableCell &cell : row.cells) {

@@ -85,8 +85,8 @@ QString channelMeaning(Channel channel)
 }
 
 /// Returns the hint that lengths without a unit were read as mm, with the option that reads them as metres if the
-/// stroke is short, otherwise as inches. Columns that have the name of a channel are in mm, and need none. Empty if
-/// there are no lengths without a unit.
+/// stroke is short, otherwise as inches. Columns that have the name of a channel are not read as inches. Empty if
+/// a length has a unit, or if the option would concern no column.
 std::optional<QString> millimetresHint(const ReferenceData &data)
 {
     constexpr double kShortestStroke = 1.0; // mm: a smaller stroke is probably in metres
@@ -161,7 +161,7 @@ QStringList crankSpeedHints(const FileLayout &layout)
 
 } // namespace
 
-QString headingAlone(const FileLayout &layout, std::size_t column)
+QString headingWithoutFile(const FileLayout &layout, std::size_t column)
 {
     const QString heading = QString::fromUtf8(layout.columns[column].heading);
     return heading.isEmpty() ? ColumnText::tr("column %1").arg(column + 1) : heading;
@@ -169,7 +169,7 @@ QString headingAlone(const FileLayout &layout, std::size_t column)
 
 QString headingText(const FileLayout &layout, std::size_t column)
 {
-    return withFile(headingAlone(layout, column), layout, layout.columns[column].file);
+    return withFile(headingWithoutFile(layout, column), layout, layout.columns[column].file);
 }
 
 QString lineText(const FileLayout &layout, const SkippedRow &row)

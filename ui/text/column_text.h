@@ -15,7 +15,7 @@ namespace slidercrank
 {
 
 /// Returns the heading of a column as it is written in the file, or "column 3" if it has none.
-QString headingAlone(const FileLayout &layout, std::size_t column);
+QString headingWithoutFile(const FileLayout &layout, std::size_t column);
 
 /// Returns the heading, followed by the name of the file if several files are joined: "Value (b.csv)".
 QString headingText(const FileLayout &layout, std::size_t column);
@@ -33,8 +33,8 @@ QStringList ignoredHeadings(const FileLayout &layout);
 /// used, and the columns whose meaning was guessed.
 QStringList doubtTexts(const ReferenceData &data);
 
-/// Returns sentences with the options of the command line that would change what is doubtful: lengths without a unit
-/// that could be in metres.
+/// Returns a sentence with the options of the command line for each doubtful unit: that of lengths without a unit, that
+/// of angles that are read in radians because of their values, and that of crank speeds in 1/s or Hz.
 QStringList optionHints(const ReferenceData &data);
 
 /// Returns the quantity in a column: "time", "θ³", or a dash if the column is ignored.
@@ -51,7 +51,8 @@ QString reasonText(const FileLayout &layout, std::size_t column);
 /// Describes how values are rounded: "significant digits: 6", or a dash if that is unknown.
 QString roundingText(const Rounding &rounding);
 
-/// Describes the layout of a file: "columns separated by “,”, decimal point, headings in line 1".
+/// Describes the layout of a file: "Columns separated by “,”, decimal point, headings in line 1". Returns the number of
+/// files if several files are joined.
 QString layoutText(const FileLayout &layout);
 
 /// Returns the range of the abscissa: "t = 0 … 1 s" or "θ₂ = 0 … 360°".

@@ -58,8 +58,8 @@ std::vector<QStringList> residualTable(const std::vector<ColumnResidual> &residu
 /// changes evenly, the sentence also gives α₂.
 QString driveText(const Identification &found);
 
-/// Returns what the window shows of a drive that is not constant, which is not modelled, or an empty string if it is
-/// constant or unknown. `omega2` is the constant speed of the model, rad/s.
+/// Explains that the window shows a motion at the constant crank speed `omega2` (rad/s), although the speed in the file
+/// varies. Returns an empty string if the speed in the file is constant or unknown.
 QString shownDriveText(const Identification &found, double omega2);
 
 } // namespace slidercrank

@@ -242,7 +242,7 @@ void MainWindow::connectPlots()
             [this](const QString &name) { m_exports->copy(m_exports->plot(name)); });
 }
 
-/// Creates a panel whose page is updated with every change of the session.
+/// Creates a panel whose page is made again whenever the result or the identification changes.
 TablePanel *MainWindow::makePanel(const QString &name, const QString &title, const std::function<Page()> &makePage)
 {
     auto *panel = new TablePanel(m_session, name, title, makePage);
@@ -280,6 +280,7 @@ QWidget *MainWindow::makeLimitsPanel()
     panel->addPage(tr("Values"),
                    makePanel("limitsPanel", tr("Motion limits"), [this] { return limitsPage(*m_session->result()); }));
     auto *response = new ResponseView(m_session);
+    constexpr int kResponsePage = 1; // index of the page that is added next
     panel->addPage(tr("Response"), response);
     auto *polygons = new PolygonView(m_session);
     panel->addPage(tr("Polygons"), polygons);
@@ -287,7 +288,7 @@ QWidget *MainWindow::makeLimitsPanel()
     connect(m_views.parameters, &ParameterPanel::responseRequested, panel,
             [this, panel, response](Parameter parameter) {
                 response->setParameter(parameter);
-                panel->setCurrent(1);
+                panel->setCurrent(kResponsePage);
                 m_views.tabs->setCurrentWidget(panel);
                 m_views.tabs->setFolded(false);
             });
@@ -315,8 +316,8 @@ QWidget *MainWindow::makeNewtonPanel()
 
 void MainWindow::showWithinScreen()
 {
-    constexpr QSize kFrame(20, 60); // px, an upper limit: the size of the frame is known only once it is shown
-    const QSize available = screen()->availableSize() - kFrame;
+    constexpr QSize kMaxFrame(20, 60); // px; the size of the frame is known only once the window is shown
+    const QSize available = screen()->availableSize() - kMaxFrame;
     if (!isMaximized() && size().boundedTo(available) != size()) {
         resize(size().boundedTo(available)); // for window managers that do not maximize
         setWindowState(Qt::WindowMaximized);
@@ -324,7 +325,7 @@ void MainWindow::showWithinScreen()
     show();
 }
 
-std::unique_ptr<MainWindow> MainWindow::remade()
+std::unique_ptr<MainWindow> MainWindow::makeReplacement()
 {
     m_scene->enterTypedNumber();
     m_presentation->setOn(false); // so that the layout is that of the window

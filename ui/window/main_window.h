@@ -40,11 +40,11 @@ public:
 
     /// Returns a window, not yet visible, in the language that was chosen last. It takes over what this window shows.
     /// This window is then to be deleted.
-    std::unique_ptr<MainWindow> remade();
+    std::unique_ptr<MainWindow> makeReplacement();
 
 signals:
-    /// Emitted when a different language is chosen. Widgets keep the language in which they were made: remade() makes a
-    /// new window.
+    /// Emitted when a different language is chosen. Widgets keep the language in which they were made:
+    /// makeReplacement() makes a new window.
     void languageChosen();
 
 public slots:

@@ -68,7 +68,7 @@ private slots:
         QVERIFY(m_window->isWindowModified());
 
         action("Español")->trigger();
-        m_window = m_window->remade();
+        m_window = m_window->makeReplacement();
         m_window->show();
         settle(*m_window);
         QCOMPARE(m_window->menuBar()->actions().front()->text(), QString("&Archivo"));
@@ -81,7 +81,7 @@ private slots:
         QVERIFY(m_window->isWindowModified() && session().isModified());
 
         action("English")->trigger();
-        m_window = m_window->remade();
+        m_window = m_window->makeReplacement();
         QCOMPARE(m_window->menuBar()->actions().front()->text(), QString("&File"));
         QVERIFY(session().result()->choices == before);
     }
@@ -94,7 +94,7 @@ private slots:
         session().setParameter(Parameter::A, 21.5);
         session().undoStack().undo();
         storeLanguage(Language::Spanish);
-        m_window = m_window->remade();
+        m_window = m_window->makeReplacement();
         QUndoStack &steps = session().undoStack();
         QCOMPARE(steps.redoText(), QStringLiteral("cambio de a"));
         QVERIFY(session().isModified() && session().parameters() == Parameters({.b = 61.25}));
@@ -122,7 +122,7 @@ private slots:
     {
         view<FoldingTabs>()->setFolded(true);
         storeLanguage(Language::Spanish);
-        m_window = m_window->remade();
+        m_window = m_window->makeReplacement();
         QVERIFY(!m_window->isWindowModified() && view<FoldingTabs>()->isFolded());
     }
 };
