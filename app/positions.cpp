@@ -161,17 +161,10 @@ std::vector<Positions> readSolutions(const OptionReader &options, const Mechanis
     return {positions};
 }
 
-/// Reads --at-angle, and --omega2-for if it is given.
-std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &mechanism, const Units &units,
-                                 const Streams &streams)
+/// Reads --omega2-for. Returns the crank speed (rad/s) at which the channel has the wanted value at the crank angle
+/// theta2 (rad).
+double readCrankSpeedFor(const OptionReader &options, const Mechanism &mechanism, double theta2, const Units &units)
 {
-    const double theta2 = options.number("at-angle", 0.0, kDegree) / kDegreesPerRadian;
-    if (!options.has("omega2-for")) {
-        if (mechanism.omega2() == 0.0) {
-            return positionsAtRest(options, mechanism, {theta2});
-        }
-        return {{.mechanism = mechanism, .timeStamps = {firstTimeAtAngle(options, mechanism, theta2)}}};
-    }
     options.refuseIfGiven({"omega2"}, CommandLine::tr("--omega2-for computes the crank speed: remove %1."));
     const ChannelValue wanted = readChannelValue("omega2-for", options.text("omega2-for"), units);
     const QString name = columnName(wanted.channel);
@@ -186,11 +179,26 @@ std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &m
                              .arg(name, wanted.text, numberText(theta2 * kDegreesPerRadian)),
                          ExitStatus::NotAssemblable};
     }
-    streams.report("--omega2 " + typedNumberText(*speed));
-    if (*speed == 0.0) {
+    return *speed;
+}
+
+/// Reads --at-angle, and --omega2-for if it is given.
+std::vector<Positions> readAngle(const OptionReader &options, const Mechanism &mechanism, const Units &units,
+                                 const Streams &streams)
+{
+    const double theta2 = options.number("at-angle", 0.0, kDegree) / kDegreesPerRadian;
+    if (!options.has("omega2-for")) {
+        if (mechanism.omega2() == 0.0) {
+            return positionsAtRest(options, mechanism, {theta2});
+        }
+        return {{.mechanism = mechanism, .timeStamps = {firstTimeAtAngle(options, mechanism, theta2)}}};
+    }
+    const double speed = readCrankSpeedFor(options, mechanism, theta2, units);
+    streams.report("--omega2 " + typedNumberText(speed));
+    if (speed == 0.0) {
         return positionsAtRest(options, mechanism, {theta2});
     }
-    const Mechanism driven = withDrive(mechanism, *speed, mechanism.theta20());
+    const Mechanism driven = withDrive(mechanism, speed, mechanism.theta20());
     return {{.mechanism = driven, .timeStamps = {firstTimeAtAngle(options, driven, theta2)}}};
 }
 
