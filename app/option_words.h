@@ -50,8 +50,8 @@ struct EnumWords<Mobility> {
 /// The cases of the study.
 enum class CaseChoice {
     Nominal, ///< the mechanism of the options only
-    Hard,    ///< hardCases(), after the mechanism of the options if one is given
-    All      ///< nominalCases() and hardCases(), after the mechanism of the options if one is given
+    Hard,    ///< hardCases(), after the mechanism of the options unless that is the default one
+    All      ///< nominalCases() and hardCases(), after the mechanism of the options unless that is the default one
 };
 
 template <>
