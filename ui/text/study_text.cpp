@@ -91,7 +91,7 @@ Record countsOf(const MethodResult &row)
     return counts;
 }
 
-/// `counts`: how the format states countsOf(row).
+/// Returns the results of a method. `counts`: countsOf(row) as columns of CSV, or as a single object of JSON.
 Record recordOf(const MethodResult &row, const Record &counts)
 {
     Record record{{"method", QString::fromStdString(nameOf(row.method))},

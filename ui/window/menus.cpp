@@ -47,7 +47,8 @@ struct Choice {
     QString text;
 };
 
-/// Adds an action for each choice, which stores the number of its value; exactly one of them is checked.
+/// Adds an action for each choice to the menu. Each action stores its value as a number; only the action of the value
+/// `chosen` is checked.
 template <typename Value>
 QActionGroup *addChoices(QMenu *menu, const std::vector<Choice<Value>> &choices, Value chosen,
                          const std::function<void(Value)> &choose)
@@ -85,7 +86,8 @@ void showHelp(const QString &title, const QString &anchor, QWidget *window)
     auto *rows = new QVBoxLayout(dialog);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->addWidget(text);
-    const int side = 90 * dialog->fontMetrics().averageCharWidth();
+    constexpr int kSide = 90; // characters
+    const int side = kSide * dialog->fontMetrics().averageCharWidth();
     dialog->resize(side, side);
     dialog->show();
 }
@@ -185,14 +187,15 @@ void Menus::addViewMenu()
     QAction *presentationSwitch = addSwitch(menu, tr("Presentation &mode"), Qt::Key_F11);
     connect(presentationSwitch, &QAction::triggered, presentation, &Presentation::setOn);
     connect(presentation, &Presentation::changed, presentationSwitch, &QAction::setChecked);
-    QAction *fold = addSwitch(menu, tr("Show the &panels below"), Qt::Key_F9);
-    fold->setChecked(!tabs->isFolded());
-    connect(fold, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
-    connect(tabs, &FoldingTabs::foldedChanged, fold, [fold](bool folded) { fold->setChecked(!folded); });
-    QAction *ghost = addSwitch(menu, tr("Show the mo&tion of the file or the pinned one"));
-    ghost->setChecked(true);
-    connect(ghost, &QAction::triggered, m_views.ghost, &Ghost::setShown);
-    enableWhile(ghost, m_window.session(), &Result::isCompared);
+    QAction *panelsSwitch = addSwitch(menu, tr("Show the &panels below"), Qt::Key_F9);
+    panelsSwitch->setChecked(!tabs->isFolded());
+    connect(panelsSwitch, &QAction::triggered, tabs, [tabs](bool shown) { tabs->setFolded(!shown); });
+    connect(tabs, &FoldingTabs::foldedChanged, panelsSwitch,
+            [panelsSwitch](bool folded) { panelsSwitch->setChecked(!folded); });
+    QAction *ghostSwitch = addSwitch(menu, tr("Show the mo&tion of the file or the pinned one"));
+    ghostSwitch->setChecked(true);
+    connect(ghostSwitch, &QAction::triggered, m_views.ghost, &Ghost::setShown);
+    enableWhile(ghostSwitch, m_window.session(), &Result::isCompared);
     menu->addSeparator();
     addChoices<Theme>(
         menu, {{Theme::System, tr("&System colours")}, {Theme::Light, tr("&Light")}, {Theme::Dark, tr("&Dark")}},
@@ -223,7 +226,7 @@ void Menus::addNotationMenu(QMenu *menu)
                 member(changed) = value;
                 m_window.setNotation(changed);
             });
-        connect(menu, &QMenu::aboutToShow, group, [group, member] { // may have been chosen elsewhere
+        connect(menu, &QMenu::aboutToShow, group, [group, member] { // the notation may have been chosen elsewhere
             Notation chosen = notation();
             for (QAction *action : group->actions()) {
                 if (action->data() == static_cast<int>(member(chosen))) {

@@ -17,7 +17,7 @@ struct Messages {
     Q_DECLARE_TR_FUNCTIONS(slidercrank::Messages)
 };
 
-// The subjects of messages that disappear when they no longer apply.
+// The ids (Message::id) of messages that disappear when they no longer apply.
 const QString kResult = "result";
 const QString kReference = "reference";
 const QString kColumns = "columns";

@@ -7,8 +7,8 @@ namespace slidercrank
 class MainWindow;
 class MessageBar;
 
-/// Shows the messages of the window's session in the message bar from now on. Each message has a subject; a newer
-/// message with the same subject replaces it.
+/// Shows the messages of the window's session in the message bar from now on. A newer message replaces an older
+/// one with the same id.
 void showMessages(MainWindow *window, MessageBar *bar);
 
 } // namespace slidercrank
