@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Computes all output channels of a crank that accelerates, with 115 digits, from positions alone: the derivatives are
-// differences over a very short time. Lengths in mm, angles in rad, time in s.
+// Computes all output channels of a crank that accelerates, with 115 digits. The derivatives are difference quotients
+// of the positions over 1e-25 s. Lengths in mm, angles in rad, time in s.
 
 #include "core/limits/output_channel.h"
 #include "tests/support/deviation.h"
@@ -13,16 +13,17 @@
 namespace slidercrank
 {
 
-using ExactOutputs = std::map<std::string_view, ManyDigits>; ///< the key is the name; positions only
+using ExactOutputs = std::map<std::string_view, ManyDigits>; ///< values by the names of output channels
 
-/// Returns all positions at a crank angle, with the derived quantities from their definitions.
+/// Returns the positions of all output channels at a crank angle; those of derived quantities follow from their
+/// definitions.
 inline ExactOutputs exactPositions(const Parameters &p, const ManyDigits &theta2)
 {
     ExactInput in(p, 0.0);
     in.theta20 = theta2;
     const ExactState exact = exactState(in);
     ExactOutputs outputs;
-    const auto value = [&](Coordinate coordinate) { return exact.values[indexOf({coordinate, Order::Position})]; };
+    const auto positionOf = [&](Coordinate coordinate) { return exact.values[indexOf({coordinate, Order::Position})]; };
     for (std::size_t index = 0; index < static_cast<std::size_t>(kCoordinateCount); ++index) {
         outputs[nameOf(channelAt(index))] = exact.values[index];
     }
@@ -31,15 +32,14 @@ inline ExactOutputs exactPositions(const Parameters &p, const ManyDigits &theta2
     const ManyDigits pinY = a * sin(theta2);
     outputs["A_x"] = pinX;
     outputs["A_y"] = pinY;
-    const ManyDigits outer = sqrt((a + p.b) * (a + p.b) - ManyDigits(p.c) * p.c);
-    outputs["displacement"] =
-        p.branch == Branch::Open ? ManyDigits(outer - value(R4x)) : ManyDigits(value(R4x) + outer);
-    outputs["transmission_angle"] = atan2(abs(value(R4x) - pinX), abs(p.c - pinY));
+    const ManyDigits outerDeadCentre = sqrt((a + p.b) * (a + p.b) - ManyDigits(p.c) * p.c);
+    outputs["displacement"] = p.branch == Branch::Open ? ManyDigits(outerDeadCentre - positionOf(R4x))
+                                                       : ManyDigits(positionOf(R4x) + outerDeadCentre);
+    outputs["transmission_angle"] = atan2(abs(positionOf(R4x) - pinX), abs(p.c - pinY));
     return outputs;
 }
 
-/// Returns all output channels at t = 0 of a crank that accelerates, θ2 = θ20 + ω2 t + α2 t²/2, by differences of the
-/// positions with 115 digits.
+/// Returns all output channels at t = 0 of a crank that accelerates, θ2 = θ20 + ω2 t + α2 t²/2.
 inline ExactOutputs exactMotion(const Parameters &p, double alpha2)
 {
     const ManyDigits step = 1e-25; // s

@@ -21,10 +21,10 @@ ClaimTable &ClaimTable::change(const Channels &channels, Content content, const 
 {
     compute();
     for (ClaimColumn &column : columns) {
-        const bool isConcerned = channels.empty() || std::ranges::any_of(channels, [&](Channel channel) {
-                                     return column.heading == nameOf(channel);
-                                 });
-        if (isConcerned) {
+        const bool isSelected = channels.empty() || std::ranges::any_of(channels, [&](Channel channel) {
+                                    return column.heading == nameOf(channel);
+                                });
+        if (isSelected) {
             change(column);
             column.content = std::max(column.content, content);
         }
@@ -86,7 +86,7 @@ ClaimTable &ClaimTable::reprinted()
     return change(kAllColumns, Content::Motion, [](ClaimColumn &column) { column.reprint = "%.18e"; });
 }
 
-/// A multiple of a length has a different unit: the mechanism in that unit explains the file equally well.
+/// Multiplied lengths are lengths in a different unit, and the mechanism in that unit explains the file equally well.
 ClaimTable &ClaimTable::multiplied(const Channels &channels, double factor)
 {
     return change(channels, Content::Motion, [&](ClaimColumn &column) {
@@ -97,7 +97,8 @@ ClaimTable &ClaimTable::multiplied(const Channels &channels, double factor)
     });
 }
 
-/// A multiple of the time has a different unit: a crank with the speed in that unit explains the file equally well.
+/// Multiplied times are times in a different unit, and a crank with the speed in that unit explains the file equally
+/// well.
 ClaimTable &ClaimTable::timeMultiplied(double factor)
 {
     compute();
@@ -200,11 +201,11 @@ ClaimTable &ClaimTable::mistyped(Channel channel)
     });
 }
 
-ClaimTable &ClaimTable::failing(Channel channel, double rows, double fraction)
+ClaimTable &ClaimTable::failing(Channel channel, double probability, double fraction)
 {
     return change({channel}, Content::Systematic, [=, this](ClaimColumn &column) {
         for (double &value : column.values) {
-            value -= m_random.isTrue(rows) ? m_random.between(0.0, fraction) * swing(column.shown) : 0.0;
+            value -= m_random.isTrue(probability) ? m_random.between(0.0, fraction) * swing(column.shown) : 0.0;
         }
     });
 }
@@ -238,7 +239,7 @@ ClaimTable &ClaimTable::saturated(Channel channel, double fraction)
 ClaimTable &ClaimTable::withGaps(const Channels &channels, double probability)
 {
     return change(channels, Content::Motion, [=, this](ClaimColumn &column) {
-        // The first row keeps its values: the import finds the table by its first row of numbers.
+        // The first row keeps its values, because the import finds the table by its first row of numbers.
         for (Index row = 1; row < times.size(); ++row) {
             column.values[row] = m_random.isTrue(probability) ? kNone : column.values[row];
         }

@@ -14,8 +14,8 @@ namespace
 using Kind = Convention::Kind;
 using Outcome = Identification::Outcome;
 
-/// The numbers of one column, as the claim reads them, and their difference to the motion of a mechanism. Rows that are
-/// excluded or have no number are omitted.
+/// The numbers of one column, after the claimed conventions are applied, and the motion of a mechanism minus these
+/// numbers. Rows that are excluded or have no number are omitted.
 struct Deviation {
     Channel channel;
     Values numbers{};
@@ -67,7 +67,7 @@ std::vector<Deviation> deviationsFrom(Parameters p, const Claim &claim)
     if (isUneven) {
         p.omega2 = 1.0; // positions over θ2 do not depend on the speed
     }
-    Parameters withLongerCoupler = p; // shows how much the rounding of b changes the motion: much near a toggle
+    Parameters withLongerCoupler = p; // the rounding of b changes the motion much near a toggle
     withLongerCoupler.b *= 1.0 + 1e-15;
     const Values times = timesOf(p, claim);
     std::vector<Deviation> deviations;
@@ -80,7 +80,7 @@ std::vector<Deviation> deviationsFrom(Parameters p, const Claim &claim)
         const double factor = std::abs(unitFactor(claim, channel));
         const Values numbers = Values::Map(series.values.data(), times.size());
         const Values motion = valuesOf(p, channel, times);
-        const Values blur = valuesOf(p, channel, times + table.timeStep()) - motion;
+        const Values changeByTimeStep = valuesOf(p, channel, times + table.timeStep()) - motion;
         const Values rounding = valuesOf(withLongerCoupler, channel, times) - motion;
         const double peak = numbers.isFinite().select(numbers, 0.0).abs().maxCoeff();
         const double finest =
@@ -91,7 +91,7 @@ std::vector<Deviation> deviationsFrom(Parameters p, const Claim &claim)
             const std::size_t line = data.lines[static_cast<std::size_t>(i)];
             const bool isExcluded = std::ranges::count(claim.found.excludedRows, line) > 0 ||
                                     (table.hasSaturation && table.badLines.contains(line));
-            if (std::isfinite(numbers[i] + motion[i] + blur[i]) && !isExcluded) {
+            if (std::isfinite(numbers[i] + motion[i] + changeByTimeStep[i]) && !isExcluded) {
                 rows.push_back(i);
             }
         }
@@ -103,27 +103,28 @@ std::vector<Deviation> deviationsFrom(Parameters p, const Claim &claim)
             deviation.difference =
                 (motion - numbers)(rows).unaryExpr([=](double x) { return hasTurns ? std::remainder(x, 360.0) : x; });
             deviation.uncertainty =
-                ((steps.square() + blur.square()) / 12.0 + rounding.square() + noise * noise).sqrt()(rows);
+                ((steps.square() + changeByTimeStep.square()) / 12.0 + rounding.square() + noise * noise).sqrt()(rows);
         }
     }
     return deviations;
 }
 
-/// Checks that a printed residual is that of the mechanism, and small enough for the outcome.
+/// Describes how a claimed residual differs from that of the mechanism, or that it is too large for the outcome. Empty
+/// if neither is the case.
 std::string falseColumn(const Claim &claim, const Deviation &deviation)
 {
     constexpr double kApproximate = 0.02; // of the range, rms
     constexpr double kExact = 1e-3;       // of the range, beyond rounding
     const std::string name(nameOf(deviation.channel));
-    const auto printed = std::ranges::find(claim.found.residuals, deviation.channel, &ColumnResidual::channel);
+    const auto claimed = std::ranges::find(claim.found.residuals, deviation.channel, &ColumnResidual::channel);
     const double tolerance = 0.02 * deviation.largest() + 1e-6 * deviation.peak() + 2.0 * deviation.noise();
-    if (printed == claim.found.residuals.end()) {
+    if (claimed == claim.found.residuals.end()) {
         return "no residual of " + name;
     }
-    if (std::abs(printed->max - deviation.largest()) > tolerance ||
-        std::abs(printed->rms - deviation.rms()) > tolerance) {
+    if (std::abs(claimed->max - deviation.largest()) > tolerance ||
+        std::abs(claimed->rms - deviation.rms()) > tolerance) {
         return "residual of " + name + " is " + std::to_string(deviation.largest()) + ", not " +
-               std::to_string(printed->max);
+               std::to_string(claimed->max);
     }
     const double limit = claim.found.outcome == Outcome::Identified ? kExact : kApproximate;
     const double errorOfC = claim.found.standardErrors[indexOf(Parameter::C)];

@@ -31,8 +31,8 @@ struct Tolerance {
     double fraction; ///< of the size of the parameter
 };
 
-/// An exact fit has no systematic error, an approximate one may have some. Without standard errors, it warns that the
-/// values may have been filtered, which changes a mechanism by some percent.
+/// Returns a larger tolerance for an approximate claim, which may have systematic errors. It is largest if the table
+/// has systematic deviations and the claim reports them: filtered values change a mechanism by some percent.
 Tolerance toleranceOf(const Claim &claim)
 {
     if (claim.found.outcome == Outcome::Identified) {
@@ -41,7 +41,8 @@ Tolerance toleranceOf(const Claim &claim)
     return {10.0, claim.table.isSystematic && claim.found.hasSystematicResiduals ? 0.1 : 0.05};
 }
 
-/// Returns the mechanism as a filter with a delay shows it: the crank is behind by the angle of the delay.
+/// Returns the mechanism that a filter with this delay (s) shows: its crank lags by the angle that it turns in this
+/// time.
 Parameters delayed(Parameters p, double delay)
 {
     p.theta20 -= p.omega2 * delay;
@@ -67,6 +68,8 @@ bool isTrue(const Claim &claim, const Parameters &parameters)
         });
     });
 }
+
+// The next five functions describe what is false in a claim, and return an empty text if nothing is.
 
 /// Checks the mechanism and its rounded values. If the systematic deviations of a table do not show in the fit, the
 /// mechanism may differ from the true one. A motion that no slider-crank makes may be approximated, but without

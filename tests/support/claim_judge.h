@@ -20,14 +20,14 @@ struct Claim {
 
     const ClaimTable &table;
     Identification found;
-    ReferenceData read; ///< the data with the conventions that the program found
+    ReferenceData read; ///< the data after the conventions that the program found are applied
 
     bool isUsed(Channel channel) const;
 };
 
 /// Error of a claimed parameter.
 struct ParameterError {
-    double difference;
+    double difference;    ///< claimed minus true value, in mm, rad/s or rad
     double standardError; ///< 0 if none is claimed
     double size;          ///< the parameter's entry in parameterSizes()
 };
@@ -35,30 +35,30 @@ struct ParameterError {
 /// Returns the errors of the parameters that the claim identifies.
 std::vector<ParameterError> parameterErrors(const Claim &claim, const Parameters &parameters, const Parameters &truth);
 
-/// Returns the size of each parameter: a, b, ω2, one radian for θ20, and max(|c|, a) for c.
+/// Returns the sizes to which the errors of the parameters are relative: a, b, max(|c|, a) for c, |ω2|, and 1 rad for
+/// θ20.
 std::array<double, kParameterCount> parameterSizes(const Parameters &parameters);
 
-/// Returns whether a fit can use a column.
+/// Returns whether a fit can use a column with this channel.
 bool canBeFitted(Channel channel);
 
-/// Returns whether every standard error of a least-squares fit, linearized at the truth, is below 1 %, the
-/// linearization is valid, evidence and rows per turn are sufficient, and systematic deviations are below half a
-/// percent of the range.
+/// Returns whether a table determines its mechanism: the rows per turn and the evidence are sufficient, systematic
+/// deviations are below half a percent of the range, and in a least-squares fit that is linearized at the truth, every
+/// standard error is below 1 % and the linearization is valid.
 bool determinesItsMechanism(const ClaimTable &table);
 
-/// Describes a false statement about residuals, or mechanisms that do not explain the table, or excluded rows that are
-/// right. Empty if all are true.
+/// Describes the first false statement about excluded rows, residuals or alternative mechanisms. Empty if all are true.
 std::string falseResidual(const Claim &claim);
 
-/// Returns whether the used columns, as the claim reads them, deviate from the mechanism by no more than rounding and
-/// their true noise.
+/// Returns whether each used column, after the claimed conventions are applied, deviates from the mechanism (rms) by at
+/// most 1.5 times its rounding and true noise.
 bool explainsExactly(const Claim &claim, const Parameters &parameters);
 
 struct Judgement {
     Identification::Outcome outcome = Identification::Outcome::None;
-    std::string falseClaim{}; ///< why a claim is false; empty if none is
-    bool isDetermined = false;
-    bool isMissed = false; ///< the table determines its mechanism, which the program did not find
+    std::string falseClaim{};  ///< why a claim is false; empty if none is
+    bool isDetermined = false; ///< the table determines its mechanism
+    bool isMissed = false;     ///< the program did not find a mechanism or an uneven speed that is determined
 };
 
 Judgement judge(const Claim &claim);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kinds of tables that contain the motion of a slider-crank, or of a different machine, without changes.
+// Kinds of tables that contain the motion of a slider-crank, perhaps with white noise or gaps, or a different motion.
 #include "tests/support/claim_kinds.h"
 
 #include "core/mechanism/turn.h"
@@ -9,7 +9,7 @@
 namespace slidercrank
 {
 
-Channels oneDerivative(ClaimRandom &random)
+Channels randomDerivative(ClaimRandom &random)
 {
     return {random.oneOf({kSliderSpeed, kTheta3Speed, kSliderAcceleration, kTheta3Acceleration})};
 }
@@ -30,7 +30,7 @@ std::vector<ClaimKind> claimKinds()
     return kinds;
 }
 
-/// The headings name quantity and unit.
+/// Tables of ordinary mechanisms whose headings state the quantities and units of the columns.
 std::vector<ClaimKind> plainTables()
 {
     using Random = ClaimRandom;
@@ -144,7 +144,8 @@ std::vector<ClaimKind> plainTables()
                  .overTime(random.between(32, 46), 60)
                  .with(random.oneOf<Channels>({kSixColumns, {kSlider, kSliderSpeed}}));
          }},
-        // At 1.34 rows a turn, a different speed fits the same samples with 3.94 rows a turn; a true 1.1 looks like 11.
+        // With 1.34 rows a turn, a slower crank with 3.94 rows a turn gives the same samples; with 1.1 rows, one
+        // with 11.
         {"1.3 to 1.9 rows a turn, R4_x alone",
          [](Random &random) { return ClaimTable(random).overTime(random.between(32, 44), 60).with({kSlider}); }},
         {"1.3 to 1.9 rows a turn, theta2 within a turn",
@@ -207,14 +208,14 @@ std::vector<ClaimKind> plainTables()
              return random.isTrue(0.5) ? ClaimTable(random).with(kSixColumns).with(coupler)
                                        : ClaimTable(random).with({kSlider}).with(crank);
          }},
-        // None of the six plotted channels.
+        // A table without any of the six plotted channels.
         {"R2 or R3 alone",
          [](Random &random) {
              const Coordinate x = random.oneOf({R2x, R3x});
              const auto y = static_cast<Coordinate>(x + 1);
              return ClaimTable(random).with({{x}, {y}, {x, Order::Velocity}, {y, Order::Velocity}}).mayBeMissed();
          }},
-        // A different mechanism fits equally well.
+        // The same numbers in mm are those of a smaller mechanism.
         {"all lengths in another unit",
          [](Random &random) {
              return ClaimTable(random, enlarged(random.mechanism(), random.oneOf({1e-3, 0.1, 1.0 / 25.4})))

@@ -24,6 +24,7 @@ std::vector<ClaimKind> contradictoryTables();
 std::vector<ClaimKind> sensorTables();
 std::vector<ClaimKind> clockTables();
 
-Channels oneDerivative(ClaimRandom &random);
+/// Returns one of the first or second derivatives of R4_x and θ3.
+Channels randomDerivative(ClaimRandom &random);
 
 } // namespace slidercrank

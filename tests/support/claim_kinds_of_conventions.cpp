@@ -13,14 +13,14 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kRadians = 1.0 / kDegreesPerRadian;
+constexpr double kRadiansPerDegree = 1.0 / kDegreesPerRadian;
 
 Channels positions(ClaimRandom &random)
 {
     return random.oneOf<Channels>({{kSlider}, {kSlider, kTheta3}});
 }
 
-/// A table over the crank angle of one turn.
+/// Returns a table over one turn of the crank angle, in steps of 1° … 30°.
 ClaimTable tableByAngle(ClaimRandom &random, const Parameters &mechanism)
 {
     return ClaimTable(random, mechanism).overCrankAngle(random.oneOf({1.0, 2.0, 5.0, 10.0, 15.0, 30.0}));
@@ -38,14 +38,15 @@ double outerDeadCentre(const Parameters &p)
     return std::sqrt((p.a + p.b) * (p.a + p.b) - p.c * p.c);
 }
 
-double someOrigin(ClaimRandom &random)
+/// Returns an origin (mm) of either sign.
+double randomOrigin(ClaimRandom &random)
 {
     return random.eitherSign(5.0, 500.0);
 }
 
 } // namespace
 
-/// As in textbooks and exercises.
+/// Tables as in textbooks and exercises, most of them over the crank angle.
 std::vector<ClaimKind> tablesByAngle()
 {
     using Random = ClaimRandom;
@@ -87,7 +88,7 @@ std::vector<ClaimKind> tablesByAngle()
                  .overCrankAngle(random.oneOf({1.0, 2.0, 3.0, 5.0}), random.between(1.0, 3.0))
                  .with(positions(random))
                  .digits(7)
-                 .multiplied({kTheta2}, kRadians)
+                 .multiplied({kTheta2}, kRadiansPerDegree)
                  .conventionsBetween(0, 1);
          }},
         {"by angle, two to four decimals",
@@ -217,7 +218,7 @@ std::vector<ClaimKind> tablesByAngle()
              return tableByAngle(random, random.mechanism())
                  .with(kSixColumns)
                  .digits(8)
-                 .multiplied({kTheta3Speed, kTheta3Acceleration}, kRadians)
+                 .multiplied({kTheta3Speed, kTheta3Acceleration}, kRadiansPerDegree)
                  .conventionsBetween(1, 2);
          }},
         {"by angle, half a turn",
@@ -241,7 +242,7 @@ std::vector<ClaimKind> tablesWithConventions()
     return {
         {"origin of R4_x",
          [](Random &random) {
-             return ClaimTable(random).with(kSixColumns).shifted({kSlider}, someOrigin(random)).conventions(1);
+             return ClaimTable(random).with(kSixColumns).shifted({kSlider}, randomOrigin(random)).conventions(1);
          }},
         // A displacement may be measured in the other direction; the mechanism is then that of the other assembly.
         {"origin of R4_x alone",
@@ -281,7 +282,7 @@ std::vector<ClaimKind> tablesWithConventions()
              return ClaimTable(random)
                  .with(kSixColumns)
                  .with({kR4y})
-                 .shifted({kR4y}, someOrigin(random))
+                 .shifted({kR4y}, randomOrigin(random))
                  .conventions(1);
          }},
         {"origin of theta3",
@@ -296,8 +297,8 @@ std::vector<ClaimKind> tablesWithConventions()
              return ClaimTable(random)
                  .with(kSixColumns)
                  .with({kR4y})
-                 .shifted({kSlider}, someOrigin(random))
-                 .shifted({kR4y}, someOrigin(random))
+                 .shifted({kSlider}, randomOrigin(random))
+                 .shifted({kR4y}, randomOrigin(random))
                  .shifted({kTheta3}, random.eitherSign(5.0, 170.0))
                  .conventions(3);
          }},
@@ -323,13 +324,13 @@ std::vector<ClaimKind> tablesWithConventions()
          [](Random &random) {
              const Channels columns =
                  random.oneOf<Channels>({kCouplerColumns, {kTheta3}, {kTheta3Speed}, {kTheta3Acceleration}});
-             return ClaimTable(random).with(kSixColumns).multiplied(columns, kRadians).conventions(1);
+             return ClaimTable(random).with(kSixColumns).multiplied(columns, kRadiansPerDegree).conventions(1);
          }},
         {"crank angle in radians, too",
          [](Random &random) {
              return ClaimTable(random)
                  .with({kTheta2, kTheta3, kSlider})
-                 .multiplied({kTheta2, kTheta3}, kRadians)
+                 .multiplied({kTheta2, kTheta3}, kRadiansPerDegree)
                  .conventions(1);
          }},
         {"one length in another unit",
@@ -344,7 +345,7 @@ std::vector<ClaimKind> tablesWithConventions()
                  {kTheta3, kTheta3Speed, kTheta3Acceleration, kSlider, kSliderSpeed, kSliderAcceleration})};
              return ClaimTable(random).with(kSixColumns).multiplied(column, -1.0).conventions(1);
          }},
-        // A half turn of theta3 and the opposite sign of R4_y describe the same.
+        // A half turn of theta3 together with the opposite sign of R4_y describes the same file.
         {"the slider's axis the other way, or clockwise",
          [](Random &random) {
              return ClaimTable(random, withOffset(random.mechanism(), random.eitherSign(0.02, 0.4)))
@@ -364,7 +365,7 @@ std::vector<ClaimKind> tablesWithConventions()
          [](Random &random) {
              return ClaimTable(random).with(kSixColumns).shifted({kTheta3}, 180.0).withinATurn(kTheta3).conventions(1);
          }},
-        // Near 360, the digits after the point are fewer than near 0.
+        // Six significant digits leave fewer decimals near 360° than near 0°.
         {"theta3 within 0 to 360",
          [](Random &random) {
              return ClaimTable(random).with(random.oneOf({kCouplerColumns, kSixColumns})).withinATurn(kTheta3);
@@ -391,7 +392,7 @@ std::vector<ClaimKind> tablesWithConventions()
         {"one that is no derivative",
          [](Random &random) {
              ClaimTable table = ClaimTable(random).with(kSixColumns);
-             const Channels column = oneDerivative(random);
+             const Channels column = randomDerivative(random);
              switch (random.index(3)) {
              case 0: return table.delayed(column, random.between(5.0, 20.0));
              case 1: return table.amplified(column, 0.0);
@@ -416,14 +417,15 @@ std::vector<ClaimKind> tablesWithConventions()
                  .decimals(3)
                  .shifted({kSlider}, random.eitherSign(20.0, 200.0))
                  .differentiated({kSliderSpeed, kSliderAcceleration}, 1)
-                 .conventionsBetween(1, 2); // of a crossed assembly, the open one with the opposite direction is found
+                 .conventionsBetween(1, 2); // for a crossed assembly, the open one with the opposite sign of R4_x
          }},
         {"two faults at once",
          [](Random &random) {
              ClaimTable table = ClaimTable(random).with(kSixColumns).conventions(2);
              switch (random.index(3)) {
-             case 0: return table.shifted({kSlider}, someOrigin(random)).multiplied(kCouplerColumns, kRadians);
-             case 1: return table.multiplied({kSliderSpeed}, -1.0).multiplied({kTheta3Acceleration}, kRadians);
+             case 0:
+                 return table.shifted({kSlider}, randomOrigin(random)).multiplied(kCouplerColumns, kRadiansPerDegree);
+             case 1: return table.multiplied({kSliderSpeed}, -1.0).multiplied({kTheta3Acceleration}, kRadiansPerDegree);
              default: return table.shifted({kTheta3}, 180.0).multiplied({kSliderAcceleration}, 1e-3);
              }
          }},
@@ -449,7 +451,7 @@ std::vector<ClaimKind> tablesWithConventions()
                  .with(kSixColumns)
                  .digits(8)
                  .withNoise(kAllColumns, random.onLogScale(5e-4, 1e-2))
-                 .multiplied(kCouplerColumns, kRadians)
+                 .multiplied(kCouplerColumns, kRadiansPerDegree)
                  .conventions(1);
          }},
         {"noise and a sign",

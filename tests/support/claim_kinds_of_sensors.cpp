@@ -11,7 +11,7 @@ namespace slidercrank
 namespace
 {
 
-constexpr double kErrorCode = -9999.0; // which a logger writes in place of a reading
+constexpr double kErrorCode = -9999.0; // a logger writes it in place of a reading
 
 /// Returns a table of 100 … 300 rows in 1 … 3 turns.
 ClaimTable longTable(ClaimRandom &random, std::initializer_list<Channels> choices, int digits = 7)
@@ -22,7 +22,7 @@ ClaimTable longTable(ClaimRandom &random, std::initializer_list<Channels> choice
         .digits(digits);
 }
 
-/// Returns such a table with R4_x, perhaps with θ2 or θ3, or with all six channels.
+/// Returns a table of 100 … 300 rows with R4_x, with R4_x and θ2 or θ3, or with all six channels.
 ClaimTable tableOfPositionsAndMore(ClaimRandom &random, int digits = 7)
 {
     return longTable(random, {{kSlider}, {kSlider, kTheta3}, {kTheta2, kSlider}, kSixColumns}, digits);
@@ -33,8 +33,8 @@ ClaimTable tableOfPositions(ClaimRandom &random, int digits = 7)
     return longTable(random, {{kSlider}, {kSlider, kTheta3}}, digits);
 }
 
-/// Returns a table of 100 … 300 rows with R4_x, with R4_x and θ3, or with all six channels; every second one (at
-/// random) has noise of 1e-4 … `maxNoise` of half the range.
+/// Returns a table of 100 … 300 rows with R4_x, with R4_x and θ3, or with all six channels. With a probability of one
+/// half, it has noise of 1e-4 … `maxNoise` of half the range.
 ClaimTable tableOfPositionsOrSixChannels(ClaimRandom &random, double maxNoise)
 {
     ClaimTable table = longTable(random, {{kSlider}, {kSlider, kTheta3}, kSixColumns});
@@ -130,8 +130,8 @@ std::vector<ClaimKind> filteredTables()
          }},
         {"speed ripple",
          [](Random &random) {
-             const double part = random.onLogScale(1e-4, 5e-3);
-             ClaimTable table = ClaimTable(random).rippling(part, random.onLogScale(0.5, 4.0));
+             const double fraction = random.onLogScale(1e-4, 5e-3);
+             ClaimTable table = ClaimTable(random).rippling(fraction, random.onLogScale(0.5, 4.0));
              table.isCrankUneven = false; // the file does not show it
              return table.with(random.oneOf<Channels>({{kSlider}, {kSlider, kTheta3}})).digits(7).approximate();
          }},
@@ -164,23 +164,23 @@ std::vector<ClaimKind> contradictoryTables()
     return {
         {"speed ripple, with theta2",
          [](Random &random) {
-             const double part = random.onLogScale(0.05, 0.3);
-             return ClaimTable(random).rippling(part, random.onLogScale(0.3, 2.0)).with({kTheta2, kSlider});
+             const double fraction = random.onLogScale(0.05, 0.3);
+             return ClaimTable(random).rippling(fraction, random.onLogScale(0.3, 2.0)).with({kTheta2, kSlider});
          }},
         {"joined runs",
          [](Random &random) {
              const double jump = random.onLogScale(0.1, 6.2);
-             const double place = random.between(2.0, 4.0);
+             const double jumpAngle = random.between(2.0, 4.0);
              return ClaimTable(random)
-                 .turnedBy([=](double angle) { return angle < place ? angle : angle + jump; })
+                 .turnedBy([=](double angle) { return angle < jumpAngle ? angle : angle + jump; })
                  .with(random.oneOf<Channels>({{kSlider}, {kSlider, kTheta3}}))
                  .noMechanism();
          }},
         {"standstill",
          [](Random &random) {
-             const double last = random.between(1.5, 4.5);
+             const double lastAngle = random.between(1.5, 4.5);
              return ClaimTable(random)
-                 .turnedBy([=](double angle) { return std::min(angle, last); })
+                 .turnedBy([=](double angle) { return std::min(angle, lastAngle); })
                  .with(random.oneOf<Channels>({{kSlider}, {kSlider, kTheta3}}))
                  .noMechanism();
          }},
@@ -193,15 +193,15 @@ std::vector<ClaimKind> contradictoryTables()
         {"a derivative of another mechanism",
          [](Random &random) {
              return longTable(random, {kSixColumns}, 6)
-                 .ofLongerCoupler(oneDerivative(random), random.between(1.2, 1.5));
+                 .ofLongerCoupler(randomDerivative(random), random.between(1.2, 1.5));
          }},
         {"gain error of a derivative",
          [](Random &random) {
              const double gain = 1.0 + random.eitherSign(0.005, 0.03);
-             return longTable(random, {kSixColumns}, 6).amplified(oneDerivative(random), gain);
+             return longTable(random, {kSixColumns}, 6).amplified(randomDerivative(random), gain);
          }},
         {"unconnected derivative",
-         [](Random &random) { return longTable(random, {kSixColumns}, 6).amplified(oneDerivative(random), 0.0); }},
+         [](Random &random) { return longTable(random, {kSixColumns}, 6).amplified(randomDerivative(random), 0.0); }},
         {"lagging channel",
          [](Random &random) {
              return longTable(random, {{kSlider, kTheta3}, kSixColumns}, 6)
@@ -278,7 +278,8 @@ std::vector<ClaimKind> contradictoryTables()
     };
 }
 
-/// Encoders, converters, decimals, wrong readings. A file does not show that all values are half a step too small.
+/// Encoders, converters, decimals, wrong readings. A file does not show that truncated values are half a step too small
+/// on average.
 std::vector<ClaimKind> sensorTables()
 {
     using Random = ClaimRandom;

@@ -31,12 +31,12 @@ struct LinearizedFit {
     Index stride;  ///< rows of the file that a row represents
     Values times;  ///< since the middle
     std::vector<ClaimColumn> columns{};
-    std::vector<Index> free{}; ///< indices of the unknowns: parameters, then origins
-    Values weights{};          ///< 1 / error of each value, one column after the other; 0: not used
-    Values deviations{};       ///< systematic ones of the values, in errors
-    double count = 0.0;        ///< number of used values
-    double information = 0.0;  ///< sum of the logarithms of spread / error
-    bool isClose = true;       ///< systematic deviations are below half a percent of the range
+    std::vector<Index> freeUnknowns{}; ///< indices of the unknowns: parameters, then origins
+    Values weights{};                  ///< 1 / error of each value, one column after the other; 0 for unused values
+    Values deviations{};               ///< systematic deviation of each value / its error
+    double count = 0.0;                ///< number of used values
+    double information = 0.0;          ///< sum of ln(spread / (√(2πe) error)) over the used values, in nats
+    bool isClose = true;               ///< systematic deviations are below half a percent of the range
 
     explicit LinearizedFit(const ClaimTable &file)
         : truth(*file.truth)
@@ -49,25 +49,28 @@ struct LinearizedFit {
         for (const ClaimColumn &column : file.columns) {
             if (column.content != Content::Foreign && canBeFitted(column.shown) &&
                 !(file.isOverAngle && column.shown.coordinate == Theta2)) {
-                add(file, column);
+                addColumn(file, column);
                 hasLength = hasLength || !isAngle(column.shown.coordinate);
             }
         }
         for (Index i = hasLength ? 0 : 1; i < (file.isOverAngle ? 3 : kParameters); ++i) {
-            free.push_back(i);
+            freeUnknowns.push_back(i);
         }
     }
 
-    void add(const ClaimTable &file, const ClaimColumn &column)
+    void addColumn(const ClaimTable &file, const ClaimColumn &column)
     {
         constexpr double kRelativeTolerance = 0.005;
         const auto represented = static_cast<double>(stride);
         const Values exact = column.factor * valuesOf(truth, column.shown, times - file.delay);
-        const Values late = column.factor * valuesOf(truth, column.shown, times - file.delay + file.timeStep()) - exact;
+        const Values changeByTimeStep =
+            column.factor * valuesOf(truth, column.shown, times - file.delay + file.timeStep()) - exact;
         const Values values = column.values(Eigen::seq(0, file.times.size() - 1, stride));
         const double range = 2.0 * file.swing(column.shown) * std::abs(column.factor);
-        const Values steps = column.stepsAt(values).max(0.01 * column.stepAt(range)); // not that of a zero
-        const Values errors = ((steps.square() + late.square()) / 12.0 + column.noise * column.noise).sqrt();
+        const Values steps = column.stepsAt(values).max(
+            0.01 * column.stepAt(range)); // the step of a value near 0 may be arbitrarily small
+        const Values errors =
+            ((steps.square() + changeByTimeStep.square()) / 12.0 + column.noise * column.noise).sqrt();
         const Index first = weights.size();
         weights.conservativeResize(first + times.size());
         deviations.conservativeResize(weights.size());
@@ -86,11 +89,11 @@ struct LinearizedFit {
         }
         columns.push_back(column);
         if (column.hasOrigin) {
-            free.push_back(kParameters + static_cast<Index>(columns.size()) - 1);
+            freeUnknowns.push_back(kParameters + static_cast<Index>(columns.size()) - 1);
         }
     }
 
-    /// Returns all values, in errors, if the unknowns change by `step`.
+    /// Returns each value / its error after the unknowns have changed by `step`.
     VectorXd valuesFor(const VectorXd &step) const
     {
         const std::array sizes = parameterSizes(truth);
@@ -115,9 +118,9 @@ bool isAccurate(const LinearizedFit &fit)
     constexpr double kStep = 1e-6;
     constexpr double kStandardErrors = 3.0;
     const Index unknowns = kParameters + static_cast<Index>(fit.columns.size());
-    MatrixXd jacobian(fit.weights.size(), static_cast<Index>(fit.free.size()));
+    MatrixXd jacobian(fit.weights.size(), static_cast<Index>(fit.freeUnknowns.size()));
     for (Index j = 0; j < jacobian.cols(); ++j) {
-        const VectorXd step = kStep * VectorXd::Unit(unknowns, fit.free[static_cast<std::size_t>(j)]);
+        const VectorXd step = kStep * VectorXd::Unit(unknowns, fit.freeUnknowns[static_cast<std::size_t>(j)]);
         jacobian.col(j) = (fit.valuesFor(step) - fit.valuesFor(-step)) / (2.0 * kStep);
     }
     jacobian = jacobian.array().isFinite().select(jacobian, 0.0);
@@ -132,7 +135,7 @@ bool isAccurate(const LinearizedFit &fit)
         scale.asDiagonal() * svd.matrixV() * svd.singularValues().cwiseSqrt().cwiseInverse().asDiagonal();
     MatrixXd errors = MatrixXd::Zero(unknowns, jacobian.cols()); // a column for each singular vector
     for (Index j = 0; j < freeErrors.rows(); ++j) {
-        errors.row(fit.free[static_cast<std::size_t>(j)]) = freeErrors.row(j);
+        errors.row(fit.freeUnknowns[static_cast<std::size_t>(j)]) = freeErrors.row(j);
     }
     const VectorXd values = fit.valuesFor(VectorXd::Zero(unknowns));
     for (Index k = 0; k < errors.cols(); ++k) {
@@ -185,7 +188,7 @@ bool determinesItsMechanism(const ClaimTable &file)
         return false;
     }
     LinearizedFit fit(file);
-    const auto unknowns = static_cast<double>(fit.free.size());
+    const auto unknowns = static_cast<double>(fit.freeUnknowns.size());
     return fit.isClose && fit.count >= 2.0 * unknowns &&
            (1.0 - unknowns / fit.count) * fit.information >= kMinEvidence && isAccurate(fit);
 }

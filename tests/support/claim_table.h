@@ -90,11 +90,11 @@ struct ClaimColumn {
     std::string heading;
     Channel shown{}; ///< the channel whose values the column contains; not used for the time
     std::string format = "%.6g";
-    std::string reprint{}; ///< format in which a second program printed the rounded numbers again; empty: none did
-    double quantum = 0.0;  ///< distance between neighbouring values; 0: that of the format
-    double factor = 1.0;   ///< of the values, in addition to the unit of the heading
-    double noise = 0.0;    ///< rms of white noise
-    bool hasOrigin = false;
+    std::string reprint{};  ///< format in which a second program printed the rounded numbers again; empty: none did
+    double quantum = 0.0;   ///< distance between neighbouring values; 0: that of the format
+    double factor = 1.0;    ///< of the values, beside the unit of the heading
+    double noise = 0.0;     ///< rms of white noise
+    bool hasOrigin = false; ///< the values may be measured from a different origin
     Content content = Content::Motion;
     Values values{}; ///< before they are printed; NaN for an empty cell
 
@@ -170,7 +170,7 @@ public:
     ClaimTable &withinATurn(Channel channel);                     ///< 0 … 360°
     ClaimTable &timeMultiplied(double factor);
 
-    // Errors of sensors. A fraction is that of half the range of the motion.
+    // Errors of sensors. A fraction is that of half the range of the motion unless stated.
     ClaimTable &withNoise(const Channels &channels, double fraction);
     ClaimTable &withUnevenNoise(const Channels &channels, const UnevenNoise &uneven);
     ClaimTable &inSteps(const Channels &channels, double step);
@@ -178,13 +178,12 @@ public:
     ClaimTable &withTone(const Channels &channels, const Tone &tone);
     ClaimTable &withBacklash(Channel channel, double fraction);
     ClaimTable &misread(Channel channel, const Misreading &misreading); ///< in at most 3 % of the rows
-    /// One value has the opposite sign, its point is moved by one place, or it is off by up to a twentieth of the
-    /// swing.
+    /// One value has the opposite sign, a decimal point moved by one digit, or an error of 1 … 5 % of half the range.
     ClaimTable &mistyped(Channel channel);
-    /// Each value is too small with the probability `rows`, by at most `fraction`.
-    ClaimTable &failing(Channel channel, double rows, double fraction);
-    ClaimTable &frozen(Channel channel); ///< one reading is repeated in at most 2.5 % of the rows
-    ClaimTable &saturated(Channel channel, double fraction);
+    /// Each value is too small with this probability, by at most `fraction`.
+    ClaimTable &failing(Channel channel, double probability, double fraction);
+    ClaimTable &frozen(Channel channel);                     ///< one reading is repeated in at most 2.5 % of the rows
+    ClaimTable &saturated(Channel channel, double fraction); ///< the top `fraction` of the whole range is cut off
     ClaimTable &withGaps(const Channels &channels, double probability);
     ClaimTable &withoutABlock(const Channels &channels); ///< a fifth of the rows has no values
 
@@ -192,14 +191,14 @@ public:
     ClaimTable &smoothed(const Channels &channels, const WeightedMean &mean);
     ClaimTable &interpolated(const Channels &channels, double rows); ///< linearly, between samples `rows` rows apart
     ClaimTable &held(const Channels &channels, double rows);         ///< repeats the last of samples `rows` rows apart
-    ClaimTable &jittered(const Channels &channels, double fraction); ///< random times of reading; of the time step
+    ClaimTable &jittered(const Channels &channels, double fraction); ///< at random times; rms: `fraction` time steps
 
     // Values that do not belong to the motion.
     ClaimTable &delayed(const Channels &channels, double rows);
     ClaimTable &amplified(const Channels &channels, double factor);
     ClaimTable &ofLongerCoupler(const Channels &channels, double factor);
-    /// The slope or curvature of a parabola through the printed positions of `rows` rows on either side (1: central
-    /// differences). The ends are empty.
+    /// The slope or curvature of the parabola that fits the printed positions of a row and `rows` rows on either side
+    /// best (1: central differences). The ends are empty.
     ClaimTable &differentiated(const Channels &channels, int rows);
     ClaimTable &replacedByRandom(const Channels &channels);
 
@@ -234,8 +233,8 @@ public:
     std::size_t maxConventions = 0;
     double tolerance = 2e-3; ///< relative tolerance of the parameters of an exact fit, or 5 standard errors if larger
     bool hasTooFewValues = false;
-    bool isMissable = false;
-    bool isSystematic = false;
+    bool isMissable = false;    ///< see mayBeMissed()
+    bool isSystematic = false;  ///< see approximate()
     bool hasSaturation = false; ///< the program need not name the bad rows
     bool hasSteepRows = false;  ///< rows that are right may be excluded
     bool isCrankUneven = false; ///< θ2 shows that the speed is not constant
@@ -273,7 +272,7 @@ struct ClaimKind {
     bool isFault = false; ///< with the faults of a sensor, filter, logger or spreadsheet
 };
 
-/// All kinds; claim_kinds_*.cpp.
+/// Returns all kinds of the files claim_kinds*.cpp.
 std::vector<ClaimKind> claimKinds();
 
 /// Makes and prints a table, which depends on the kind, the seed and the number.

@@ -30,7 +30,7 @@ inline Outcome read(const QByteArray &bytes, const std::vector<ColumnChoice> &ch
     return readReferenceData({bytes.constData(), static_cast<std::size_t>(bytes.size())}, options);
 }
 
-/// Reads files with the names "a", "b", "c".
+/// Reads files with the names "a", "b", "c". If `areBeginnings`, only the beginning of each file was loaded.
 inline Outcome readJoined(const QByteArrayList &files, const ReadOptions &options = {}, bool areBeginnings = false)
 {
     std::vector<FileBytes> sources;
@@ -57,8 +57,8 @@ inline std::string described(const std::vector<double> &values)
     return text;
 }
 
-inline constexpr std::array kFaults{"not a number",   "too large",     "point for comma", "comma for point",
-                                    "too many cells", "too few cells", "no time",         "repeated time"};
+inline constexpr std::array kRowFaultNames{"not a number",   "too large",     "point for comma", "comma for point",
+                                           "too many cells", "too few cells", "no time",         "repeated time"};
 
 /// Returns the roles of the columns: "time R4_x theta3? -", with a question mark for a guess.
 inline std::string rolesOf(const FileLayout &layout)
@@ -78,7 +78,7 @@ inline std::string rolesOf(const FileLayout &layout)
 }
 
 /// Returns delimiter, decimal sign and line of the headings: "; comma line 3".
-inline std::string formOf(const FileLayout &layout)
+inline std::string formatOf(const FileLayout &layout)
 {
     const std::string sign = layout.decimalSign == DecimalSign::Comma ? " comma" : " point";
     return layout.delimiter + sign + " line " + std::to_string(layout.headerLine);
@@ -98,19 +98,19 @@ inline std::string described(const Outcome &outcome)
     for (const SkippedRow &row : data.skipped) {
         const std::string file = row.file == 0 ? "" : "file " + std::to_string(row.file) + ' ';
         text += "; skipped " + file + std::to_string(row.line) + ':' + std::to_string(row.column) + ' ' + row.text +
-                " (" + kFaults[static_cast<std::size_t>(row.fault)] + ')';
+                " (" + kRowFaultNames[static_cast<std::size_t>(row.fault)] + ')';
     }
     return text;
 }
 
-inline QByteArray utf16Of(const QByteArray &text, bool littleEndian, bool mark)
+inline QByteArray utf16Of(const QByteArray &text, bool isLittleEndian, bool hasByteOrderMark)
 {
-    QByteArray bytes = mark ? littleEndian ? "\xFF\xFE" : "\xFE\xFF" : "";
+    QByteArray bytes = hasByteOrderMark ? isLittleEndian ? "\xFF\xFE" : "\xFE\xFF" : "";
     for (const QChar c : QString::fromUtf8(text)) {
         const char low = static_cast<char>(c.unicode() & 0xFFU);
         const char high = static_cast<char>(c.unicode() >> 8U);
-        bytes += littleEndian ? low : high;
-        bytes += littleEndian ? high : low;
+        bytes += isLittleEndian ? low : high;
+        bytes += isLittleEndian ? high : low;
     }
     return bytes;
 }
@@ -135,8 +135,8 @@ inline QByteArray sampleTable()
     return file.open(QIODevice::ReadOnly) ? file.readAll().replace("\xEF\xBB\xBF", "") : QByteArray();
 }
 
-/// Returns a table with these names and 20 rows of equal numbers.
-inline QByteArray under(const QByteArray &names)
+/// Returns a table with these headings and 20 rows. The first column counts from 0, all others are 7.5.
+inline QByteArray tableUnder(const QByteArray &names)
 {
     QByteArray bytes = names + '\n';
     for (int row = 0; row < 20; ++row) {

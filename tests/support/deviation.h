@@ -35,7 +35,7 @@ struct RoughState {
     std::array<Real, kChannelCount> values{}; ///< indexed by indexOf(channel)
 };
 
-/// Returns the peak of each channel in a run (rad, mm), or its naturalSize() where it is identically zero.
+/// Returns the peak of each channel over the states of a motion, or the naturalSize() of a channel that is always zero.
 template <class AnyState>
 std::array<double, kChannelCount> channelSizes(const Parameters &parameters, const std::vector<AnyState> &run)
 {
@@ -109,7 +109,7 @@ struct Deviation {
 };
 
 /// Returns the deviation of the channel with the largest error in units of its tolerance. Considers the orders up to
-/// `last`; without an exact solution of the derivatives, only positions.
+/// `last`, or only positions if the status of the exact state is not Solved.
 template <class AnyState>
 Deviation worstDeviation(const State &got, const AnyState &exact, double t,
                          const std::array<double, kChannelCount> &tolerances, Order last = Order::Acceleration)

@@ -14,8 +14,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-// Replaces functions of the C library for the whole process. They make the system calls directly, so that they need no
-// other function and no initialization before main().
+// Replaces functions of the C library for the whole process. The replacements make the system calls directly, so that
+// they need no other function and no initialization before main().
 
 namespace
 {

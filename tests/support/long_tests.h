@@ -24,16 +24,16 @@ inline bool areTestsLong()
 }
 
 /// Returns the number of cases: `usual`, or `many` in long tests.
-inline int runs(int usual, int many)
+inline int caseCount(int usual, int many)
 {
     return areTestsLong() ? many : usual;
 }
 
-/// Returns the number of cases of a numerical test. Sanitizer builds check memory, not numbers, so they run an eighth
-/// of the usual number.
-inline int numericRuns(int usual, int many)
+/// Returns the number of cases of a numerical test. Sanitizer builds check memory, not numbers, so that an eighth of
+/// the usual number is enough for them.
+inline int numericCaseCount(int usual, int many)
 {
-    return runs(kIsSanitized ? std::max(usual / 8, 1) : usual, many);
+    return caseCount(kIsSanitized ? std::max(usual / 8, 1) : usual, many);
 }
 
 } // namespace slidercrank

@@ -25,8 +25,8 @@ inline bool isRocker(const Parameters &p)
     return MotionConstants(Mechanism(p)).epsilon < 0.0;
 }
 
-/// Returns rockers close to the limits of the rocker: almost full turns, almost locked, two arcs that almost meet,
-/// extreme ratios of lengths.
+/// Returns rockers that are difficult to compute: with almost full turns, almost locked, with two arcs that almost
+/// meet, or with extreme ratios of lengths.
 inline std::vector<NamedMechanism> difficultRockers()
 {
     return {
@@ -41,8 +41,8 @@ inline std::vector<NamedMechanism> difficultRockers()
         {"b/a = 1e4", {1e-3, 25.0001, 25.0003, 3.0, 1.0, Branch::Open}}};
 }
 
-/// Returns all mechanisms. Of the `random` ones, a third make full turns, a third are rockers, and a third are close to
-/// a toggle on either side.
+/// Returns all mechanisms. Of the `random` ones, a third make full turns, a third have a coupler of 20 … 95 % of that
+/// length, so that many are rockers, and a third are close to a toggle on either side.
 inline std::vector<NamedMechanism> mechanismList(int random, std::uint64_t seed = 1)
 {
     std::vector<NamedMechanism> list;

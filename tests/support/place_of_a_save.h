@@ -28,7 +28,7 @@ struct Save {
     const char *name;
     QString file;
     QStringList arguments = {};                             ///< arguments of the program, without --output
-    std::function<void(const QString &path)> inWindow = {}; ///< saves by the window, which reports in its message bar
+    std::function<void(const QString &path)> inWindow = {}; ///< saves by the window
 };
 
 /// Returns whether the file is complete according to its format. `lines` is the expected number of lines of a table.

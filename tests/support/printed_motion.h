@@ -36,8 +36,8 @@ inline long double textbookValue(const Parameters &p, Channel channel, long doub
                : std::numeric_limits<long double>::quiet_NaN();
 }
 
-/// In the order of kPlottedChannels, in the default units (mm, °, s).
 inline constexpr std::size_t kPrintedChannels = kPlottedChannels.size();
+/// Values in the order of kPlottedChannels, in the units of files (mm, °, s).
 using PrintedRow = std::array<long double, kPrintedChannels>;
 
 /// Returns the plotted channels at time t.
@@ -68,8 +68,8 @@ inline std::string namesOf(const std::vector<Channel> &channels)
 }
 
 struct Printing {
-    double from = 0.0; ///< s
-    double to = 1.0;
+    double from = 0.0; ///< first time stamp, s
+    double to = 1.0;   ///< last time stamp, s
     int rows = 201;
     std::vector<Channel> channels = kSixChannels; ///< of the columns after the time
     const char *format = "%.6g";
@@ -91,8 +91,8 @@ std::string printedMotion(const Parameters &parameters, const Printing &printing
     };
     for (int row = 0; row < printing.rows; ++row) {
         text += '\n';
-        const double part = static_cast<double>(row) / (printing.rows - 1);
-        text += print(printing.timeFormat, printing.from + (printing.to - printing.from) * part);
+        const double fraction = static_cast<double>(row) / (printing.rows - 1);
+        text += print(printing.timeFormat, printing.from + (printing.to - printing.from) * fraction);
         const long double theta2 =
             parameters.omega2 * static_cast<long double>(std::strtod(cell.data(), nullptr)) + parameters.theta20;
         for (const Channel channel : printing.channels) {

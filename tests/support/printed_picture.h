@@ -35,7 +35,7 @@ inline bool isGrey(QRgb colour)
            !differs(qBlue(colour), qRed(colour));
 }
 
-/// Reads the output of one of these programs. Returns a null image on failure.
+/// Reads an image that netpbm, librsvg or poppler has written. Returns a null image on failure.
 inline QImage imageIn(const QByteArray &bytes)
 {
     return QImage::fromData(bytes).convertToFormat(QImage::Format_RGB32);
@@ -62,7 +62,7 @@ inline QString missingProgram(const QStringList &programs)
 
 inline constexpr QRgb kWhite = 0xffffffff; // the colour of most pixels
 
-/// Returns an image with a byte for each pixel, which is 1 if that pixel is not white.
+/// Returns an image with a byte for each pixel: 0 if the pixel is white or a very light grey, otherwise 1.
 inline QImage drawnPixels(const QImage &picture)
 {
     QImage drawn(picture.size(), QImage::Format_Grayscale8);
@@ -93,15 +93,15 @@ inline std::vector<std::pair<int, int>> rangesOfLines(const QImage &drawn, int s
             first = row.indexOf('\1', end);
         }
     }
-    std::vector<std::pair<int, int>> stretches;
+    std::vector<std::pair<int, int>> ranges;
     for (auto end = isCovered.begin(); end != isCovered.end();) {
         const auto begin = std::find(end, isCovered.end(), true);
         end = std::find(begin, isCovered.end(), false);
         if (begin != end) {
-            stretches.emplace_back(begin - isCovered.begin(), end - isCovered.begin() - 1);
+            ranges.emplace_back(begin - isCovered.begin(), end - isCovered.begin() - 1);
         }
     }
-    return stretches;
+    return ranges;
 }
 
 /// Returns the rectangles of the plot axes, left to right and top to bottom. They are found by their grid lines, which

@@ -23,6 +23,7 @@ namespace
 
 char taskEndTag; // the address at which the sanitizer synchronizes the end of tasks with waiting for them
 
+/// A task that synchronizes the two threads for the sanitizer.
 class Handed : public QRunnable
 {
 public:
@@ -44,6 +45,7 @@ private:
     std::function<void()> m_work;
 };
 
+/// A slot that synchronizes the calling and the called thread for the sanitizer.
 class HandedSlot : public QtPrivate::QSlotObjectBase
 {
 public:
@@ -107,7 +109,7 @@ void QThreadPool::start(std::function<void()> work, int priority)
     startHanded(this, std::move(work), priority);
 }
 
-/// QtConcurrent::run() calls this.
+/// QtConcurrent::run() calls this overload.
 void QThreadPool::start(QRunnable *runnable, int priority)
 {
     const auto work = [runnable] {

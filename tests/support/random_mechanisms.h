@@ -26,7 +26,7 @@ public:
         return from + (to - from) * std::ldexp(static_cast<double>(m_engine() >> 11), -53);
     }
 
-    /// Returns a mechanism whose crank makes full turns with a margin of at least 2 %: b is 1.02 … 7.4 times a + |c|.
+    /// Returns a mechanism whose crank makes full turns with a margin of at least 2 %: b is 1.02 … 7.5 times a + |c|.
     /// Offset and speed have either sign, and the branches alternate.
     Parameters next()
     {

@@ -87,7 +87,7 @@ Parameters withSlowCrank(Parameters p, RandomMechanisms &random)
     return p;
 }
 
-/// Returns a printed file of the mechanism.
+/// Returns a file of this kind with the motion of the mechanism.
 ClaimTable printedFile(const Kind &kind, const Parameters &mechanism)
 {
     ClaimRandom random("verdicts");
@@ -110,10 +110,10 @@ double errorOf(const ClaimColumn &column, const Values &model)
     for (Index row = 0; row < model.size(); ++row) {
         const double value = column.values[row];
         const double printed = std::stod(column.print(value));
-        const double half = column.format == "%.0f" ? 0.5 : std::abs(printed - value);
+        const double halfStep = column.format == "%.0f" ? 0.5 : std::abs(printed - value);
         if (!std::isnan(value)) {
             peak = std::max(peak, std::abs(value));
-            largestError = std::max(largestError, std::abs(model[row] - value) - half);
+            largestError = std::max(largestError, std::abs(model[row] - value) - halfStep);
         }
     }
     return largestError / peak;
@@ -127,8 +127,8 @@ private slots:
     void areTrue()
     {
         RandomMechanisms random(20261122); // a fixed seed makes failures reproducible
-        const int files = runs(25, 2000);
-        int others = 0;
+        const int files = caseCount(25, 2000);
+        int filesOfOtherMechanisms = 0;
         int tooFar = 0;
         for (const Kind &kind : kinds()) {
             int right = 0;
@@ -143,14 +143,14 @@ private slots:
                     model.omega2 = std::numbers::pi / 180.0 * 300.0;
                     model.theta20 = std::numbers::pi / 6.0;
                 }
-                Parameters of = model;
+                Parameters producer = model;
                 if (origin == Origin::OtherMechanism) {
-                    of = random.next();
-                    of.omega2 = model.omega2;
+                    producer = random.next();
+                    producer.omega2 = model.omega2;
                 } else if (origin == Origin::ShortCrank) {
-                    of.a *= 0.97;
+                    producer.a *= 0.97;
                 }
-                const ClaimTable file = printedFile(kind, of);
+                const ClaimTable file = printedFile(kind, producer);
                 const QByteArray title = QByteArray(kind.name) + ' ' + QByteArray::number(i) + '\n' + file.text.c_str();
                 const auto outcome = readReferenceData(file.text);
                 QVERIFY2(std::holds_alternative<ReferenceData>(outcome), title);
@@ -171,12 +171,12 @@ private slots:
                     QVERIFY2(origin != Origin::Model || found[k].verdict != Verdict::Differs, title);
                 }
                 right += origin == Origin::Model && worst <= kind.atLeast ? 1 : 0;
-                others += origin == Origin::Model ? 0 : 1;
+                filesOfOtherMechanisms += origin == Origin::Model ? 0 : 1;
                 tooFar += isTooFar ? 1 : 0;
             }
             QVERIFY2(100 * right >= 95 * files, kind.name);
         }
-        QVERIFY2(4 * tooFar >= 3 * others, QByteArray::number(tooFar));
+        QVERIFY2(4 * tooFar >= 3 * filesOfOtherMechanisms, QByteArray::number(tooFar));
     }
 };
 

@@ -3,7 +3,7 @@
 // line for each kind. Environment variables:
 //
 //     SLIDERCRANK_CLAIM_KIND   runs only the kinds whose name contains this text
-//     SLIDERCRANK_CLAIM_SEED   uses another seed
+//     SLIDERCRANK_CLAIM_SEED   seed of the files, 11 unless set
 //     SLIDERCRANK_CLAIM_RUNS   number of files of each kind
 //     SLIDERCRANK_CLAIM_FILE   runs only the file with this number
 //     SLIDERCRANK_CLAIM_DIR    folder to which files with a false claim or a miss are written
@@ -72,7 +72,7 @@ void save(const ClaimKind &kind, int number, const std::string &text)
 struct Totals {
     int falseClaims = 0;
     int determined = 0; ///< files that determine their mechanism
-    int missed = 0;     ///< those whose mechanism was not found
+    int missed = 0;     ///< those of them whose mechanism was not found
 };
 
 Totals &operator+=(Totals &sum, const Totals &part)
@@ -134,7 +134,7 @@ private slots:
         std::printf("%-54s ident appro insuf  none | false deter  miss\n", "kind");
         for (const ClaimKind &kind : claimKinds()) {
             if (kind.isFault == isFault && kind.name.find(wanted) != std::string::npos) {
-                totals += runKind(kind, runs(10, isFault ? 200 : 500));
+                totals += runKind(kind, caseCount(10, isFault ? 200 : 500));
             }
         }
         std::printf("%d false claims, %d missed of %d that determine their mechanism\n", totals.falseClaims,
@@ -145,7 +145,7 @@ private slots:
                  "more than 2 % (faults: 5 %) are missed");
     }
 
-    /// Files of other seeds about which a claim was false.
+    /// Files of other seeds about which a claim was false. The comments state the false claims.
     void areTrueWhereTheyWereFalse_data()
     {
         QTest::addColumn<int>("seed");
@@ -188,7 +188,7 @@ private slots:
                                  table.with(random.oneOf<Channels>({kSixColumns, {kTheta3, kSlider}}));
                                  return isNoisy ? table.digits(8).withNoise(kAllColumns, 0.005) : table;
                              }};
-        const int files = kIsMemoryCheck ? 20 : runs(200, 1000);
+        const int files = kIsMemoryCheck ? 20 : caseCount(200, 1000);
         std::vector<std::vector<ParameterError>> errors(static_cast<std::size_t>(files));
         inParallel(errors.size(), [&](std::size_t i) {
             const ClaimTable table = claimTable(kind, seed(), static_cast<int>(i));
@@ -198,13 +198,13 @@ private slots:
                 errors[i] = parameterErrors(claim, claim.found.parameters, *table.truth);
             }
         });
-        double parameters = 0.0;
+        double hundreds = 0.0; // of parameters, so that within[k] / hundreds is in percent
         int identified = 0;
         std::array<double, 3> within{};
         for (const std::vector<ParameterError> &file : errors) {
             identified += !file.empty();
             for (const ParameterError &error : file) {
-                parameters += 0.01;
+                hundreds += 0.01;
                 for (std::size_t k = 0; k < within.size(); ++k) {
                     within[k] += std::abs(error.difference) <= static_cast<double>(k + 1) * error.standardError;
                 }
@@ -212,14 +212,14 @@ private slots:
         }
         QVERIFY(identified >= 95 * files / 100);
         std::printf("%d identified; %.2f %.2f %.2f %% within one, two, three standard errors\n", identified,
-                    within[0] / parameters, within[1] / parameters, within[2] / parameters);
-        const double chance = std::sqrt(1000.0 / files); // the tolerance grows if there are fewer files
+                    within[0] / hundreds, within[1] / hundreds, within[2] / hundreds);
+        const double toleranceFactor = std::sqrt(1000.0 / files); // fewer files need a larger tolerance
         if (isNoisy && !kIsMemoryCheck) {
-            QVERIFY(std::abs(within[0] / parameters - 68.0) <= 4.0 * chance);
-            QVERIFY(std::abs(within[1] / parameters - 95.0) <= 2.0 * chance);
-            QVERIFY(std::abs(within[2] / parameters - 99.7) <= 0.6 * chance);
+            QVERIFY(std::abs(within[0] / hundreds - 68.0) <= 4.0 * toleranceFactor);
+            QVERIFY(std::abs(within[1] / hundreds - 95.0) <= 2.0 * toleranceFactor);
+            QVERIFY(std::abs(within[2] / hundreds - 99.7) <= 0.6 * toleranceFactor);
         } else if (!kIsMemoryCheck) {
-            QVERIFY(within[2] / parameters >= 99.0);
+            QVERIFY(within[2] / hundreds >= 99.0);
         }
     }
 };

@@ -26,12 +26,12 @@ namespace tst_conventions
 
 using Kind = Convention::Kind;
 
-constexpr Channel kLine{R4y, Order::Position}; // the slider's, constant
+constexpr Channel kSliderY{R4y, Order::Position}; // constant in every motion
 
-/// Returns the number of random files to test.
-int filesOf(int all)
+/// Returns the number of random files to test: `all` in long tests, otherwise a twentieth.
+int fileCount(int all)
 {
-    return runs((all + 19) / 20, all);
+    return caseCount((all + 19) / 20, all);
 }
 
 /// Returns the motion of a mechanism over 0.6 to 3 turns in 80 to 500 rows.
@@ -90,7 +90,8 @@ const Fault &faultNamed(const std::string &name)
     return fault != kFaults.end() ? *fault : *std::ranges::find(kFaultsOfWholeFile, name, &Fault::name);
 }
 
-/// Brings a fault into the data, or the other assembly into the given mechanism. Returns the expected convention.
+/// Applies a fault to the data or, if it is the other assembly, to the given mechanism. Returns the convention that
+/// must be found.
 Convention inject(const Fault &fault, ReferenceData &data, Parameters &given, RandomMechanisms &random)
 {
     Convention expected = fault.convention;
@@ -155,7 +156,7 @@ private:
                            int files)
     {
         RandomMechanisms random(names.size() + channels.size());
-        for (int i = 0; i < filesOf(files); ++i) {
+        for (int i = 0; i < fileCount(files); ++i) {
             Parameters p = random.ordinary();
             if (channels != kSixChannels) {
                 p.branch = Branch::Open; // with few columns, the other assembly may explain a sign equally well
@@ -222,10 +223,10 @@ private slots:
     void findsNothingInCleanFiles()
     {
         RandomMechanisms random(2);
-        for (int i = 0; i < filesOf(200); ++i) {
+        for (int i = 0; i < fileCount(200); ++i) {
             const Parameters p = random.ordinary();
             const ReferenceData data = motionOf(p, random);
-            ReferenceData withCrank = data; // whose angles begin anywhere in a turn
+            ReferenceData withCrank = data; // with crank angles that begin anywhere in a turn
             ReferenceSeries crank{kCrankAngle, {}, {Rounding::Rule::SignificantDigits, 15}};
             for (const double t : data.time) {
                 crank.values.push_back((p.theta20 + p.omega2 * t) * kDegreesPerRadian);
@@ -246,7 +247,7 @@ private slots:
     {
         for (const Fault &fault : kFaultsOfWholeFile) {
             RandomMechanisms random(7);
-            for (int i = 0; i < filesOf(50); ++i) {
+            for (int i = 0; i < fileCount(50); ++i) {
                 Parameters p = random.ordinary();
                 ReferenceData data = motionOf(p, random);
                 inject(fault, data, p, random);
@@ -263,7 +264,7 @@ private slots:
     void distinguishesAReversedAxisFromAHalfTurnByTheGivenAssembly()
     {
         RandomMechanisms random(8);
-        for (int i = 0; i < filesOf(20); ++i) {
+        for (int i = 0; i < fileCount(20); ++i) {
             Parameters p = random.ordinary();
             ReferenceData data = motionOf(p, random);
             const Convention expected = inject(faultNamed("the x axis reversed"), data, p, random);
@@ -285,7 +286,7 @@ private slots:
     void acceptsAnglesThatJumpTogether()
     {
         RandomMechanisms random(9);
-        for (int i = 0; i < filesOf(50); ++i) {
+        for (int i = 0; i < fileCount(50); ++i) {
             Parameters p = random.ordinary();
             p.branch = Branch::Crossed;
             ReferenceData data = motionOf(p, random);
@@ -307,7 +308,7 @@ private slots:
         struct Row {
             const char *name;
             std::vector<Channel> channels; ///< of the motion along x
-            double angleAdded;             ///< to θ3
+            double angleAdded;             ///< to θ3, °
             bool hasX;
         };
         for (const Row &row : {Row{"the position alone", {kSlider}, 0.0, false},
@@ -316,7 +317,7 @@ private slots:
                                {"an angle from the file's x", {kTheta3, kSlider, kSliderSpeed}, 90.0, true},
                                {"an angle from elsewhere", kAngleAndPosition, 40.0, false}}) {
             RandomMechanisms random(21);
-            for (int i = 0; i < filesOf(10); ++i) {
+            for (int i = 0; i < fileCount(10); ++i) {
                 const Parameters p = random.ordinary();
                 ReferenceData data = motionOf(p, random, row.channels);
                 Convention axis{Kind::Axis, {}, 1.0};
@@ -360,7 +361,7 @@ private slots:
     void findsNoAxisIfXMoves()
     {
         RandomMechanisms random(22);
-        for (int i = 0; i < filesOf(10); ++i) {
+        for (int i = 0; i < fileCount(10); ++i) {
             const Parameters p = random.ordinary();
             // y is constant except for the error of a solver. Every second file has no x.
             ReferenceData data = motionOf(p, random, i % 2 == 0 ? kSixChannels : kCouplerChannels);
@@ -377,13 +378,13 @@ private slots:
         QVERIFY(findConventions(data, Parameters()).empty());
     }
 
-    /// In pictures of a camera, y points downwards: then all y and all angles have the opposite sign.
+    /// In pictures of a camera, y points downwards, so that all y and all angles have the opposite sign.
     void findsAYAxisThatPointsDownwards()
     {
         const Channel coupler{R3y, Order::Position};
         Printing printing;
-        printing.channels = {kTheta3, kSlider, coupler, kLine};
-        const Convention downwards{Kind::Sign, {kTheta3, coupler, kLine}, -1.0};
+        printing.channels = {kTheta3, kSlider, coupler, kSliderY};
+        const Convention downwards{Kind::Sign, {kTheta3, coupler, kSliderY}, -1.0};
         const auto found = findConventions(applied(downwards, printedData(Parameters(), printing)), Parameters());
         QVERIFY2(areFound(found, {downwards}), described(found));
     }
@@ -392,8 +393,8 @@ private slots:
     {
         Printing printing;
         printing.channels = kSixChannels;
-        printing.channels.push_back(kLine);
-        const std::vector<Channel> positions{kSlider, kLine};
+        printing.channels.push_back(kSliderY);
+        const std::vector<Channel> positions{kSlider, kSliderY};
         const ReferenceData data =
             applied({Kind::LengthUnit, positions, 0.1}, printedData(Parameters(), printing)); // cm under mm
         const auto found = findConventions(data, Parameters());

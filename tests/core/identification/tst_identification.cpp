@@ -26,8 +26,8 @@ using namespace slidercrank;
 namespace tst_identification
 {
 
-std::atomic<std::size_t> largestAllocation =
-    0; // bytes, since the last reset to 0; atomic, because QtTest's watchdog thread allocates, too
+/// Largest allocation in bytes since the last reset to 0. Atomic, because QtTest's watchdog thread allocates, too.
+std::atomic<std::size_t> largestAllocation = 0;
 
 } // namespace tst_identification
 
@@ -76,7 +76,7 @@ Printing printingOfTurns(const Parameters &p, double turns, int rows, const std:
 }
 
 /// Returns the largest difference of the parameters: lengths relative to a, the relative speed, angles in rad. If
-/// `images` are allowed, uses the closest one.
+/// `images`, the closest mirror image of `truth` counts.
 double distance(const Parameters &found, const Parameters &truth, bool images = false)
 {
     double least = kInfinity;
@@ -153,7 +153,7 @@ private slots:
               Row{{kTheta3}, {Symmetry::ReversedCrank}, true}, Row{kCouplerChannels, {Symmetry::ReversedCrank}, true},
               Row{{kTheta3Speed}, {Symmetry::ReversedCrank, Symmetry::OtherAssembly, Symmetry::OtherAssembly}, true}}) {
             RandomMechanisms random(kSeed);
-            for (int i = 0; i < numericRuns(8, 300); ++i) {
+            for (int i = 0; i < numericCaseCount(8, 300); ++i) {
                 const Parameters truth = random.ordinary();
                 const double turns = random.uniform(0.6, 3.0);
                 const int rows = static_cast<int>(random.uniform(80.0, 500.0));
@@ -322,7 +322,7 @@ private slots:
         QVERIFY(std::abs(found.conventions[0].convention.amount + 100.0) < 2.0);
     }
 
-    /// Velocities over the angle show only a ω2. The time beside them shows ω2, and so the size and the sign.
+    /// Velocities over the angle show only a ω2. A column of time shows ω2, and thus the size and the sign.
     void findsTheSizeFromVelocitiesAndTheDrive()
     {
         for (const double omega2 : {12.0, -1.0}) {
@@ -350,8 +350,8 @@ private slots:
         }
     }
 
-    /// θ3 at B in the crossed assembly is that of the open one with the opposite sign: only the velocity of the slider
-    /// tells them apart.
+    /// θ3 measured at B in the crossed assembly is θ3 in the open one with the opposite sign. Only the velocity of the
+    /// slider distinguishes the assemblies.
     void findsTheAssemblyFromTheVelocityBesideTheCouplerAngle()
     {
         for (const Branch branch : {Branch::Open, Branch::Crossed}) {
@@ -377,7 +377,7 @@ private slots:
         }
     }
 
-    /// Nothing predicts the velocities of a crank with a ripple: of a false size, nothing is said.
+    /// Velocities of a crank with a ripple do not show the size of the mechanism, so that no lengths may be stated.
     void doesNotFindLengthsFromVelocitiesOfAnUnevenCrank()
     {
         std::string text = "t [s],theta2 [deg],R4_x_diff [mm/s]\n";
@@ -504,7 +504,7 @@ private slots:
     {
         RandomMechanisms random(kSeed);
         for (const Parameter length : {Parameter::A, Parameter::B, Parameter::C}) {
-            for (int i = 0; i < numericRuns(6, 50); ++i) {
+            for (int i = 0; i < numericCaseCount(6, 50); ++i) {
                 const Parameters truth = random.ordinary();
                 const ReferenceData data = printedData(truth, printingOfTurns(truth, 2.0, 201, kSixChannels));
                 Parameters given = truth;

@@ -111,7 +111,7 @@ const std::vector<ReadRow> kRead{
 struct NamesRow {
     QByteArray bytes;
     const char *roles;
-    const char *form = ", point line 1";
+    const char *format = ", point line 1";
 };
 
 const QByteArray kRows = "\n0,1,2\n1,2,3\n2,4,1\n";
@@ -154,7 +154,7 @@ const std::vector<NamesRow> kNames{
 struct Refusal {
     const char *name;
     QByteArray bytes;
-    const char *place; ///< line, column and text
+    const char *position; ///< line, column and text: "3:2 a"
     ReadFault fault;
 };
 
@@ -229,11 +229,11 @@ const std::vector<Refusal> kRefused{
      "1:0 ",
      {Kind::NoCertainChannel, {}, "disp 1 (mm)", ColumnReason::LikeOther}},
     {"a letter of Inventor",
-     under("Time,P[3.1]"),
+     tableUnder("Time,P[3.1]"),
      "1:0 ",
      {Kind::NoCertainChannel, {}, "P[3.1]", ColumnReason::AngleOrLength}},
     {"an angle in mm",
-     under("time,coupler angle (mm)"),
+     tableUnder("time,coupler angle (mm)"),
      "1:0 ",
      {Kind::NoCertainChannel, {}, "coupler angle (mm)", ColumnReason::UnknownUnit}},
 };
@@ -258,7 +258,7 @@ private slots:
             const ReferenceData *const data = std::get_if<ReferenceData>(&outcome);
             QVERIFY2(data && rolesOf(data->layout) == row.roles, (row.bytes.constData() + described(outcome)).c_str());
             const FileLayout &layout = data->layout;
-            QCOMPARE(formOf(layout), std::string(row.form));
+            QCOMPARE(formatOf(layout), std::string(row.format));
             QCOMPARE(layout.isGuessed(), QByteArray(row.roles).contains('?'));
         }
     }
@@ -270,7 +270,7 @@ private slots:
             const ReadError *error = std::get_if<ReadError>(&outcome);
             QVERIFY2(error && error->fault == row.fault, (row.name + (": " + described(outcome))).c_str());
             QCOMPARE(std::to_string(error->line) + ':' + std::to_string(error->column) + ' ' + error->text,
-                     std::string(row.place));
+                     std::string(row.position));
         }
     }
 
@@ -326,8 +326,8 @@ private slots:
         const QByteArray bytes = "time,R4_x\n" + QByteArray("0,1\n").repeated(200'000);
         std::vector<double> done;
         ReadOptions options;
-        options.progress = [&](double part) {
-            done.push_back(part);
+        options.progress = [&](double fraction) {
+            done.push_back(fraction);
             return true;
         };
         const FileBytes file{{bytes.constData(), static_cast<std::size_t>(bytes.size())}};

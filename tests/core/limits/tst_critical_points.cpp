@@ -22,7 +22,7 @@ namespace tst_critical_points
 
 constexpr int kSteps = 20'000;
 
-/// Returns a crank angle near which the motion of a full turn exceeds the range that the critical points give, if there
+/// Returns a crank angle at which the motion of a full turn exceeds the range that the critical points give, if there
 /// is one. `turn` has the crank angles as time stamps.
 std::optional<double> findExcess(const CriticalPoints &points, Channel channel, const Trajectory &turn)
 {
@@ -54,7 +54,6 @@ std::optional<double> findExcess(const CriticalPoints &points, Channel channel, 
     return std::nullopt;
 }
 
-/// Between two critical points the motion is monotonic.
 class TestCriticalPoints : public QObject
 {
     Q_OBJECT
@@ -66,7 +65,7 @@ private slots:
         for (int i = 0; i <= kSteps; ++i) {
             angles.push_back(-std::numbers::pi + kTurn * i / kSteps);
         }
-        for (auto &[name, parameters] : mechanismList(numericRuns(200, 5000), 11)) {
+        for (auto &[name, parameters] : mechanismList(numericCaseCount(200, 5000), 11)) {
             parameters.omega2 = 1.0;
             parameters.theta20 = 0.0;
             const Mechanism mechanism(parameters);
@@ -85,10 +84,10 @@ private slots:
     void includesTheLimitsOfARocker()
     {
         for (const auto &[b, limits] : {std::pair(40.0, 1), std::pair(4.0, 0)}) { // one arc, impossible
-            for (const CriticalPoints &course : findCriticalPoints(Mechanism({.b = b}))) {
-                QCOMPARE(std::ranges::count(course, CriticalPoint::Kind::Begin, &CriticalPoint::kind), limits);
-                QCOMPARE(std::ranges::count(course, CriticalPoint::Kind::End, &CriticalPoint::kind), limits);
-                QCOMPARE(course.empty(), limits == 0);
+            for (const CriticalPoints &points : findCriticalPoints(Mechanism({.b = b}))) {
+                QCOMPARE(std::ranges::count(points, CriticalPoint::Kind::Begin, &CriticalPoint::kind), limits);
+                QCOMPARE(std::ranges::count(points, CriticalPoint::Kind::End, &CriticalPoint::kind), limits);
+                QCOMPARE(points.empty(), limits == 0);
             }
         }
     }

@@ -17,7 +17,7 @@
 namespace slidercrank
 {
 
-inline constexpr NewtonOptions kReport; ///< Table 2 of the reference report
+inline constexpr NewtonOptions kReportOptions; ///< Table 2 of the reference report
 inline constexpr NewtonOptions kSmallestResidual{.maxIterations = 50,
                                                  .tolerance = 0.0}; ///< iterates until the residual no longer decreases
 
@@ -64,7 +64,8 @@ inline NewtonTimeStep startAt(const Vector12 &q)
     return start;
 }
 
-inline std::vector<double> turn(const Parameters &parameters, int steps, double turns = 1.0)
+/// Returns the time stamps of `steps` equal time steps in this number of turns.
+inline std::vector<double> timeStampsOfTurns(const Parameters &parameters, int steps, double turns = 1.0)
 {
     return Sampling{0.0, turns * kTurn / std::abs(parameters.omega2), steps}.timeStamps();
 }
@@ -107,7 +108,7 @@ inline double exactTheta3(const Parameters &parameters, double t)
     return ClosedForm{Mechanism(parameters)}.motionAt(t).theta3;
 }
 
-inline Deviation worse(const Deviation &x, const Deviation &y)
+inline Deviation worseOf(const Deviation &x, const Deviation &y)
 {
     return y.ratio() > x.ratio() ? y : x;
 }

@@ -34,22 +34,22 @@ class TestNewton : public QObject
     Q_OBJECT
 
 private slots:
-    /// README: 8.1e-15 of the peak at scale 1.
+    /// core/README.md states 8.1e-15 of the peak for lengths that are not scaled.
     void agreesWithTheClosedFormAtEveryScale()
     {
         constexpr double kTolerance = 5e-14; // of a channel's peak
         for (const double factor : {1.0, 1e-9, 1e9}) {
             RandomMechanisms random(21);
             Deviation worst;
-            for (int i = 0; i < numericRuns(factor == 1.0 ? 300 : 30, 3000); ++i) {
+            for (int i = 0; i < numericCaseCount(factor == 1.0 ? 300 : 30, 3000); ++i) {
                 Parameters p = random.next();
                 p.a *= factor;
                 p.b *= factor;
                 p.c *= factor;
-                const std::vector<double> times = turn(p, 40);
+                const std::vector<double> times = timeStampsOfTurns(p, 40);
                 for (const Branch branch : {Branch::Open, Branch::Crossed}) {
                     p.branch = branch;
-                    const auto sizes = scaled(roughSizes(p, times), kTolerance);
+                    const auto tolerances = scaled(roughSizes(p, times), kTolerance);
                     for (const Elimination elimination : {Elimination::Dense, Elimination::Structured}) {
                         if (elimination == Elimination::Dense && factor != 1.0) {
                             continue; // the matrix mixes mm and rad: 1e-11 rad/s² is lost in rounding next to 1e11 mm
@@ -60,11 +60,11 @@ private slots:
                                 QFAIL(qPrintable(describe(p, timeStep)));
                             }
                             const Deviation deviation =
-                                worstDeviation(timeStep.state, closedFormState(p, timeStep.t), timeStep.t, sizes);
+                                worstDeviation(timeStep.state, closedFormState(p, timeStep.t), timeStep.t, tolerances);
                             if (!deviation.accepted()) {
                                 QFAIL((describe(p) + describe(deviation)).c_str());
                             }
-                            worst = worse(worst, deviation);
+                            worst = worseOf(worst, deviation);
                         }
                     }
                 }
@@ -73,8 +73,8 @@ private slots:
         }
     }
 
-    /// README: 1.9 u (|f| + κ) in elimination order with tolerance 0. Checked at every other time step and where the
-    /// coupler is perpendicular to the slider's path.
+    /// core/README.md states 1.9 u (|f| + κ) for the structured elimination with tolerance 0. Checked at every other
+    /// time step and where the coupler is perpendicular to the slider's path.
     void errorIsWithinTwiceTheConditioning()
     {
         const std::size_t interval = kIsSanitized ? 16 : 2; // of the checked time steps; the exact states take long
@@ -83,13 +83,13 @@ private slots:
             const std::vector<double> times = timeStampsOf(namedCase);
             const std::vector<double> perpendicular = perpendicularTimes(namedCase);
             Deviation worst;
-            std::vector<std::vector<NewtonTimeStep>> runs;
+            std::vector<std::vector<NewtonTimeStep>> solutions;
             for (const WarmStart start : {WarmStart::Previous, WarmStart::Taylor}) {
-                runs.push_back(solveInTurn(p, times,
-                                           {.maxIterations = 50,
-                                            .tolerance = 0.0,
-                                            .warmStart = start,
-                                            .elimination = Elimination::Structured}));
+                solutions.push_back(solveInTurn(p, times,
+                                                {.maxIterations = 50,
+                                                 .tolerance = 0.0,
+                                                 .warmStart = start,
+                                                 .elimination = Elimination::Structured}));
             }
             for (std::size_t i = 0; i < times.size(); ++i) {
                 const bool isJudged =
@@ -102,9 +102,9 @@ private slots:
                     continue;
                 }
                 const auto tolerances = scaled(roundingSizes(p, times[i], exact), 2.0 * kUnitRoundoff);
-                for (const std::vector<NewtonTimeStep> &done : runs) {
+                for (const std::vector<NewtonTimeStep> &done : solutions) {
                     if (done[i].state.status == Status::Solved) {
-                        worst = worse(worst, worstDeviation(done[i].state, exact, times[i], tolerances));
+                        worst = worseOf(worst, worstDeviation(done[i].state, exact, times[i], tolerances));
                     }
                 }
             }
@@ -157,7 +157,7 @@ private slots:
         int coldStarts = 0;
         for (const double gap : {1e-1, 1e-2, 1e-3}) {
             for (const int steps : {2, 3, 4, 5, 8, 15, 47}) {
-                for (int kind = 0; kind < numericRuns(48, 48); ++kind) {
+                for (int kind = 0; kind < numericCaseCount(48, 48); ++kind) {
                     const double c = 25.0 * (kind % 3 - 1);
                     const Parameters p{20.0,
                                        (20.0 + std::abs(c)) * (1.0 + gap),
@@ -165,8 +165,9 @@ private slots:
                                        kind % 2 == 0 ? kTurn : -kTurn,
                                        0.2 * (kind / 12),
                                        kind / 6 % 2 == 0 ? Branch::Open : Branch::Crossed};
-                    for (const NewtonOptions &options : {kReport, kSmallestResidual}) {
-                        for (const NewtonTimeStep &timeStep : solveInTurn(p, turn(p, 3 * steps, 3.0), options)) {
+                    for (const NewtonOptions &options : {kReportOptions, kSmallestResidual}) {
+                        for (const NewtonTimeStep &timeStep :
+                             solveInTurn(p, timeStampsOfTurns(p, 3 * steps, 3.0), options)) {
                             const double error = std::abs(timeStep.state.q[Theta3] - exactTheta3(p, timeStep.t));
                             if (timeStep.state.status != Status::Solved || !(error < kTolerance)) {
                                 QFAIL(qPrintable(describe(p, timeStep)));
@@ -253,7 +254,7 @@ private slots:
         std::vector<NewtonOptions> combinations = optionCombinations(10, 1e-8);
         std::ranges::copy(optionCombinations(50, 0.0), std::back_inserter(combinations));
         const std::vector<Case> cases = allCases();
-        for (std::size_t i = 0; i < cases.size(); i += kIsSanitized ? 8 : 1) { // as numericRuns()
+        for (std::size_t i = 0; i < cases.size(); i += kIsSanitized ? 8 : 1) { // an eighth, as by numericCaseCount()
             const Parameters &p = cases[i].parameters;
             const double reach = characteristicLength(p);
             for (const NewtonOptions &options : combinations) {

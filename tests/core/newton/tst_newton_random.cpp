@@ -69,8 +69,8 @@ Parameters nearToggle(int number, RandomMechanisms &random)
     return p;
 }
 
-/// Returns a random time stamp at which the mechanism can be assembled. If `i` is 2 or 3 modulo 4, the coupler is
-/// nearly perpendicular to the slider's path.
+/// Returns a random time stamp at which the mechanism can be assembled. If `i` is 2 or 3 modulo 4, the crank is near
+/// the end of a rocker's arc or, if the crank makes full turns, near ±90°.
 double randomTime(const Parameters &p, int i, RandomMechanisms &random)
 {
     const double lowest = std::asin(std::clamp((p.c - p.b) / p.a, -1.0, 1.0));
@@ -87,7 +87,8 @@ double randomTime(const Parameters &p, int i, RandomMechanisms &random)
     return (mirrored + kTurn * turns - p.theta20) / p.omega2;
 }
 
-/// Returns the peak of each channel over a turn of a hundred steps and, for a rocker, over a hundred random poses.
+/// Returns the peak of each channel over two hundred poses: a hundred equal steps of a turn, and a hundred crank angles
+/// at which a rocker can be assembled.
 std::array<double, kChannelCount> peaks(const Parameters &p)
 {
     constexpr int kPoses = 100;
@@ -118,13 +119,14 @@ private slots:
     /// Uses each combination of options in turn, and a warm start from another random time stamp.
     void solvedStatesAreAccurateToOnePercent()
     {
-        const std::vector<NewtonOptions> combinations = optionCombinations(kReport.maxIterations, kReport.tolerance);
+        const std::vector<NewtonOptions> combinations =
+            optionCombinations(kReportOptions.maxIterations, kReportOptions.tolerance);
         for (std::size_t kind = 0; kind < std::size(kKinds); ++kind) {
             constexpr double kToleranceFraction = 0.01;
             RandomMechanisms random(40 + kind);
             int poses = 0;
             int unsolved = 0;
-            for (int i = 0; i < numericRuns(500, 5000); ++i) {
+            for (int i = 0; i < numericCaseCount(500, 5000); ++i) {
                 Parameters p = random.next();
                 const double sign = random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
                 kKinds[kind].change(p, sign * std::pow(10.0, random.uniform(-16.0, -1.0)), random);
@@ -165,8 +167,8 @@ private slots:
     }
 
     /// Within 0.03 rad of a toggle, a limit, an exact toggle and a change point, solutions with status Solved have a
-    /// relative error below 6 kResolvedFraction. The error is relative to the value or, if larger, to its size far from
-    /// the toggle.
+    /// relative error below 6 kResolvedFraction. The error is relative to the value or, if larger, to the size of the
+    /// channel far from the toggle.
     void solvedDerivativesAreAccurateNearAToggle()
     {
         constexpr double kToleranceFraction = 6.0 * kResolvedFraction;
@@ -206,8 +208,8 @@ private slots:
         QVERIFY(solved > kMechanisms);
     }
 
-    /// From any iterate, the steps of both eliminations agree: ‖difference‖ <= u (κ ‖Δq‖ + ‖q‖), with the 2-norm of the
-    /// twelve numbers (mm and rad mixed) and κ the ratio of the extreme singular values of C_q.
+    /// From each of several iterates, the steps of both eliminations agree: ‖difference‖ <= u (κ ‖Δq‖ + ‖q‖), with the
+    /// 2-norm of the twelve numbers (mm and rad mixed) and κ the ratio of the extreme singular values of C_q.
     void structuredStepsEqualDenseSteps()
     {
         using LongVector = Eigen::Matrix<long double, kCoordinateCount, 1>;

@@ -239,7 +239,7 @@ private slots:
     {
         RandomMechanisms random(8);
         BareFigure shown;
-        for (int i = 0; i < numericRuns(40, 3000); ++i) {
+        for (int i = 0; i < numericCaseCount(40, 3000); ++i) {
             Parameters p = random.next();
             if (i % 4 == 1) { // oscillating cranks, some of two arcs
                 const double shortest = std::max(0.0, std::abs(p.c) - p.a);

@@ -363,7 +363,7 @@ private slots:
 
     void survivesRandomEvents()
     {
-        const int events = numberFrom("SLIDERCRANK_MONKEY_EVENTS", runs(kEvents, kManyEvents));
+        const int events = numberFrom("SLIDERCRANK_MONKEY_EVENTS", caseCount(kEvents, kManyEvents));
         const int seed = numberFrom("SLIDERCRANK_MONKEY_SEED", kSeed);
         qInfo("%d events of seed %d", events, seed);
         Monkey monkey(static_cast<unsigned>(seed), m_folder.path());
