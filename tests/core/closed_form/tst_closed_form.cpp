@@ -18,10 +18,10 @@ namespace tst_closed_form
 {
 
 /// The documented largest error of the closed form, relative to a channel's peak.
-constexpr double kPromise = 1e-15;
+constexpr double kDocumentedError = 1e-15;
 
 /// Accumulated rounding error in units of 2^-53: two for a sine, one for each sum and product, three times the error
-/// of s.
+/// of s = b cos θ3.
 constexpr double kRoundings = 16.0;
 
 constexpr double kQuarter = 0.5 * std::numbers::pi;
@@ -50,7 +50,7 @@ std::array<double, kChannelCount> termSizes(const Parameters &parameters, const 
     return sizes;
 }
 
-/// Records the largest deviation and its mechanism.
+/// Records the largest deviation, in units of its tolerance, and its mechanism.
 struct Worst {
     Deviation deviation;
     Parameters parameters;
@@ -79,24 +79,25 @@ std::vector<double> randomTimes(RandomMechanisms &random, int count, double from
 }
 
 /// Evaluates all time stamps at once with every instruction set of this processor, and compares them bit by bit with
-/// the evaluation of single time stamps. `wanted` has a bit for each plotted channel. Returns the first difference.
-QString differenceFromOne(const Parameters &parameters, std::span<const double> times, unsigned wanted = 63)
+/// the evaluation of single time stamps. `wanted` has a bit for each plotted channel. Returns the first difference, or
+/// an empty text.
+QString findBatchDifference(const Parameters &parameters, std::span<const double> times, unsigned wanted = 63)
 {
     constexpr double kNotWritten = -12345.0;
-    constexpr std::size_t kRoomBehind = 16;
+    constexpr std::size_t kGuardElements = 16; // behind each channel; must not be written
     const ClosedForm closedForm{Mechanism(parameters)};
     for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
         hwy::SetSupportedTargetsForTest(target);
         PlottedColumns columns{};
         std::array<std::vector<double>, columns.size()> values;
         for (std::size_t k = 0; k < columns.size(); ++k) {
-            values[k].assign(times.size() + kRoomBehind, kNotWritten);
+            values[k].assign(times.size() + kGuardElements, kNotWritten);
             columns[k] = (wanted >> k & 1U) != 0 ? values[k].data() : nullptr;
         }
         std::vector<Status> statuses(times.size(), Status::IterationLimit);
         closedForm.evaluate(times, columns, statuses);
         hwy::SetSupportedTargetsForTest(0);
-        for (std::size_t i = 0; i < times.size() + kRoomBehind; ++i) {
+        for (std::size_t i = 0; i < times.size() + kGuardElements; ++i) {
             const bool isBehind = i >= times.size();
             const Motion motion = isBehind ? Motion() : closedForm.motionAt(times[i]);
             const auto expected = motion.plotted();
@@ -163,7 +164,7 @@ private slots:
             for (const Branch branch : {Branch::Open, Branch::Crossed}) {
                 p.branch = branch;
                 const std::vector<double> around = Sampling{0.0, turn, 200}.timeStamps();
-                const auto tolerances = scaled(roughSizes(p, around), kPromise);
+                const auto tolerances = scaled(roughSizes(p, around), kDocumentedError);
                 for (const double t : times) {
                     const State got = ClosedForm{Mechanism(p)}.stateAt(t);
                     QCOMPARE(got.status, Status::Solved);
@@ -171,7 +172,7 @@ private slots:
                 }
             }
         }
-        worst.check("of peak", kPromise);
+        worst.check("of peak", kDocumentedError);
     }
 
     /// The time stamps include the doubles closest to a toggle (timeStampsOf()).
@@ -185,14 +186,14 @@ private slots:
             }
             const std::vector<double> times = timeStampsOf(namedCase);
             const std::vector<ExactState> run = exactRun(p, times);
-            const auto tolerances = scaled(channelSizes(p, run), kPromise);
+            const auto tolerances = scaled(channelSizes(p, run), kDocumentedError);
             for (std::size_t i = 0; i < times.size(); ++i) {
                 const State got = ClosedForm{Mechanism(p)}.stateAt(times[i]);
                 QVERIFY2(got.status == run[i].status, describe(p).c_str());
                 worst.add(p, worstDeviation(got, run[i], times[i], tolerances));
             }
         }
-        worst.check("of peak", kPromise);
+        worst.check("of peak", kDocumentedError);
     }
 
     /// At the doubles closest to ±90° and their neighbours, the error is relative to each value, not to the channel's
@@ -225,7 +226,7 @@ private slots:
                     }
                     const std::vector<ExactState> exact = exactRun(p, near);
                     const auto tolerances = scaled(channelSizes(p, exact), kRoundings * kUnitRoundoff);
-                    for (const std::size_t i : {1, 4}) {
+                    for (const std::size_t i : {1, 4}) { // -distance and +distance
                         const State got = ClosedForm{Mechanism(p)}.stateAt(near[i]);
                         worst.add(p, worstDeviation(got, exact[i], near[i], tolerances));
                     }
@@ -248,8 +249,9 @@ private slots:
         }
     }
 
-    /// Near the limits of a rocker, rounding a, b, c or θ2 can change b - |h| by its own size, so that no result for
-    /// rounded inputs is better than u(|f| + κ). For the exact inputs the result is accurate to the last digits.
+    /// Near the limits of a rocker, rounding a, b, c or θ2 can change b - |h| by its own size, where h is the height of
+    /// B above A. Then no result for rounded inputs is better than u(|f| + κ). For the exact inputs the
+    /// result is accurate to the last digits.
     void isExactUpToARockersLimits()
     {
         QFETCH(const Parameters, parameters);
@@ -308,11 +310,11 @@ private slots:
         worstNear.check("u|f| near a limit", kRoundings);
     }
 
-    /// Up to 1e15 s. The results do not change at 1.6e6 rad, the largest angle that the vectorized code reduces.
+    /// Tests time stamps up to 1e15 s, and both sides of 1.6e6 rad, the largest angle that the vectorized code reduces.
     void isExactAtAnyCrankAngle()
     {
         const Parameters p{.b = 60.0};
-        auto tolerances = scaled(roughSizes(p, Sampling{}.timeStamps()), 2.0 * kPromise);
+        auto tolerances = scaled(roughSizes(p, Sampling{}.timeStamps()), 2.0 * kDocumentedError);
         tolerances[indexOf({Theta2, Order::Position})] =
             kInfinity; // the angle grows, and one double cannot represent it
         const double limit = 1.6e6 / p.omega2;
@@ -329,12 +331,12 @@ private slots:
         for (const double t : times) {
             worst.add(p, worstDeviation(ClosedForm{Mechanism(p)}.stateAt(t), exactState(p, t), t, tolerances));
         }
-        worst.check("of peak", 2.0 * kPromise);
-        QCOMPARE(differenceFromOne(p, times), QString());
+        worst.check("of peak", 2.0 * kDocumentedError);
+        QCOMPARE(findBatchDifference(p, times), QString());
     }
 
-    /// The results are equal bit by bit, for rockers, both branches, arrays of any length and any selection of
-    /// channels. The arrays of other channels are not written.
+    /// Tests rockers, both branches, arrays of any length and any selection of channels. The arrays of channels that
+    /// are not selected must not be written.
     void manyTimeStampsEqualSingleOnes()
     {
         QVERIFY(!hwy::SupportedAndGeneratedTargets().empty());
@@ -345,22 +347,22 @@ private slots:
             std::ranges::copy(perpendicularTimes({.name = {}, .parameters = p}), std::back_inserter(times));
             for (const Branch branch : {Branch::Open, Branch::Crossed}) {
                 p.branch = branch;
-                QCOMPARE(differenceFromOne(p, times), QString());
+                QCOMPARE(findBatchDifference(p, times), QString());
             }
         }
         const std::vector<double> times = Sampling{0.0, 1.0, 300}.timeStamps();
         for (std::size_t length = 0; length <= 260; length += length < 40 ? 1 : 11) {
             for (const std::size_t from : {0, 1, 3}) {
-                QCOMPARE(differenceFromOne(Parameters(), std::span(times).subspan(from, length)), QString());
+                QCOMPARE(findBatchDifference(Parameters(), std::span(times).subspan(from, length)), QString());
             }
         }
         for (unsigned wanted = 0; wanted < 64; ++wanted) {
-            QCOMPARE(differenceFromOne(Parameters(), std::span(times).first(70), wanted), QString());
+            QCOMPARE(findBatchDifference(Parameters(), std::span(times).first(70), wanted), QString());
         }
     }
 
     /// Puts every kind of time stamp that the vectorized code cannot process at every position among ordinary ones.
-    /// What does not exist is NaN.
+    /// Coordinates and derivatives that do not exist are NaN.
     void specialTimeStampsDoNotAffectOthers()
     {
         const Parameters locked{.b = 5.0, .c = 25.0, .theta20 = kQuarter}; // in its only pose at t = 0
@@ -382,13 +384,13 @@ private slots:
                 QVERIFY(std::isfinite(state.qDot[i]) == isSolved && std::isfinite(state.qDDot[i]) == isSolved);
             }
             for (std::size_t length = 1; length <= 20; ++length) {
-                for (std::size_t place = 0; place < length; ++place) {
+                for (std::size_t position = 0; position < length; ++position) {
                     std::vector<double> times = Sampling{0.005, 0.2, 20}.timeStamps();
                     times.resize(length);
-                    times[place] = special;
-                    times[(place * 7 + 3) % length] = special;
+                    times[position] = special;
+                    times[(position * 7 + 3) % length] = special;
                     for (const unsigned wanted : {63U, 3U}) {
-                        QCOMPARE(differenceFromOne(parameters, times, wanted), QString());
+                        QCOMPARE(findBatchDifference(parameters, times, wanted), QString());
                     }
                 }
             }

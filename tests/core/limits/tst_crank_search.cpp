@@ -41,7 +41,7 @@ long double textbookValue(const Parameters &p, const OutputChannel &channel, lon
     }
     case DerivedQuantity::TransmissionAngle: break;
     }
-    // It decreases where the coupler turns away from the slider's line.
+    // The transmission angle decreases where the coupler turns away from the slider's line.
     const Real sign = (motion.height > 0.0L ? -1.0L : 1.0L) * motion.side;
     switch (order) {
     case Order::Position: return std::atan2(std::abs(motion.reach), std::abs(motion.height));
@@ -63,21 +63,22 @@ std::vector<OutputChannel> channelsThatVary()
     return channels;
 }
 
-constexpr int kScan = 1500;
+constexpr int kScanSteps = 1500;
 
-/// Returns the channel over a revolution.
+/// Returns the channel for ω2 = 1 at kScanSteps + 1 crank angles of a revolution.
 std::vector<long double> scan(const Parameters &p, const OutputChannel &channel, double alpha2)
 {
     std::vector<long double> values;
-    for (int i = 0; i <= kScan; ++i) {
-        const long double theta2 = -kTurn / 2.0L + static_cast<long double>(kTurn) * i / kScan;
+    for (int i = 0; i <= kScanSteps; ++i) {
+        const long double theta2 = -kTurn / 2.0L + static_cast<long double>(kTurn) * i / kScanSteps;
         values.push_back(textbookValue(p, channel, theta2, alpha2));
     }
     return values;
 }
 
-/// Returns the number of times that the scanned channel passes the value.
-int passages(const std::vector<long double> &values, long double value, double largestStep)
+/// Returns the number of times that the scanned channel passes the value. Steps beyond `largestStep` are jumps, which
+/// do not count.
+int countPassages(const std::vector<long double> &values, long double value, double largestStep)
 {
     int count = 0;
     for (std::size_t i = 0; i + 1 < values.size(); ++i) {
@@ -122,7 +123,7 @@ private slots:
     }
 
     /// Every solution satisfies the equation, and there are as many as a scan of the revolution finds. The values are
-    /// away from the extremes, where a scan cannot count.
+    /// random, and hardly any is so near an extreme that the scan would miss its two solutions.
     void findsAllSolutionsAndNoneElse()
     {
         QFETCH(double, accelerationRatio);
@@ -139,7 +140,7 @@ private slots:
             std::ranges::copy_if(values, std::back_inserter(sorted),
                                  [](long double value) { return std::isfinite(value); });
             std::ranges::sort(sorted);
-            if (sorted.size() < kScan / 10) {
+            if (sorted.size() < kScanSteps / 10) {
                 continue;
             }
             const long double usual = sorted[sorted.size() * 9 / 10] - sorted[sorted.size() / 10];
@@ -155,7 +156,7 @@ private slots:
                          (std::string(nameOf(channel)) + " of " + describe(p)).c_str());
             }
             const double largestStep = canJump(channel) ? 0.2 * static_cast<double>(usual) : kInfinity;
-            const int expected = passages(values, value, largestStep);
+            const int expected = countPassages(values, value, largestStep);
             const bool isRocker = p.b < p.a + std::abs(p.c);
             const auto count = static_cast<int>(found->size());
             // Between the last sample and the limit of a rocker the motion may pass the value once more.
@@ -167,7 +168,7 @@ private slots:
         QVERIFY(solutions > 1000);
     }
 
-    void finds60Millimetres()
+    void findsTheAnglesOfASliderAt60Millimetres()
     {
         const auto found = crankAnglesAt(Mechanism(), Channel{R4x, Order::Position}, 60.0);
         QVERIFY(found);
@@ -289,7 +290,8 @@ private slots:
         }
     }
 
-    /// The slider of a = b, c = 0 rests at O2 from 90° to 270°: not every rounding error there is a solution.
+    /// The slider of a = b, c = 0 rests at O2 from 90° to 270°. Only the ends of this arc are solutions, and not every
+    /// angle in it at which rounding happens to give the value.
     void aValueThatIsKeptHasTheEndsOfItsArc()
     {
         const Mechanism folding({.a = 10.0, .b = 10.0, .c = 0.0});

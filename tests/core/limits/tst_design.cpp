@@ -35,7 +35,7 @@ class TestDesign : public QObject
     Q_OBJECT
 
 private slots:
-    /// Below a time ratio of 1 the directions are exchanged.
+    /// If the requested time ratio is below 1, the outward stroke is the slower one.
     void meetsRandomRequests()
     {
         std::mt19937_64 random(24);
@@ -59,8 +59,8 @@ private slots:
             const MotionLimits limits = limitsOf(lengths);
             QCOMPARE(limits.mobility, Mobility::FullTurn);
             QVERIFY(std::abs(*limits.stroke / request.stroke - 1.0) < 1e-12);
-            // Near the ratio 3 the angle α depends on the small difference b - a, which the rounding of a and b
-            // changes.
+            // Near the ratio 3, the angle α between the two lines of the dead centres depends on the small difference b
+            // - a, which the rounding of a and b changes.
             const double tolerance = std::max(1e-12, 1e-15 * lengths.a / (lengths.b - lengths.a) / (3.0 - timeRatio));
             QVERIFY(std::abs(*limits.timeRatio / timeRatio - 1.0) < tolerance);
             const double slower = isReciprocal ? *limits.angleOutwards : *limits.angleInwards;

@@ -18,8 +18,8 @@ namespace tst_extremes
 
 constexpr double kPi = std::numbers::pi;
 
-/// Returns the approximate width in crank angle of the minimum of b cos θ3 at the steepest coupler. The peaks are about
-/// as narrow.
+/// Returns the approximate width (rad of θ2) of the minimum of b cos θ3 at the steepest coupler. The peaks are about as
+/// narrow.
 double toggleWidth(const Parameters &p)
 {
     const ManyDigits gap = ManyDigits(p.b) - p.a - std::abs(p.c);
@@ -33,8 +33,9 @@ ExactState exactAt(const Parameters &p, const ManyDigits &theta2)
     return exactState(in);
 }
 
-/// Returns distances from ±90° that cover the circle. Close to ±90° their distance is a hundredth of toggleWidth().
-std::vector<double> angleSteps(const Parameters &p)
+/// Returns distances (rad) from ±90° that, on both sides, cover the circle. Close to ±90° their spacing is a hundredth
+/// of toggleWidth().
+std::vector<double> scanDistances(const Parameters &p)
 {
     std::vector<double> steps;
     for (double step = 0.01 * toggleWidth(p); step < 0.5 * kPi;
@@ -52,7 +53,7 @@ struct ExactPeak {
     ManyDigits magnitude;
 };
 
-/// Finds the largest value of each rate in a fine scan and refines it between its neighbours.
+/// Finds the largest magnitude of each rate in a fine scan, and refines it by bisection between its neighbours.
 std::array<ExactPeak, kRates.size()> scannedPeaks(const Parameters &p)
 {
     using std::abs;
@@ -60,7 +61,7 @@ std::array<ExactPeak, kRates.size()> scannedPeaks(const Parameters &p)
     std::vector<ManyDigits> angles;
     for (const int centre : {-1, 1}) {
         angles.push_back(centre * quarter);
-        for (const double step : angleSteps(p)) {
+        for (const double step : scanDistances(p)) {
             angles.push_back(centre * quarter - step);
             angles.push_back(centre * quarter + step);
         }
@@ -137,7 +138,7 @@ private slots:
                 static_cast<double>((ManyDigits(peak.magnitude) - exact.magnitude) / exact.magnitude);
             QVERIFY2(std::abs(relative) <= 4e-15, describe(p).c_str());
 
-            // Proportional to the angle from ±90°, at which the spacing of doubles is 2.2e-16.
+            // The tolerance grows with the distance from ±90°, near which the spacing of doubles is 2.2e-16.
             const double fromSteepest = std::abs(std::abs(static_cast<double>(exact.theta2)) - 0.5 * kPi);
             const double tolerance = 1e-11 * toggleWidth(p) + 1e-14 * fromSteepest + 2.3e-16;
             double nearest = kTurn;

@@ -97,7 +97,7 @@ private:
         const ManyDigits high = c + a > b ? b : ManyDigits(c + a);
         const ManyDigits low = c - a < -b ? ManyDigits(-b) : ManyDigits(c - a);
         addAngles(asin(low / b), asin(high / b));
-        // Positions at which the slider reverses. Of two arcs, `right` has cos θ2 > 0, and `left` has cos θ2 < 0.
+        // x at which the slider reverses, on the arc with cos θ2 > 0 (`right`) and on that with cos θ2 < 0 (`left`).
         std::vector<ManyDigits> right;
         std::vector<ManyDigits> left;
         for (const ManyDigits &height : {b, ManyDigits(-b)}) {
@@ -174,7 +174,7 @@ class TestLimit : public QObject
     Q_OBJECT
 
 private slots:
-    /// Also for lengths that differ by many orders of magnitude, and near toggles.
+    /// Tests lengths that differ by many orders of magnitude, and mechanisms near toggles, too.
     void everyLimitHasFourteenDigits()
     {
         RandomMechanisms random(50);
@@ -204,7 +204,7 @@ private slots:
         }
     }
 
-    /// Whether the peak is the largest one, tst_extremes judges.
+    /// tst_extremes tests that the peak is the largest one.
     void everyPeakHasFourteenDigits()
     {
         RandomMechanisms random(51);
@@ -229,8 +229,8 @@ private slots:
         QVERIFY(seen > 500);
     }
 
-    /// Each place of an angle's extreme has the angle.
-    void coupleAnglesOccurAtTheirPlaces()
+    /// Computes θ3 or the transmission angle at each crank angle that is stated for its extremes.
+    void couplerAnglesOccurAtTheirCrankAngles()
     {
         RandomMechanisms random(52);
         for (int i = 0; i < 500; ++i) {
@@ -254,7 +254,7 @@ private slots:
         }
     }
 
-    void placesAscendFromZero()
+    void crankAnglesOfOneLimitAscendFromZero()
     {
         const Mechanism mechanism({20.0, 65.0, 0.0, 1.0});
         double last = -1.0;

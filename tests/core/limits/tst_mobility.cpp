@@ -59,6 +59,7 @@ Mobility exactMobility(const Parameters &p)
     return b == offset - a ? Mobility::Locked : Mobility::Rocker;
 }
 
+/// Returns the exact state at a crank angle (rad) for ω2 = 1 rad/s.
 ExactState exactStateAt(Parameters p, double theta2)
 {
     p.omega2 = 1.0;
@@ -96,7 +97,7 @@ bool isWithin(const MotionLimits &limits, double theta2)
     });
 }
 
-bool near(double x, double y, double tolerance)
+bool isNear(double x, double y, double tolerance)
 {
     return std::abs(x - y) <= tolerance;
 }
@@ -113,8 +114,8 @@ private slots:
     /// sum.
     void classifiesByExactSums()
     {
-        std::vector<Parameters> all;
-        std::ranges::transform(subjects(), std::back_inserter(all), &Subject::p);
+        std::vector<Parameters> mechanisms;
+        std::ranges::transform(subjects(), std::back_inserter(mechanisms), &Subject::p);
         for (const auto &[a, c] : {std::pair(20.0, 25.0),
                                    {20.0, -25.0},
                                    {20.0, 0.0},
@@ -124,13 +125,13 @@ private slots:
                                    {1e-9, 1e9}}) {
             for (const double edge : {a + std::abs(c), std::abs(c) - a}) {
                 for (const double b : {std::nextafter(edge, 0.0), edge, std::nextafter(edge, 1e300)}) {
-                    all.push_back({a, b, c, 1.0});
+                    mechanisms.push_back({a, b, c, 1.0});
                 }
             }
         }
         std::array<int, 4> seen{};
-        std::erase_if(all, [](const Parameters &p) { return findFault(p).has_value(); });
-        for (const Parameters &p : all) {
+        std::erase_if(mechanisms, [](const Parameters &p) { return findFault(p).has_value(); });
+        for (const Parameters &p : mechanisms) {
             const Mobility mobility = motionLimits(Mechanism(p)).mobility;
             VERIFY_FOR(p, mobility == exactMobility(p));
             ++seen[std::size_t(mobility)];
@@ -165,8 +166,8 @@ private slots:
         for (const auto &[p, limits] : subjects()) {
             const std::vector<CrankRange> &ranges = limits.ranges;
             VERIFY_FOR(p, ranges.size() == rangeCount(p, limits.mobility));
-            VERIFY_FOR(p,
-                       limits.mobility != Mobility::FullTurn || near(ranges[0].to - ranges[0].from, kTurn, kTolerance));
+            VERIFY_FOR(p, limits.mobility != Mobility::FullTurn ||
+                              isNear(ranges[0].to - ranges[0].from, kTurn, kTolerance));
             VERIFY_FOR(p, limits.mobility != Mobility::Locked ||
                               (ranges[0].from == ranges[0].to && !limits.innerDeadCentre));
             for (std::size_t i = 0; i < ranges.size(); ++i) {
@@ -175,7 +176,7 @@ private slots:
                 for (const double end : {ranges[i].from, ranges[i].to}) {
                     const double height = std::abs(p.c - p.a * std::sin(end));
                     VERIFY_FOR(p, limits.mobility == Mobility::FullTurn ||
-                                      near(height, p.b, 8.0 * kUnitRoundoff * characteristicLength(p)));
+                                      isNear(height, p.b, 8.0 * kUnitRoundoff * characteristicLength(p)));
                 }
             }
             for (int i = 0; i < 200; ++i) {
@@ -193,9 +194,9 @@ private slots:
     {
         for (const auto &[p, limits] : subjects()) {
             VERIFY_FOR(p, limits.outerDeadCentre.has_value() == (limits.mobility != Mobility::Impossible));
-            const bool folds =
+            const bool hasInner =
                 abs(ManyDigits(p.b) - ManyDigits(p.a)) >= std::abs(p.c) && limits.mobility != Mobility::Impossible;
-            VERIFY_FOR(p, limits.innerDeadCentre.has_value() == folds);
+            VERIFY_FOR(p, limits.innerDeadCentre.has_value() == hasInner);
             for (const bool stretched : {true, false}) {
                 const std::optional<SliderPosition> &centre =
                     stretched ? limits.outerDeadCentre : limits.innerDeadCentre;
@@ -205,7 +206,7 @@ private slots:
                 VERIFY_FOR(p, centre->theta2 >= -pi && centre->theta2 < pi);
                 // The distance of B from O2 is b + a or |b - a|.
                 const double distance = stretched ? p.b + p.a : std::abs(p.b - p.a);
-                VERIFY_FOR(p, near(std::hypot(centre->R4x, p.c), distance, kTolerance * characteristicLength(p)));
+                VERIFY_FOR(p, isNear(std::hypot(centre->R4x, p.c), distance, kTolerance * characteristicLength(p)));
 
                 const ExactState exact = exactStateAt(p, centre->theta2);
                 const double cosine = std::abs(static_cast<double>(exact.cosTheta3));
@@ -214,11 +215,11 @@ private slots:
                 }
                 VERIFY_FOR(p, exact.status == Status::Solved);
                 const double size = characteristicLength(p) / cosine;
-                VERIFY_FOR(p, near(centre->R4x, sliderMotion(exact), kTolerance * size));
-                // An error u of θ2 causes a velocity of u R̈4x, and more if larger terms cancel.
+                VERIFY_FOR(p, isNear(centre->R4x, sliderMotion(exact), kTolerance * size));
+                // Rounding θ2 changes it by up to u π, and the velocity by u π R̈4x, or more if larger terms cancel.
                 const double acceleration = std::abs(sliderMotion(exact, Order::Acceleration));
-                VERIFY_FOR(p, near(sliderMotion(exact, Order::Velocity), 0.0,
-                                   16.0 * kUnitRoundoff * (pi * acceleration + size)));
+                VERIFY_FOR(p, isNear(sliderMotion(exact, Order::Velocity), 0.0,
+                                     16.0 * kUnitRoundoff * (pi * acceleration + size)));
             }
         }
     }
@@ -248,7 +249,7 @@ private slots:
                 }
                 stroke = std::max(stroke, most - least);
             }
-            VERIFY_FOR(p, near(limits.stroke.value_or(0.0), stroke, kSampling * characteristicLength(p)));
+            VERIFY_FOR(p, isNear(limits.stroke.value_or(0.0), stroke, kSampling * characteristicLength(p)));
         }
     }
 
@@ -268,20 +269,20 @@ private slots:
             const double outwards = *limits.angleOutwards;
             const double inwards = *limits.angleInwards;
             const double sense = p.omega2 < 0.0 ? -1.0 : 1.0;
-            VERIFY_FOR(p, outwards > 0.0 && inwards > 0.0 && near(outwards + inwards, kTurn, kTolerance));
+            VERIFY_FOR(p, outwards > 0.0 && inwards > 0.0 && isNear(outwards + inwards, kTurn, kTolerance));
+            VERIFY_FOR(p, isNear(std::remainder(limits.innerDeadCentre->theta2 + sense * outwards -
+                                                    limits.outerDeadCentre->theta2,
+                                                kTurn),
+                                 0.0, kTolerance));
             VERIFY_FOR(
-                p, near(std::remainder(
-                            limits.innerDeadCentre->theta2 + sense * outwards - limits.outerDeadCentre->theta2, kTurn),
-                        0.0, kTolerance));
-            VERIFY_FOR(p,
-                       near(*limits.timeRatio, std::max(outwards, inwards) / std::min(outwards, inwards), kTolerance));
+                p, isNear(*limits.timeRatio, std::max(outwards, inwards) / std::min(outwards, inwards), kTolerance));
             const double away = limits.outerDeadCentre->R4x > limits.innerDeadCentre->R4x ? 1.0 : -1.0;
             double last = limits.innerDeadCentre->R4x;
             for (int i = 1; i <= 50; ++i) {
                 const double theta2 = limits.innerDeadCentre->theta2 + sense * outwards * i / 50.0;
-                const double R4 = sliderMotion(exactStateAt(p, theta2));
-                VERIFY_FOR(p, away * (R4 - last) >= -kTolerance * characteristicLength(p));
-                last = R4;
+                const double x = sliderMotion(exactStateAt(p, theta2));
+                VERIFY_FOR(p, away * (x - last) >= -kTolerance * characteristicLength(p));
+                last = x;
             }
         }
         QVERIFY(seen > 50);
@@ -298,10 +299,11 @@ private slots:
                                           ? ManyDigits((ManyDigits(p.a) + std::abs(p.c)) / p.b)
                                           : ManyDigits(1);
             const auto exact = static_cast<double>(acos(cosine));
-            VERIFY_FOR(p, near(minimum.angle, exact, 1e-15 * exact));
+            VERIFY_FOR(p, isNear(minimum.angle, exact, 1e-15 * exact));
             for (const double theta2 : minimum.crankAngles) {
                 const double height = std::abs(p.c - p.a * std::sin(theta2));
-                VERIFY_FOR(p, near(std::cos(minimum.angle), height / p.b, kTolerance * characteristicLength(p) / p.b));
+                VERIFY_FOR(p,
+                           isNear(std::cos(minimum.angle), height / p.b, kTolerance * characteristicLength(p) / p.b));
             }
             for (int i = 0; i < 100; ++i) {
                 if (const auto motion = motionAt(p, kTurn * i / 100.0)) {
@@ -333,7 +335,7 @@ private slots:
             const auto stroke = strokeAround(motionLimits(mechanism), motion.theta2, direction);
             VERIFY_FOR(p, stroke && stroke->from.theta2 < stroke->to.theta2);
             const double found = crankAngleAt(mechanism, *stroke, motion.R4x);
-            VERIFY_FOR(p, near(motionAt(found).R4x, motion.R4x, 1e-12 * characteristicLength(p)));
+            VERIFY_FOR(p, isNear(motionAt(found).R4x, motion.R4x, 1e-12 * characteristicLength(p)));
             const double farOutside = 2.0 * characteristicLength(p);
             const bool grows = stroke->from.R4x < stroke->to.R4x;
             VERIFY_FOR(p, crankAngleAt(mechanism, *stroke, farOutside) == (grows ? stroke->to : stroke->from).theta2);

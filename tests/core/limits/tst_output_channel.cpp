@@ -91,7 +91,7 @@ private slots:
         }
     }
 
-    /// A former defect: where the velocities jump, one of two values was given without a word.
+    /// A former defect: where the velocities jump, one of their two values was given as if it were the only one.
     void whereVelocitiesJumpThereAreNone_data()
     {
         QTest::addColumn<double>("b");
@@ -127,7 +127,8 @@ private slots:
         QCOMPARE(unambiguousStateAt(atRest, 0.0).state.status, Status::Solved);
     }
 
-    /// A former defect: 10¹⁰ mm/s and 10²⁶ mm/s² at the crank angle at which the limits say ∞.
+    /// A former defect: the velocity was 10¹⁰ mm/s and the acceleration 10²⁶ mm/s² at a crank angle where both are
+    /// unbounded.
     void atTheEndOfARockersArcThereAreNoVelocities()
     {
         const double end = 210.0 * std::numbers::pi / 180.0; // sin 210° = -1/2 = (c - b)/a
@@ -141,7 +142,7 @@ private slots:
         QCOMPARE(unambiguousStateAt(before, 0.0).state.status, Status::Solved);
     }
 
-    void endsOfArcs_data()
+    void keepsThePositionsAtTheEndsOfArcs_data()
     {
         QTest::addColumn<double>("c");
         QTest::addColumn<Branch>("branch");
@@ -156,7 +157,7 @@ private slots:
 
     /// a = 60, b = 50, c = ±20 mm: sin θ2 = ∓1/2. A former defect: beyond the end by a rounding error, the mechanism
     /// could not be assembled, and before it the positions had 8 digits.
-    void endsOfArcs()
+    void keepsThePositionsAtTheEndsOfArcs()
     {
         QFETCH(double, c);
         QFETCH(Branch, branch);

@@ -16,7 +16,8 @@ class TestPolygon : public QObject
     Q_OBJECT
 
 private slots:
-    /// The chain of vectors ends where the vector of B ends, and that is the derivative of the slider's position.
+    /// The chain of vectors ends where the vector of B ends, and the vector of B is the derivative of the slider's
+    /// position.
     void polygonsClose()
     {
         RandomMechanisms random(466);
@@ -30,8 +31,9 @@ private slots:
                                                  {polygons.acceleration, p.omega2 * p.omega2 + std::abs(alpha2)}}) {
                 const PlaneVector end = polygon[polygon.size() - 2].to;
                 const PlaneVector sum = polygon.back().to;
-                const double size = 1e-13 * characteristicLength(p) * scale;
-                QVERIFY2(std::abs(end.x - sum.x) <= size && std::abs(end.y - sum.y) <= size, describe(p).c_str());
+                const double tolerance = 1e-13 * characteristicLength(p) * scale;
+                QVERIFY2(std::abs(end.x - sum.x) <= tolerance && std::abs(end.y - sum.y) <= tolerance,
+                         describe(p).c_str());
                 QCOMPARE(sum.y, 0.0);
             }
             if (i % 20 == 0) {
@@ -58,7 +60,7 @@ private slots:
         QVERIFY(std::abs(vector(1).length() - 20.0 * 30.0) < 1e-9);
     }
 
-    void thereIsNoneWithoutVelocities()
+    void areEmptyIfThereAreNoVelocities()
     {
         QVERIFY(polygonsAt(Mechanism({.b = 25.0}), 0.0, 0.0).velocity.empty());                      // a toggle
         QVERIFY(polygonsAt(Mechanism({.b = 40.0, .theta20 = -1.5}), 0.0, 0.0).acceleration.empty()); // impossible

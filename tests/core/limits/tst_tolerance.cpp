@@ -70,7 +70,8 @@ private slots:
                 const auto &range = ranges[static_cast<std::size_t>(kJudgedKinds[k])];
                 QVERIFY2(range.has_value(), describe(p).c_str());
                 const auto width = static_cast<double>(greatest[k] - least[k]);
-                const double slack = 1e-3 * width + 1e-12 * static_cast<double>(std::abs(greatest[k])); // of the grid
+                const double slack =
+                    1e-3 * width + 1e-12 * static_cast<double>(std::abs(greatest[k])); // the points may miss an extreme
                 QVERIFY2(std::abs(range->least - static_cast<double>(least[k])) <= slack &&
                              std::abs(range->greatest - static_cast<double>(greatest[k])) <= slack,
                          (std::string(describe(kJudgedKinds[k]).key) + " of " + describe(p)).c_str());

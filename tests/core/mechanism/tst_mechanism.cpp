@@ -83,7 +83,7 @@ private slots:
         }
     }
 
-    /// In the order of `solve`: all of q, then q̇, then q̈, each with x, y and θ of each body.
+    /// The channels are numbered in the order of q, q̇ and q̈, each with x, y and θ of each body.
     void channelsHaveTheNamesAndUnitsOfFiles()
     {
         struct Derivative {

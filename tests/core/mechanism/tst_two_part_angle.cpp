@@ -46,8 +46,8 @@ private slots:
         }
     }
 
-    /// The error is at most 2u at angles of any size. Without the second part it would be that of the angle: 1e-7 at
-    /// 1e9.
+    /// The error is at most 2u at angles of any size. Without the second part it would be the rounding error
+    /// of the angle: 1e-7 rad at 1e9 rad.
     void sineAndCosineKeepTheSecondPart()
     {
         RandomMechanisms random(4);

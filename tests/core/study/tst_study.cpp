@@ -28,14 +28,14 @@ StudyRequest quickRequest(std::vector<Case> cases)
     return request;
 }
 
-/// Returns the case with at most that many time steps.
-Case withFewSteps(Case fine, int maxSteps)
+/// Returns the case with at most `maxSteps` time steps.
+Case withFewSteps(Case reduced, int maxSteps)
 {
-    fine.sampling.steps = std::min(fine.sampling.steps, maxSteps);
-    return fine;
+    reduced.sampling.steps = std::min(reduced.sampling.steps, maxSteps);
+    return reduced;
 }
 
-Case named(std::string_view name)
+Case caseNamed(std::string_view name)
 {
     for (const Case &each : allCases()) {
         if (each.name == name) {
@@ -45,7 +45,7 @@ Case named(std::string_view name)
     qFatal("no such case");
 }
 
-/// Returns the results of several cases. Error against cost is measured for the first one only.
+/// Returns the results of several cases. The study measures error against cost for the first case only.
 std::vector<CaseResult> studyResults(std::vector<Case> cases)
 {
     return runStudy(quickRequest(std::move(cases))).cases;
@@ -111,8 +111,8 @@ private slots:
     {
         // A rocker, in which some time stamps are impossible and the Fourier series does not apply, and an ordinary
         // crank.
-        const StudyResult study =
-            runStudy(quickRequest({withFewSteps(named("rocker, one arc"), 20), withFewSteps(nominalCases()[0], 20)}));
+        const StudyResult study = runStudy(
+            quickRequest({withFewSteps(caseNamed("rocker, one arc"), 20), withFewSteps(nominalCases()[0], 20)}));
         const std::vector<MethodResult> combined = resultsOverAllCases(study);
         QCOMPARE(combined.size(), study.cases.back().methods.size());
         for (const MethodResult &row : combined) {
@@ -190,7 +190,7 @@ private slots:
     {
         std::vector<Case> cases;
         for (const char *name : {"toggle gap 1e-4, c > 0", "toggle gap 1e-6, c > 0", "toggle gap 1e-8, c > 0"}) {
-            cases.push_back(withFewSteps(named(name), 20));
+            cases.push_back(withFewSteps(caseNamed(name), 20));
         }
         double before = 0.0;
         for (const CaseResult &result : studyResults(cases)) {
@@ -202,7 +202,7 @@ private slots:
         }
     }
 
-    /// In every case. Harmonics need a crank that makes full turns.
+    /// Tests every case. Harmonics need a crank that makes full turns.
     void onlyApproximationsAreSilentlyWrong()
     {
         std::vector<Case> cases = allCases();
@@ -240,7 +240,7 @@ private slots:
 
     void reportsTheWorstStatus()
     {
-        const CaseResult result = studyResult(withFewSteps(named("lengths x 1e9"), 20));
+        const CaseResult result = studyResult(withFewSteps(caseNamed("lengths x 1e9"), 20));
         const MethodResult *report =
             rowOf(result, "newton-dense", 1e-8); // mm: smaller than the rounding error of the residual
         QCOMPARE(report->status, Status::IterationLimit);
@@ -282,11 +282,11 @@ private slots:
     void progressRisesToOne()
     {
         std::vector<double> progress;
-        const StudyResult result = runStudy(twoCases(), {}, [&](double part) { progress.push_back(part); });
+        const StudyResult result = runStudy(twoCases(), {}, [&](double fraction) { progress.push_back(fraction); });
         QVERIFY(std::ranges::is_sorted(progress) && progress.size() > 20);
         QCOMPARE(progress.back(), 1.0);
         // Measuring error against cost, in the middle of the study, is reported, too.
-        QVERIFY(std::ranges::any_of(progress, [](double part) { return part > 0.4 && part < 0.6; }));
+        QVERIFY(std::ranges::any_of(progress, [](double fraction) { return fraction > 0.4 && fraction < 0.6; }));
         QVERIFY(result.complete);
         QCOMPARE(result.cases.size(), std::size_t(2));
     }
@@ -296,9 +296,9 @@ private slots:
         constexpr double kProgressInSecondCase = 0.8;
         std::stop_source stop;
         std::vector<double> progress;
-        const StudyResult result = runStudy(twoCases(), stop.get_token(), [&](double part) {
-            progress.push_back(part);
-            if (part > kProgressInSecondCase) {
+        const StudyResult result = runStudy(twoCases(), stop.get_token(), [&](double fraction) {
+            progress.push_back(fraction);
+            if (fraction > kProgressInSecondCase) {
                 stop.request_stop();
             }
         });
