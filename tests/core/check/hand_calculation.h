@@ -22,11 +22,12 @@ inline constexpr double kPi = std::numbers::pi;
 
 /// The motion at one position as a student writes it, in mm, rad and s. A student solves the vector loop
 ///     a e^(iθ2) + b e^(iθ3) = x + ic
-/// and its derivatives. The members that a slip replaces are inputs.
+/// and its derivatives.
 struct HandCalculation {
-    double a, b, c, theta2, omega2, alpha2, side;
-    double crankNormal; // ω2²
-    double couplerNormalFactor = 1.0;
+    double a, b, c, theta2, omega2, alpha2;
+    double side;                      ///< 1 in the open assembly, -1 in the crossed one
+    double crankNormal;               ///< factor of a in the normal acceleration of A; ω2² without a slip
+    double couplerNormalFactor = 1.0; ///< factor of b ω3² in the normal acceleration of B relative to A
     double x = 0.0, v = 0.0, acceleration = 0.0, theta3 = 0.0, omega3 = 0.0, alpha3 = 0.0, mu = 0.0;
 
     HandCalculation(const Parameters &p, double crankAcceleration)
@@ -61,7 +62,7 @@ struct HandCalculation {
                 .real();
     }
 
-    /// ω3 and α3 follow from the imaginary parts, which vanish.
+    /// Computes ω3 and α3, at which the imaginary parts of the derivatives vanish.
     void solveCoupler(double couplerAngle)
     {
         constexpr std::complex<double> i(0.0, 1.0);
@@ -97,7 +98,7 @@ struct SlipCase {
     Calculate calculate;
 };
 
-/// Solves with a changed input.
+/// Returns a calculation with changed inputs.
 inline Calculate withInput(const std::function<void(HandCalculation &)> &change)
 {
     return [change](HandCalculation &hand) {
@@ -110,7 +111,7 @@ inline Calculate withInput(const std::function<void(HandCalculation &)> &change)
 /// The formulas in which a slip is made.
 enum class Formulas { All, OfSlider };
 
-/// Solves with a changed term.
+/// Returns a calculation whose position is right, and whose further formulas use changed values.
 inline Calculate withTerm(const std::function<void(HandCalculation &)> &change, Formulas formulas)
 {
     return [change, formulas](HandCalculation &hand) {
@@ -158,7 +159,7 @@ inline void exchangeCoupler(HandCalculation &hand, Formulas formulas)
     hand.solveSlider(exchanged);
 }
 
-/// Computes with the angle of the coupler at its other end.
+/// Computes with θ3 + 180°, the angle of the coupler at B.
 inline void turnCoupler(HandCalculation &hand, Formulas formulas)
 {
     hand.solve();
@@ -238,7 +239,7 @@ inline const std::vector<SlipCase> kSlipCases{
     {"two harmonics", Slip::TwoHarmonics,
      [](auto &hand) {
          hand.solve();
-         const double n = hand.side * hand.b / hand.a; // the ratio of the textbooks
+         const double n = hand.side * hand.b / hand.a; // b / a, which textbooks call n
          const double t = hand.theta2;
          setSlider(hand, hand.a * (std::cos(t) + n - (1.0 - std::cos(2.0 * t)) / (4.0 * n)),
                    -hand.a * (std::sin(t) + std::sin(2.0 * t) / (2.0 * n)),
@@ -250,7 +251,7 @@ inline const std::vector<SlipCase> kSlipCases{
      [](auto &hand) {
          hand.solve();
          const double n = hand.b / hand.a;
-         const double t = hand.side > 0.0 ? hand.theta2 : kPi - hand.theta2; // to the left, the mirror image
+         const double t = hand.side > 0.0 ? hand.theta2 : kPi - hand.theta2; // the crossed assembly is the mirror image
          const double sense = hand.side;
          setSlider(hand, hand.a * (1.0 - std::cos(t) + (1.0 - std::cos(2.0 * t)) / (4.0 * n)),
                    sense * hand.a * (std::sin(t) + std::sin(2.0 * t) / (2.0 * n)),

@@ -47,7 +47,7 @@ Problem randomProblem(RandomMechanisms &random)
     return {parameters, random.uniform(0.2, 2.0) * normal * (random.uniform(-1.0, 1.0) < 0.0 ? -1.0 : 1.0)};
 }
 
-/// What was said about the numbers of 300 mechanisms.
+/// Numbers of mechanisms, of 300 with the same slip, by the answer of the program.
 struct Tally {
     int wrong = 0;     ///< mechanisms for which the slip changes a number
     int named = 0;     ///< the slip was named
@@ -124,14 +124,14 @@ private slots:
                                    .arg(three.ambiguous)
                                    .arg(three.misnamed);
         qInfo("%s", qPrintable(counts));
-        const bool isSmall =
-            slipCase->slip == Slip::CouplerAngleRounded; // rounding θ3 may change only the last digit of a number
+        // Rounding θ3 may change only the last digit of a number.
+        const bool mayChangeLastDigitOnly = slipCase->slip == Slip::CouplerAngleRounded;
         QVERIFY2(five.wrong > 50, qPrintable(counts));
-        QVERIFY2(five.named >= five.wrong * (isSmall ? 80 : 97) / 100, qPrintable(counts));
+        QVERIFY2(five.named >= five.wrong * (mayChangeLastDigitOnly ? 80 : 97) / 100, qPrintable(counts));
         QVERIFY2(five.misnamed == 0 && three.misnamed == 0, qPrintable(counts));
     }
 
-    /// The slips that change the transmission angle alone.
+    /// Tests the slips that change the transmission angle alone.
     void namesOtherAnglesThanTheTransmissionAngle()
     {
         struct Row {
@@ -172,22 +172,22 @@ private slots:
 
     void seldomNamesASlipForRandomNumbers_data()
     {
-        QTest::addColumn<double>("off");
-        QTest::addColumn<bool>("isExactlyOff");
+        QTest::addColumn<double>("relativeError");
+        QTest::addColumn<bool>("hasFixedSize");
         QTest::addColumn<int>("count");
-        for (const double off : {0.05, 0.2}) {
+        for (const double relativeError : {0.05, 0.2}) {
             for (const int count : {1, 2, 3, 4}) {
-                const QString title = QStringLiteral("%1 numbers, %2 % off").arg(count).arg(100.0 * off);
-                QTest::newRow(qPrintable("exactly " + title)) << off << true << count;
-                QTest::newRow(qPrintable("up to " + title)) << off << false << count;
+                const QString title = QStringLiteral("%1 numbers, %2 % off").arg(count).arg(100.0 * relativeError);
+                QTest::newRow(qPrintable("exactly " + title)) << relativeError << true << count;
+                QTest::newRow(qPrintable("up to " + title)) << relativeError << false << count;
             }
         }
     }
 
     void seldomNamesASlipForRandomNumbers()
     {
-        QFETCH(double, off);
-        QFETCH(bool, isExactlyOff);
+        QFETCH(double, relativeError);
+        QFETCH(bool, hasFixedSize);
         QFETCH(int, count);
         constexpr int kCases = 1000;
         RandomMechanisms random(77);
@@ -202,7 +202,7 @@ private slots:
                 const auto chosen =
                     names.begin() + static_cast<int>(random.uniform(0.0, static_cast<double>(names.size())));
                 const double sense = random.uniform(-1.0, 1.0);
-                const double error = off * (isExactlyOff ? std::copysign(1.0, sense) : sense);
+                const double error = relativeError * (hasFixedSize ? std::copysign(1.0, sense) : sense);
                 given.push_back(written(*chosen, hand.valueOf(*chosen) * (1.0 + error), 3));
                 names.erase(chosen);
             }
@@ -275,8 +275,8 @@ private slots:
 
     void prefersSlipsThatKeepTheRightValues()
     {
-        // The opposite sign of v alone is that of ω2, or the direction towards the crank. A right x excludes the
-        // latter.
+        // If v alone is given, its opposite sign may be due to ω2, or to a slider that is measured towards the crank. A
+        // right x excludes the second cause.
         const HandCalculation hand = kExample.calculation().solve();
         const GivenValue v = written("v", -hand.v, 5);
         const CheckResult alone = check(kExample.position(), std::vector{v});
@@ -286,8 +286,8 @@ private slots:
         QVERIFY(beside.slips == std::vector{Slip::CrankSpeedSign});
     }
 
-    /// A former defect: a θ3 and a v of the wrong sign were "measured from the outer dead centre", although a right x
-    /// showed that they were not.
+    /// A former defect: a θ3 and a v of the wrong sign were said to be "measured from the outer dead centre", which a
+    /// right x excludes.
     void aRightPositionExcludesWrongInputsAndOtherOrigins()
     {
         const HandCalculation hand = kExample.calculation().solve();
@@ -306,7 +306,7 @@ private slots:
             const std::vector beside{mirroredV, written(name, kExample.calculation().solve().valueOf(name), 5)};
             QVERIFY2(check(kExample.position(), beside).explanation == CheckOutcome::None, name);
         }
-        // A wrong formula may have been used for the velocity alone.
+        // A right x does not exclude a wrong formula for the velocity alone.
         HandCalculation exchanged = kExample.calculation();
         exchangeCoupler(exchanged, Formulas::OfSlider);
         const std::vector beside{written("v", exchanged.v, 5), written("x", hand.x, 5)};
@@ -325,7 +325,7 @@ private slots:
         QVERIFY(check(kExample.position(), std::vector{x, theta3}).slips == std::vector{Slip::CouplerAngleEnd});
     }
 
-    /// Spreadsheets write 4.9E-14 at a dead centre.
+    /// Spreadsheets write 4.9E-14 in place of the zero velocity at a dead centre.
     void aRoundingErrorIsZero()
     {
         Problem deadCentre = kExample;

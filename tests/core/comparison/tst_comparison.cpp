@@ -23,7 +23,7 @@ constexpr Channel kOffset{R4y, Order::Position};
 const Mechanism kMechanism({.a = 100.0, .b = 300.0, .c = 0.0, .omega2 = 2.0});
 constexpr std::size_t kRows = 100;
 
-/// Compares with a column printed with three decimals, so that half a rounding step is 0.0005.
+/// The rounding of a column with three decimals; half its step is kHalfStep.
 const Rounding kThreeDecimals{Rounding::Rule::Decimals, 3};
 const Rounding kSixDigits{Rounding::Rule::SignificantDigits, 6};
 constexpr double kHalfStep = 0.0005;
@@ -234,9 +234,8 @@ private slots:
         }
     }
 
-    /// The comparison of 100 000 rows with several threads equals that of each channel alone.
-    /// A file with time stamps of 0.01 s differs, because they are too coarse for a verdict. It is not said that they
-    /// explain errors that they do not explain.
+    /// Time stamps with two decimals are too coarse for a verdict, so that the file differs. They explain the errors of
+    /// the mechanism that produced the file, but not those of b = 66 mm.
     void saysThatRoundedTimeStampsExplainTheErrors()
     {
         const Mechanism produced{Parameters()};
@@ -264,6 +263,7 @@ private slots:
         }
     }
 
+    /// The comparison of 100 001 rows with several threads equals that of each channel alone.
     void comparesLongFiles()
     {
         const Mechanism mechanism({.b = 44.0}); // cannot be assembled everywhere

@@ -33,8 +33,8 @@ ReferenceData fileWith(const std::vector<Channel> &channels)
         ReferenceSeries series{channel, {}, {}};
         for (const double t : data.time) {
             const State state = motion.stateAt(t);
-            const Vector12 &of = channel.order == Order::Position ? state.q : state.qDot;
-            series.values.push_back(toFileUnit(channel, of[channel.coordinate]));
+            const Vector12 &coordinates = channel.order == Order::Position ? state.q : state.qDot;
+            series.values.push_back(toFileUnit(channel, coordinates[channel.coordinate]));
         }
         data.series.push_back(series);
     }
@@ -66,8 +66,8 @@ class TestReferencePose : public QObject
 private slots:
     void followsTheFileBetweenItsRows()
     {
-        // Linear interpolation has an error of at least 20 mm · (2π/50)²/8 = 0.04 mm. Parabolas are used at the ends.
-        // A missing column comes from the mechanism.
+        // The largest error of linear interpolation would be at least 20 mm · (2π/50)²/8 = 0.04 mm. At the ends,
+        // parabolas are used. The mechanism replaces a missing column.
         for (const auto &channels : {std::vector{kTheta3, kSlider}, {kSlider}, {kTheta3}}) {
             QVERIFY(largestPinDistance(fileWith(channels)) < 0.02);
         }

@@ -54,7 +54,8 @@ Observations withComputed(Channel computed, Channel source, double step, const F
     return observe(data, {});
 }
 
-/// Replaces the acceleration of the slider by quotients of quotients of its position: central or forward ones.
+/// Replaces the acceleration of the slider by difference quotients of the difference quotients of its position, and
+/// removes the velocity. The quotients are central or forward.
 Observations withRepeatedQuotients(bool isCentral)
 {
     Printing coarse;
@@ -151,7 +152,7 @@ private slots:
         const Channel slider{R4x, Order::Position};
         const Channel speed{R4x, Order::Velocity};
         const Channel acceleration{R4x, Order::Acceleration};
-        const auto contains = [](const Observations &observations, Channel channel) {
+        const auto isMarked = [](const Observations &observations, Channel channel) {
             return withComputedColumnsMarked(observations).columns[columnIndex(observations, channel)].isDifference;
         };
         using Values3 = double (*)(double, double, double, double);
@@ -161,19 +162,19 @@ private slots:
               Values3([](double before, double at, double, double dt) {
                   return 3.0 * (at - before) / dt; // apart from a factor
               })}) {
-            QVERIFY(contains(withComputed(speed, slider, 1e-3, quotient), speed));
+            QVERIFY(isMarked(withComputed(speed, slider, 1e-3, quotient), speed));
         }
         const auto second = [](double before, double at, double after, double dt) {
             return (before - 2.0 * at + after) / (dt * dt);
         };
-        QVERIFY(contains(withComputed(acceleration, slider, 1e-2, second), acceleration));
-        for (const bool isCentral : {true, false}) { // quotients of quotients that the file does not contain
-            QVERIFY(contains(withRepeatedQuotients(isCentral), acceleration));
+        QVERIFY(isMarked(withComputed(acceleration, slider, 1e-2, second), acceleration));
+        for (const bool isCentral : {true, false}) { // quotients of a velocity that the file does not contain
+            QVERIFY(isMarked(withRepeatedQuotients(isCentral), acceleration));
         }
         Printing coarse; // so that quotients differ from derivatives by more than their rounding
         coarse.rows = 31;
         const Observations exact = observe(printedData(Parameters(), coarse), {});
-        QVERIFY(!contains(exact, speed) && !contains(exact, acceleration));
+        QVERIFY(!isMarked(exact, speed) && !isMarked(exact, acceleration));
     }
 
     void recognizesLinearInterpolation()

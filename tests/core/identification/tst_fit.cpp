@@ -36,7 +36,7 @@ PrintedFile printedFile(const Parameters &parameters, const Printing &printing)
     return file;
 }
 
-/// The derivative of S by one unknown, from two fits without unknowns.
+/// Returns the derivative of the misfit S by one unknown, as a central difference.
 double numericalSlope(const PrintedFile &file, Unknown unknown, double step)
 {
     Model above = file.model;
@@ -53,8 +53,8 @@ class TestFit : public QObject
     Q_OBJECT
 
 private slots:
-    /// At a minimum found with the analytical derivatives, central differences of S vanish, and its second differences
-    /// are those that the fit returns.
+    /// At a minimum found with the analytical derivatives, central differences of S vanish, and S grows as the
+    /// curvature that the fit returns predicts.
     void hasTheDerivativesThatDifferencesShow()
     {
         RandomMechanisms random(20240611);

@@ -49,7 +49,8 @@ double sliderPosition(double a, double b, double c, double theta2)
     return a * std::cos(theta2) + std::sqrt(b * b - std::pow(c - a * std::sin(theta2), 2.0));
 }
 
-/// A table with two decimals in steps of 10° or 0.02 s, in which a column is a function of the first one.
+/// Identifies a table with two decimals. The first column contains multiples of `step`, in the unit of its heading, and
+/// the second one `column` of these.
 Identification identifyTable(const std::string &headings, double step, int rows,
                              const std::function<double(double)> &column, const Parameters &given = {})
 {
@@ -62,7 +63,7 @@ Identification identifyTable(const std::string &headings, double step, int rows,
     return identify(std::get<ReferenceData>(readReferenceData(text)), Mechanism(given));
 }
 
-/// Returns whether the lengths are right within a part of the crank's length.
+/// Returns whether the errors of the lengths (mm) are at most `tolerance` times the length of the crank.
 bool hasLengths(const Identification &found, double a, double b, double c, double tolerance = 1e-3)
 {
     const Parameters &p = found.parameters;
@@ -219,7 +220,7 @@ private slots:
     }
 
     /// Former defects: the lengths of a table by the approximate formula were those of a different mechanism, wrong by
-    /// more than their standard errors, and its positions were said to be measured from a different origin.
+    /// more than their standard errors, and the positions were said to be measured from a different origin.
     void namesTheApproximateFormula_data()
     {
         QTest::addColumn<QString>("headings");
@@ -240,8 +241,8 @@ private slots:
         QString text = headings + '\n';
         for (int degrees = 0; degrees <= 360; degrees += 10) {
             const double angle = degrees * kDegree;
-            const double s =
-                kCrank * (1.0 - std::cos(angle) + 0.25 * ratio * (1.0 - std::cos(2.0 * angle))); // from dead centre
+            const double s = kCrank * (1.0 - std::cos(angle) +
+                                       0.25 * ratio * (1.0 - std::cos(2.0 * angle))); // from the outer dead centre
             const double v = -kCrank * kTurnPerSecond * (std::sin(angle) + 0.5 * ratio * std::sin(2.0 * angle));
             const double a =
                 -kCrank * kTurnPerSecond * kTurnPerSecond * (std::cos(angle) + ratio * std::cos(2.0 * angle));
@@ -455,8 +456,7 @@ private slots:
         QVERIFY(found.drive->least < found.drive->greatest);
     }
 
-    /// c = -5 with θ3 counted clockwise, or the mirror image with θ2 counted clockwise; each alone is right.
-    /// Without the rows that lack θ2, the others are compared with both mechanisms.
+    /// Rows without θ2 are left out, and the remaining rows are compared with the found and the given mechanism.
     void comparesAnUnevenCrankAlthoughRowsLackItsAngle()
     {
         std::string text = "t (s),theta2 (deg),R4_x (mm)\n";
@@ -479,6 +479,7 @@ private slots:
         QVERIFY(!found.agreesWithGiven);
     }
 
+    /// c = -5 mm with θ3 counted clockwise explains the file, and so does the mirror image with θ2 counted clockwise.
     void namesNoMirrorImageThatNeedsAnotherReading()
     {
         const Identification found = identifyFile("mirror_alternative");
@@ -498,7 +499,7 @@ private slots:
         QVERIFY(found.residuals[0].percentOfRange < 0.6);
     }
 
-    /// A few hundred noisy rows cannot tell the given b = 65 mm from 65.8 mm, all rows together can.
+    /// A few hundred noisy rows cannot distinguish the given b = 65 mm from 65.8 mm, but all rows together can.
     void keepsTheLengthsOfManyRowsBesideNearlyEqualGivenOnes()
     {
         std::mt19937 random(5);
@@ -539,7 +540,7 @@ private slots:
         QVERIFY(found.standardErrors[indexOf(Parameter::B)] < 1e-3);
     }
 
-    /// Rounded time stamps of 0.025 s leave the start of the clock open by 2.5 ms.
+    /// Time stamps every 0.025 s, rounded up to 0.01 s, leave the start of the clock uncertain by 2.5 ms.
     void statesTheErrorOfCoarseTimeStamps()
     {
         constexpr double kStart = 0.25; // rad
@@ -561,8 +562,8 @@ private slots:
         QVERIFY(std::abs(found.parameters.omega2 - kSpeed) < 3.0 * errorOfSpeed && errorOfSpeed < 0.01 * kSpeed);
     }
 
-    /// A former defect: the duration of coarse time stamps is uncertain, and so is the crank, whose length a velocity
-    /// shows only as a product with the speed. Its standard error did not say so.
+    /// A former defect: coarse time stamps leave the speed uncertain, and thus the length of the crank, which a
+    /// velocity shows only as a product with the speed. The standard error of this length was too small.
     void statesTheErrorOfLengthsFromVelocitiesAtCoarseTimeStamps()
     {
         constexpr double kSpeed = 4.7124; // rad/s
@@ -639,7 +640,7 @@ private slots:
         }
     }
 
-    /// A program computes in radians, and its headings have no units: the rates of angles are in rad/s then.
+    /// If a program writes angles in radians under headings without units, the rates of angles are in rad/s.
     void findsTheSpeedOfTablesInRadiansWithoutUnits()
     {
         constexpr double kSpeed = 6.0; // rad/s
@@ -666,12 +667,12 @@ private slots:
         }
     }
 
-    /// The quotients of the velocity are those of a slower crank.
+    /// Difference quotients of the velocity resemble the acceleration of a slower crank.
     void takesNoSpeedFromDifferencesOfTheVelocityOverTheAngle()
     {
         constexpr double kSpeed = 10.0; // rad/s
         constexpr double kDifferenceStep = 1e-6;
-        for (const int step : {2, 5, 10}) { // °; at 1°, the quotients are the acceleration within their rounding
+        for (const int step : {2, 5, 10}) { // °; at 1°, the quotients equal the acceleration within their rounding
             const auto velocity = [](double degrees) {
                 const double angle = degrees * kDegree;
                 const double change = sliderPosition(40.0, 120.0, 20.0, angle + kDifferenceStep) -
@@ -693,7 +694,8 @@ private slots:
         }
     }
 
-    /// The quotients of the position are those of a crank that is half a percent slower, in no other unit.
+    /// Difference quotients of the position resemble the velocity of a crank that is half a percent slower. No other
+    /// unit explains them.
     void differencesBesideADerivativeLeaveTheSpeedClear()
     {
         constexpr double kSpeed = 10.0; // rad/s
@@ -725,9 +727,10 @@ private slots:
     void differencesOverTheTimeDoNotChangeTheGeometry()
     {
         struct File {
-            double a, b, c;
-            int degrees, decimals;    // between rows; of x
-            bool areOfPrintedNumbers; // the quotients
+            double a, b, c;           // mm
+            int degrees;              // between rows
+            int decimals;             // of x
+            bool areOfPrintedNumbers; // whether the quotients are those of rounded positions
         };
         for (const File &file : {File{25.0, 82.5, 0.0, 30, 1, true}, File{60.0, 300.0, -6.0, 10, 2, false},
                                  File{20.0, 80.0, 0.0, 5, 2, true}, File{38.1, 152.4, -9.525, 5, 2, false},
@@ -758,7 +761,7 @@ private slots:
         }
     }
 
-    /// A former defect: over the time, θ3 at B and a displacement were those of the crossed assembly at θ3 + 180°, with
+    /// A former defect: over the time, θ3 at B and a displacement were taken for those of the crossed assembly, with
     /// the displacement in the opposite direction, as if a convention that is seldom used were simpler than a usual
     /// one.
     void aDisplacementBesideThetaAtBKeepsItsDirection()
@@ -868,7 +871,7 @@ private slots:
         QCOMPARE(found.alternatives[0].symmetry, AlternativeMechanism::Symmetry::MirrorImage);
     }
 
-    /// The speed of the velocities would also be that of a crank that makes 20 turns from row to row.
+    /// With the time in s, the velocities would agree with a crank that makes 20 turns from row to row.
     void takesAClockInMillisecondsForAnotherUnitAndNoFasterCrank()
     {
         constexpr double kDifferenceStep = 1e-6;

@@ -26,7 +26,7 @@ const Parameters kMechanism{20.0, 60.0, 25.0, 6.25, 0.25, Branch::Open};
 const Unknown kAngleOrigin = originOf(0);
 const Unknown kSliderOrigin = originOf(1);
 
-/// A fit with all freedoms of θ3 (column 0) and R4_x (column 1), whose values are changed before.
+/// Returns a fit of θ3 (column 0) and R4_x (column 1) in which all parameters and both origins are free.
 Fit freeFit(const Observations &observations)
 {
     Model model{.mechanism = kMechanism};
@@ -39,6 +39,7 @@ Fit freeFit(const Observations &observations)
 
 using Change = std::function<double(double value, std::size_t row)>;
 
+/// Returns the observations of a printed motion after these changes of its values (°, mm).
 Observations changedObservations(const Change &angle, const Change &slider)
 {
     Printing printing;
@@ -142,7 +143,7 @@ private slots:
                                    negated, -25.0, 6.25, Branch::Crossed}}) {
             const Observations observations = changedObservations(row.angle, row.slider);
             Model model = freeFit(changedObservations(unchanged, unchanged)).model;
-            // The model of the unchanged file in the readings of the changed one.
+            // Describes the changed file by the model of the unchanged file with other factors and origins.
             const double angle = observations.columns[0].values[1] - observations.columns[0].values[0];
             const double slider = observations.columns[1].values[1] - observations.columns[1].values[0];
             const Observations plain = changedObservations(unchanged, unchanged);

@@ -80,7 +80,7 @@ private slots:
             if (!timed) {
                 continue;
             }
-            QCOMPARE(described(*timedBy(Mechanism(), *timed)), described(data)); // it does not depend on the history
+            QCOMPARE(described(*timedBy(Mechanism(), *timed)), described(data)); // only the last drive counts
             const double step = 1.0 / (kDegreesPerRadian * std::abs(omega2));    // the duration of a degree
             QVERIFY2(std::abs(timed->timeRounding.finestStep() - step) < 1e-12 * step, name);
         }

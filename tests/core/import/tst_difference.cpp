@@ -20,8 +20,8 @@ private slots:
     {
         struct Row {
             const char *name;
-            int from; // rows of the difference quotient, relative to its own; equal: the derivative
-            int to;
+            int from;     // first row of the difference quotient, relative to the row of its value
+            int to;       // last row; if it equals `from`, the value is the derivative
             int decimals; // of the positions
             std::optional<Difference> expected;
         };
@@ -46,7 +46,7 @@ private slots:
             const auto outcome = read(bytes);
             const std::vector<FileColumn> &columns = std::get<ReferenceData>(outcome).layout.columns;
             QVERIFY2(columns[2].difference == expected, name);
-            QVERIFY2(!columns[1].difference && !columns[4].difference, name); // at constant speed, it is the derivative
+            QVERIFY2(!columns[1].difference && !columns[4].difference, name); // a constant speed
         }
     }
 };

@@ -27,6 +27,7 @@ struct ExpectedColumn {
     double unit;  ///< in mm, degrees or seconds
 };
 
+/// Reads columns such as "time[s] R4_x[mm] -".
 std::vector<ExpectedColumn> expectedColumns(const QString &text)
 {
     const std::map<QString, double> units{
@@ -42,7 +43,8 @@ std::vector<ExpectedColumn> expectedColumns(const QString &text)
     return columns;
 }
 
-/// Returns a value of a column in mm, degrees and seconds. A column that is not used swings like a cosine.
+/// Returns a value of a column in mm, degrees and seconds. Of the ignored columns, "-#" counts the rows, and the others
+/// swing like a cosine.
 double valueIn(const QString &column, int row)
 {
     const double time = row / (kHeadingRows - 1.0);

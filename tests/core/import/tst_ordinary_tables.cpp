@@ -272,7 +272,7 @@ class TestOrdinaryTables : public QObject
     Q_OBJECT
 
 private slots:
-    void readsThem()
+    void readsOrdinaryFiles()
     {
         for (const ReadFile &file : kOrdinary) {
             const Outcome outcome = readOrdinary(file.name);
@@ -320,7 +320,7 @@ private slots:
         QCOMPARE(data.find(kX)->rounding.stepAt(100.0), 100.0);
     }
 
-    /// The angle in multiples of π is in radians, in whatever unit the others are.
+    /// A crank angle in multiples of π is in radians, whatever the unit of other angles is.
     void readsMultiplesOfPi()
     {
         const Outcome outcome = read("θ2,x\n0,160\nπ/6,155\n0.5π,140\n2*pi/3,121\nπ,80\n");
@@ -338,7 +338,7 @@ private slots:
         QCOMPARE(std::get<ReferenceData>(inUnit).crank->degrees.back(), 180.0);
     }
 
-    /// Without a unit, values from 0 to 2π are radians, and so are the other angles without one.
+    /// Crank angles from 0 to 2π without a unit are in radians, and so are all other angles without a unit.
     void recognizesRadians()
     {
         const auto table = [](const char *headings, double first, double step, int rows, char format = 'f') {
@@ -419,7 +419,7 @@ private slots:
         QCOMPARE(std::get<ReadError>(read("t,x\n0,85\n1,84\n2,80\ns,cm\n")).fault.kind, Kind::AnotherTable);
     }
 
-    /// A file is not read from the few rows that are left of it.
+    /// If most rows cannot be read, the file is refused instead of being read from the remaining ones.
     void refusesAFileOfMostlyUnreadableRows()
     {
         const Outcome outcome = read("t,x\n0,85\n1,8a\n2,8b\n3,80\n4,7a\n");
@@ -592,7 +592,7 @@ private slots:
         }
     }
 
-    void refusesThoseThatAreWrong()
+    void refusesWrongFiles()
     {
         for (const RefusedFile &file : kRefusedFiles) {
             const Outcome outcome = readOrdinary(file.name);
@@ -631,7 +631,7 @@ private slots:
         QCOMPARE(adviceIn("Time,Untitled,Untitled 1\n0,0,80\n1,90,70\n2,180,75\n"), // LabVIEW: the first one only rises
                  std::string("Untitled 1=R4_x ;"));
         QCOMPARE(adviceIn("time,q1,q2\n0,0,80\n1,1,70\n2,2,75\n"), std::string("q2=R4_x ;")); // q1 only rises
-        // What stands behind a second time was sampled at it.
+        // Columns behind a second time were sampled at the time stamps of that column.
         QCOMPARE(adviceIn("t,x,,t,v\n0,80,,1,7\n2,70,,3,8\n"), std::string("#4=ignored ;v=ignored ;"));
         QCOMPARE(adviceIn("t,x,v,t,x,v\n0,80,7,0,80,9\n2,70,8,1,70,9\n"),
                  std::string("#4=ignored ;#5=ignored ;#6=ignored ;"));
@@ -673,7 +673,7 @@ private slots:
         QCOMPARE(rolesOf(std::get<ReferenceData>(foreign).layout), std::string("time R4_x? R4_x_diff2?"));
     }
 
-    /// Units above the headings count as those below.
+    /// Units above the headings count like units below them.
     void readsUnitsAboveTheHeadings()
     {
         for (const char *const units : {"s,cm,rad\n", "# units: s, cm, rad\n", "\"(s)\",\"(cm)\",\"(rad)\"\n"}) {
@@ -699,8 +699,9 @@ private slots:
         }
     }
 
-    /// Beside the crank angle, x and y without a name are those of the crank pin or of the crank's centre of mass.
-    void readsNoCentreOfMassIntoTheCrankPin()
+    /// A point without a name that moves on a circle with the crank angle is the crank pin or the crank's centre of
+    /// mass.
+    void readsNoSliderIntoACircle()
     {
         for (const char *const turn : {"90", "1.5708"}) {
             QByteArray table = "t,x,y,theta\n";
@@ -715,7 +716,7 @@ private slots:
         }
     }
 
-    /// Without a point's name, both components of the slider's velocity cannot change.
+    /// Two components of a velocity that both change are not those of the slider.
     void readsNoSliderIntoACurve()
     {
         const auto isRead = [](const QByteArray &headings) {
@@ -728,7 +729,7 @@ private slots:
         QVERIFY(isRead("t;x;y")); // the identification tells that y changes
     }
 
-    /// In an upright engine, y is the only coordinate of the slider, and a speed without an axis is that along y.
+    /// If y is the only coordinate, as in an upright engine, a speed without an axis is that along y.
     void readsSpeedsAlongTheOnlyCoordinate()
     {
         const auto rolesIn = [](const QByteArray &headings) {
@@ -772,7 +773,8 @@ private slots:
         QVERIFY(std::get<ReferenceData>(outcome).find({R4x, Order::Velocity}));
     }
 
-    /// A path implies radians, unless the crank would make more than half a turn from row to row.
+    /// Headings that are paths of a model, such as crank.phi, imply radians, unless the crank would make more than half
+    /// a turn from row to row.
     void readsDegreesOfAPath()
     {
         const auto unitIn = [](int step) {
@@ -816,7 +818,7 @@ private slots:
         QCOMPARE(data->crank->degrees.back(), 690.0);
     }
 
-    /// x, y and θ of one body: the crank turns, the slider does not, and the rest is the coupler.
+    /// In a table with x, y and θ of one body, a constant θ shows that the body is the slider.
     void findsTheBodyOfAPosition()
     {
         const auto rolesIn = [](const char *headings, const char *angleOfSecondRow) {
@@ -847,7 +849,7 @@ private slots:
         QCOMPARE(rolesOf(std::get<ReferenceData>(outcome).layout), std::string("time R4_x? - - -"));
     }
 
-    /// Of several points, the slider's is the one whose y does not change. Norton measures θ3 at B.
+    /// Of several points, the slider's is the one whose y does not change.
     void findsTheSliderByItsPath()
     {
         const auto rolesIn = [](const QByteArray &headings) {
@@ -877,6 +879,7 @@ private slots:
         QCOMPARE(rolesIn("t;F1;F2;PART_4.X;F3"), QString("time - - R4_x? -"));
     }
 
+    /// Norton measures θ3 at B.
     void readsTheAngleAtB()
     {
         for (const char *const name : {"theta3 at B", "θ₃ at B [deg]", "θ3 (at B)", "angle at B", "ángulo en B (°)"}) {
