@@ -109,8 +109,7 @@ std::vector<Deviation> deviationsFrom(Parameters p, const Claim &claim)
     return deviations;
 }
 
-/// Describes how a claimed residual differs from that of the mechanism, or that it is too large for the outcome. Empty
-/// if neither is the case.
+/// Describes a claimed residual that is not that of the mechanism, or too large for the outcome. Empty if it is right.
 std::string falseColumn(const Claim &claim, const Deviation &deviation)
 {
     constexpr double kApproximate = 0.02; // of the range, rms

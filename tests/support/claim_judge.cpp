@@ -69,7 +69,7 @@ bool isTrue(const Claim &claim, const Parameters &parameters)
     });
 }
 
-// The next five functions describe what is false in a claim, and return an empty text if nothing is.
+// The next five functions describe what is false in a claim. Empty if nothing is.
 
 /// Checks the mechanism and its rounded values. If the systematic deviations of a table do not show in the fit, the
 /// mechanism may differ from the true one. A motion that no slider-crank makes may be approximated, but without

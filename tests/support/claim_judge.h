@@ -27,7 +27,7 @@ struct Claim {
 
 /// Error of a claimed parameter.
 struct ParameterError {
-    double difference;    ///< claimed minus true value, in mm, rad/s or rad
+    double difference;    ///< claimed - true; mm, rad/s or rad
     double standardError; ///< 0 if none is claimed
     double size;          ///< the parameter's entry in parameterSizes()
 };
@@ -56,9 +56,9 @@ bool explainsExactly(const Claim &claim, const Parameters &parameters);
 
 struct Judgement {
     Identification::Outcome outcome = Identification::Outcome::None;
-    std::string falseClaim{};  ///< why a claim is false; empty if none is
-    bool isDetermined = false; ///< the table determines its mechanism
-    bool isMissed = false;     ///< the program did not find a mechanism or an uneven speed that is determined
+    std::string falseClaim{}; ///< why a claim is false; empty if none is
+    bool isDetermined = false;
+    bool isMissed = false; ///< a determined mechanism or uneven speed was not found
 };
 
 Judgement judge(const Claim &claim);

@@ -233,8 +233,8 @@ public:
     std::size_t maxConventions = 0;
     double tolerance = 2e-3; ///< relative tolerance of the parameters of an exact fit, or 5 standard errors if larger
     bool hasTooFewValues = false;
-    bool isMissable = false;    ///< see mayBeMissed()
-    bool isSystematic = false;  ///< see approximate()
+    bool isMissable = false;
+    bool isSystematic = false;
     bool hasSaturation = false; ///< the program need not name the bad rows
     bool hasSteepRows = false;  ///< rows that are right may be excluded
     bool isCrankUneven = false; ///< θ2 shows that the speed is not constant

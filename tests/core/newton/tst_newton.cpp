@@ -254,7 +254,7 @@ private slots:
         std::vector<NewtonOptions> combinations = optionCombinations(10, 1e-8);
         std::ranges::copy(optionCombinations(50, 0.0), std::back_inserter(combinations));
         const std::vector<Case> cases = allCases();
-        for (std::size_t i = 0; i < cases.size(); i += kIsSanitized ? 8 : 1) { // an eighth, as by numericCaseCount()
+        for (std::size_t i = 0; i < cases.size(); i += kIsSanitized ? 8 : 1) { // as numericCaseCount()
             const Parameters &p = cases[i].parameters;
             const double reach = characteristicLength(p);
             for (const NewtonOptions &options : combinations) {
