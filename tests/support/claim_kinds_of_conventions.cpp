@@ -38,7 +38,7 @@ double outerDeadCentre(const Parameters &p)
     return std::sqrt((p.a + p.b) * (p.a + p.b) - p.c * p.c);
 }
 
-/// Returns mm.
+/// Returns an origin in mm.
 double randomOrigin(ClaimRandom &random)
 {
     return random.eitherSign(5.0, 500.0);

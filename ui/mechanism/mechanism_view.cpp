@@ -268,9 +268,10 @@ void MechanismView::fitFrame()
 
 void MechanismView::setResult(const std::shared_ptr<const Result> &result)
 {
-    const bool isSameMechanism = m_scene.result && result && m_scene.result->mechanism == result->mechanism;
+    const bool isSameDrawing = m_scene.result && result && m_scene.result->mechanism == result->mechanism &&
+                               m_scene.result->choices.alpha2 == result->choices.alpha2;
     m_scene.result = result;
-    if (isSameMechanism || !result) {
+    if (isSameDrawing || !result) {
         return; // the drawing does not depend on sampling, solver and reference
     }
     const bool dragsLength = m_pressed && m_pressed->drag && m_pressed->drag->length();

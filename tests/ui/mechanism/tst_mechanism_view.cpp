@@ -447,6 +447,19 @@ private slots:
         QVERIFY(states(alpha2 == 0.0 ? scale : QStringLiteral("%1, α₂ = %2 rad/s²").arg(scale, numberText(alpha2))));
     }
 
+    /// A former defect: the scale remained that of the acceleration without α₂.
+    void showsAChangedCrankAccelerationAtOnce()
+    {
+        TestedView tested;
+        tested.view.setSettings({.acceleration = true});
+        const QImage atConstantSpeed = tested.picture();
+        tested.session.setAlpha2(300.0);
+        const QImage accelerated = tested.picture();
+        QVERIFY(accelerated != atConstantSpeed);
+        tested.view.refreshNotation(); // draws everything again
+        QCOMPARE(accelerated, tested.picture());
+    }
+
     /// With ω₂ = 0, the acceleration of A is a α₂ = 20 mm · 5 rad/s². θ₂ = 0: α₃ = −a α₂ / √(b² − c²) = −5/3 rad/s².
     void statesTheAccelerationsOfACrankThatStarts()
     {
